@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every library that fathom is built from. The headers of CGAL and nlohmann-json are used inside .cpp files only.
+include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
+fathom_find_numbers()
+
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.5 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)

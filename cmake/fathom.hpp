@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library in one include, for projects that use it as an installed package.
+#pragma once
+
+#include "reference/depth/depth.hpp"

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the launchers ./fathom and ./check share: packages, build lock, configuring and building. Sourced by bash.
+# The caller sets root (the project's top folder) and me (its own name). Everything here talks on stderr.
+#
+# Exit codes: 2 packages are missing and only root may install them; 3 installing or building failed.
+
+out=$root/build/release
+log=$root/build/launcher.log
+stamp=$out/launcher.stamp
+
+say() { printf '%s: %s\n' "$me" "$*" >&2; }
+
+die() {
+  local code=$1
+  shift
+  say "$@"
+  exit "$code"
+}
+
+# Everything that the program is built from, one line each. Any edit, addition or removal changes it.
+inputs() {
+  local from=(kernels reference verify cli schemas cmake CMakeLists.txt CMakePresets.json)
+  printf '%s\n' "$root"
+  (cd "$root" && find "${from[@]}" -type f -printf '%p %s %T@\n' 2>/dev/null) | LC_ALL=C sort
+}
+
+up_to_date() { [[ -x $out/fathom && -f $stamp && $(inputs) == "$(<"$stamp")" ]]; }
+
+# Runs a command with its output in the log; on a terminal the latest line is shown while it works.
+logged() {
+  if [[ ! -t 2 ]]; then
+    "$@" </dev/null >>"$log" 2>&1
+    return
+  fi
+  "$@" </dev/null 2>&1 | tee -a "$log" | while IFS= read -r line; do printf '\r\033[K%s' "${line:0:79}" >&2; done
+  local status=${PIPESTATUS[0]}
+  printf '\r\033[K' >&2
+  return "$status"
+}
+
+logged_or_die() {
+  local what=$1
+  shift
+  logged "$@" && return
+  tail -n 40 "$log" >&2
+  die 3 "$what failed; the whole log is $log"
+}
+
+# The packages of the given sections of packages.txt.
+packages() {
+  local line section='' wanted=" $* "
+  while read -r line; do
+    case $line in
+      '' | '#'*) ;;
+      '['*']') section=${line:1:-1} ;;
+      *) if [[ $wanted == *" $section "* ]]; then printf '%s\n' "$line"; fi ;;
+    esac
+  done <"$root/cmake/packages.txt"
+}
+
+# Sets `missing` to the packages of the given sections that are not installed.
+find_missing() {
+  local wanted installed package
+  missing=()
+  command -v dpkg-query >/dev/null || return 0 # no Debian: CMake will say what it cannot find
+  mapfile -t wanted < <(packages "$@")
+  installed=" $(dpkg-query -W -f '${db:Status-Status}=${Package} ' "${wanted[@]}" 2>/dev/null)"
+  for package in "${wanted[@]}"; do
+    [[ $installed == *" installed=$package "* ]] || missing+=("$package")
+  done
+}
+
+# Ends with the one line that root has to run, if packages of the given sections are missing and we are not root.
+demand_packages() {
+  ((EUID)) || return 0
+  find_missing "$@"
+  ((${#missing[@]})) || return 0
+  say "these Debian packages are missing; as root, run"
+  printf '  apt-get update && apt-get install -y --no-install-recommends %s\n' "${missing[*]}" >&2
+  exit 2
+}
+
+# Installs what is missing. Needs root, and the network only when something is.
+install_packages() {
+  find_missing "$@"
+  ((${#missing[@]})) || return 0
+  say "installing Debian packages: ${missing[*]}"
+  local -x DEBIAN_FRONTEND=noninteractive
+  logged_or_die "apt-get update" apt-get update 9>&-
+  logged_or_die "apt-get install" apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}" 9>&-
+}
+
+# One build at a time. The lock lies on descriptor 9: it is held until the caller ends, and by a compiler that outlives the caller.
+lock() {
+  mkdir -p "$root/build" 2>/dev/null && : 2>/dev/null >>"$root/build/lock" || die 3 "cannot write to $root/build"
+  exec 9>>"$root/build/lock"
+  flock -n 9 && return
+  say "waiting for another build to finish"
+  flock 9
+}
+
+# Ninja goes by dates alone: a file that changed but kept an older date (cp -p, tar, rsync) would be missed.
+freshen() {
+  local line
+  [[ -f $stamp ]] || return 0
+  LC_ALL=C comm -13 "$stamp" <(printf '%s\n' "$1") 2>/dev/null | while IFS= read -r line; do
+    line=$root/${line% * *}
+    if [[ $line -ot $stamp ]]; then touch -c "$line"; fi
+  done
+}
+
+# At most two compilers at once, and one where memory is short: each may take over 1 GB.
+jobs() {
+  local memory
+  memory=$(sed -n 's/^MemTotal: *\([0-9]*\) kB/\1/p' /proc/meminfo 2>/dev/null)
+  if ((${memory:-4000000} < 3000000)); then echo 1; else echo 2; fi
+}
+
+# build TESTS TARGET [CMAKE ARGUMENTS...]: configures and builds the release preset. TESTS: ON, or KEEP what an earlier call chose.
+build() {
+  local tests=$1 target=$2 before cache=$out/CMakeCache.txt
+  shift 2
+  if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    rm -rf "$out" # the folder was moved or copied: the cache holds the old paths
+  fi
+  if [[ $tests == KEEP ]]; then
+    tests=OFF
+    if grep -qsxF 'FATHOM_TESTS:BOOL=ON' "$cache"; then tests=ON; fi
+  fi
+  if [[ -x $out/fathom ]]; then say "building what changed (release)"; else say "building (release); this takes some minutes"; fi
+  [[ -n ${CCACHE_DIR-} || -w ${HOME-} ]] || export CCACHE_DISABLE=1 # ccache fails where it can store nothing
+  before=$(inputs)
+  freshen "$before"
+  before=$(inputs)
+  rm -f "$stamp"
+  cd "$root" || die 3 "cannot enter $root"
+  logged_or_die "configuring" cmake --preset release "-DFATHOM_TESTS=$tests" "$@"
+  logged_or_die "building" cmake --build "$out" --target "$target" -j "$(jobs)"
+  printf '%s\n' "$before" >"$stamp"
+}

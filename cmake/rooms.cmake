@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# fathom_room(TARGET FOLDER [PUBLIC ...] [PRIVATE ...] [HIDDEN ...] [OPTIONS ...]): a static library from every .cpp below FOLDER.
+#   PUBLIC, PRIVATE  libraries that it links
+#   HIDDEN           header-only libraries that its .cpp files use; whoever links the room never hears of them
+#   OPTIONS          compile options
+# Its doors, the .hpp files, are its public headers, except those named *_cgal.hpp. Files listed in cgal_files.txt compile in the Ninja
+# pool `cgal`.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/cgal_files.txt fathom_cgal_files REGEX "^[^#]")
+list(TRANSFORM fathom_cgal_files PREPEND ${PROJECT_SOURCE_DIR}/)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cgal_files.txt)
+
+function(fathom_room target folder)
+  cmake_parse_arguments(PARSE_ARGV 2 room "" "" "PUBLIC;PRIVATE;HIDDEN;OPTIONS")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  file(GLOB_RECURSE doors CONFIGURE_DEPENDS ${folder}/*.hpp)
+  list(FILTER doors EXCLUDE REGEX "_cgal\\.hpp$")
+  set(heavy ${sources})
+  list(REMOVE_ITEM sources ${fathom_cgal_files})
+  list(REMOVE_ITEM heavy ${sources})
+  list(TRANSFORM room_HIDDEN REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
+
+  add_library(${target} STATIC ${sources})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${doors})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  set(parts ${target})
+  if(heavy)
+    add_library(${target}_cgal OBJECT ${heavy})
+    target_include_directories(${target}_cgal PRIVATE ${PROJECT_SOURCE_DIR})
+    set_target_properties(${target}_cgal PROPERTIES JOB_POOL_COMPILE cgal)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_cgal>)
+    list(APPEND parts ${target}_cgal)
+  endif()
+  foreach(part ${parts})
+    target_link_libraries(${part} PUBLIC ${room_PUBLIC} PRIVATE ${room_PRIVATE} ${room_HIDDEN})
+    target_compile_options(${part} PRIVATE ${room_OPTIONS})
+  endforeach()
+endfunction()

@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Tries the launchers on a small project of its own: launcher_test.sh PROJECT_ROOT
+# Each `law` names what the next steps show; the first broken one ends the test.
+set -u
+project=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+chmod 755 "$work"
+tree="$work/a tree"
+law='' talk=''
+
+broken() {
+  printf 'broken law: %s\n%s\nstderr was: %s\n' "$law" "$1" "$talk" >&2
+  cat "$tree/build/launcher.log" >&2
+  exit 1
+}
+
+# expect CODE STDOUT COMMAND...   what it says on stderr is kept in $talk
+expect() {
+  local code=$1 wanted=$2 got status
+  shift 2
+  got=$("$@" 2>"$work/talk")
+  status=$?
+  talk=$(<"$work/talk")
+  [[ $status == "$code" ]] || broken "exit code $status instead of $code"
+  [[ $got == "$wanted" ]] || broken "printed '$got' instead of '$wanted'"
+}
+expect_silence() { [[ -z $talk ]] || broken 'stderr should be empty'; }
+expect_talk() { [[ $talk == *"$1"* ]] || broken "stderr should hold '$1'"; }
+
+# A program that prints its answer, its arguments, its standard input if one is "-", and exits with their number.
+program() {
+  cat <<CPP
+#include <iostream>
+#include <string>
+int main(int n, char** arguments) {
+  std::cout << "$1";
+  for (int i = 1; i < n; ++i) std::cout << "|" << (std::string(arguments[i]) == "-" ? std::string(1, char(std::cin.get())) : arguments[i]);
+  return n - 1;
+}
+CPP
+}
+
+mkdir -p "$tree/cmake" "$tree/cli" "$work/elsewhere"
+cp "$project/fathom" "$project/check" "$tree"
+cp "$project/cmake/launcher.sh" "$tree/cmake"
+cat >"$tree/CMakePresets.json" <<'JSON'
+{"version": 6, "configurePresets": [{"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}
+JSON
+cat >"$tree/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(small LANGUAGES CXX)
+execute_process(COMMAND cat OUTPUT_QUIET) # eats the standard input it gets
+option(FATHOM_TESTS "" ON)
+file(GLOB sources CONFIGURE_DEPENDS cli/*.cpp)
+add_executable(fathom ${sources})
+if(FATHOM_TESTS)
+  enable_testing()
+  add_test(NAME runs COMMAND fathom)
+  add_test(NAME fails COMMAND fathom argument)
+endif()
+CMAKE
+program one >"$tree/cli/main.cpp"
+printf '# comment\n[build]\nbash\nno-such-package\n[test]\nno-such-test-package\n' >"$tree/cmake/packages.txt"
+
+law='without root, missing packages give one apt line and exit code 2, even where nothing can be written'
+ordinary=()
+((EUID)) || ordinary=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/check"
+expect_talk 'apt-get install -y --no-install-recommends no-such-package no-such-test-package'
+expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom"
+expect_talk 'apt-get install -y --no-install-recommends no-such-package'
+[[ $talk != *bash* && $talk != *test-package* ]] || broken 'more packages are named than are needed and missing'
+[[ ! -e $tree/build ]] || broken 'something was built'
+printf '[build]\nbash\n[test]\nno-such-test-package\n' >"$tree/cmake/packages.txt"
+
+law='the first use builds, says so on stderr, and runs'
+expect 0 one "$tree/fathom"
+expect_talk building
+
+law='the second use is quiet; arguments, standard input and exit code pass untouched'
+expect 3 'one|a b||*' "$tree/fathom" 'a b' '' '*'
+expect_silence
+expect 1 'one|x' "$tree/fathom" - <<<'x'
+expect_silence
+
+law='it works from another folder and through a symbolic link'
+ln -s "../a tree/fathom" "$work/elsewhere/link"
+cd "$work/elsewhere" || exit 1
+expect 0 one ./link
+expect_silence
+
+law='a changed source is rebuilt, and a build leaves standard input alone'
+program two >"$tree/cli/main.cpp"
+expect 1 'two|y' ./link - <<<'y'
+expect_talk building
+law='a source that changed but carries an old date is rebuilt'
+program three >"$tree/cli/main.cpp"
+touch -d '2001-01-01' "$tree/cli/main.cpp"
+expect 0 three ./link
+law='an added source is rebuilt; a failing build shows its log and exits with 3'
+program four >"$tree/cli/second.cpp"
+expect 3 '' ./link
+expect_talk 'multiple definition'
+law='a failed build is tried again; a deleted source is rebuilt'
+expect 3 '' ./link
+rm "$tree/cli/second.cpp"
+expect 0 three ./link
+law='a changed CMake file is rebuilt'
+echo 'target_compile_definitions(fathom PRIVATE three=four)' >>"$tree/CMakeLists.txt"
+sed -i 's/"three"/NAME(three)/; 1i #define TEXT(x) #x\n#define NAME(x) TEXT(x)' "$tree/cli/main.cpp"
+expect 0 four ./link
+law='a lost program is built again'
+rm "$tree/build/release/fathom"
+expect 0 four ./link
+
+law='two calls at once: one builds, the other waits, both answer'
+program five >"$tree/cli/main.cpp"
+./link >"$work/left" 2>"$work/talk.left" &
+./link >"$work/right" 2>"$work/talk.right"
+wait $! || broken 'the first of two calls failed'
+[[ $(<"$work/left")$(<"$work/right") == fivefive ]] || broken "printed '$(<"$work/left")' and '$(<"$work/right")'"
+[[ $(cat "$work"/talk.* | grep -c 'building') == 1 ]] || broken "both built: $(cat "$work"/talk.*)"
+
+law='a copy of the tree, build and all, works where it is'
+cp -a "$tree" "$work/copy"
+rm -r "$tree/cli"
+expect 0 five "$work/copy/fathom"
+cp -a "$work/copy/cli" "$tree/cli"
+
+law='check builds with tests, prints what ctest says, passes arguments on and exits with 1 when a test fails'
+printf '[build]\nbash\n[test]\nbash\n' >"$tree/cmake/packages.txt"
+"$tree/check" >"$work/out" 2>"$work/talk" && broken 'a failing test went unnoticed'
+[[ $? == 1 ]] || broken "exit code is not 1: $(cat "$work/out")"
+grep -q '50% tests passed, 1 tests failed out of 2' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
+"$tree/check" -R runs >"$work/out" 2>"$work/talk" || broken "the passing test failed: $(cat "$work/out")"
+grep -q '100% tests passed, 0 tests failed out of 1' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
+"$tree/check" -R no-such-test >"$work/out" 2>"$work/talk" && broken 'no test at all is no success'
+
+law='after check, fathom has nothing to do'
+expect 0 five "$tree/fathom"
+expect_silence
+echo 'every law holds'

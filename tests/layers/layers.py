@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks the laws that keep the rooms apart; prints one line per breach and exits with 1 if there is any.
+
+order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself
+doors     the headers of kernels and reference include only the standard library, GMP and each other
+cgal      only the files listed in cmake/cgal_files.txt include CGAL or Boost, and each of them does
+rounding  rounding modes and interval filters are touched in kernels only
+licence   an SPDX line opens every source, script and CMake file
+length    no source has more than 350 lines
+"""
+import pathlib
+import re
+import sys
+
+# From left to right. Rooms on one line do not know each other.
+ORDER = [
+    ["kernels"],
+    ["reference/files"],
+    ["reference/polytope"],
+    ["reference/gaussian"],
+    ["reference/chart"],
+    ["reference/canonical", "reference/vertex_facet"],
+    ["reference/lines"],
+    ["reference/depth"],
+    ["reference/width"],
+    ["reference/approximate", "reference/certificate"],
+    ["cmake"],  # the umbrella header
+    ["verify/check", "verify/families"],
+    ["cli"],
+    ["tests"],
+]
+PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
+CLOSED = "verify/check"  # the judge's checker shares nothing
+
+LISTED = "cmake/cgal_files.txt"
+LINES = 350
+SOURCE = (".cpp", ".hpp")
+SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
+STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
+ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
+
+
+def files(root):
+    """The project's files as paths from its root, build trees and hidden folders apart."""
+    for top in sorted(root.iterdir()):
+        if top.is_dir() and not top.name.startswith((".", "build")):
+            yield from (p.relative_to(root) for p in sorted(top.rglob("*")) if p.is_file())
+    yield from (pathlib.Path(name) for name in ("CMakeLists.txt", *SCRIPTS) if (root / name).is_file())
+
+
+def room_of(path):
+    """The room that a path lies in, or None."""
+    return next((room for room in PLACE if path == room or path.startswith(room + "/")), None)
+
+
+def order_breach(room, target):
+    if room == target:
+        return None
+    if CLOSED in (room, target) and room not in ("cli", "tests"):
+        return f"{CLOSED} shares nothing with {target if room == CLOSED else room}"
+    return None if PLACE[target] < PLACE[room] else f"{target} is not to the left of {room}"
+
+
+def include_breaches(root, path, text, listed):
+    name = path.as_posix()
+    room = room_of(name)
+    if room is None:
+        yield "order", "this folder is no known room: give it a place in tests/layers/layers.py"
+        return
+    door = name.endswith(".hpp") and name.startswith(("kernels/", "reference/")) and not name.endswith("_cgal.hpp")
+    for quote, target in INCLUDE.findall(text):
+        if target.startswith(("CGAL/", "boost/")):
+            if name not in listed:
+                yield "cgal", f"<{target}> in a file that {LISTED} does not list"
+        elif quote == "<":
+            if door and not STANDARD.fullmatch(target):
+                yield "doors", f"<{target}> in a door"
+        elif room_of(target) is None or not (root / target).is_file():
+            yield "order", f'"{target}" is no file of a room, by its path from the root'
+        elif breach := order_breach(room, room_of(target)):
+            yield "order", f'"{target}": {breach}'
+
+
+def source_breaches(root, path, text, listed):
+    name = path.as_posix()
+    if not name.startswith("tests/install/consumer/"):  # a foreign project
+        yield from include_breaches(root, path, text, listed)
+    if not name.startswith(("kernels/", "tests/")) and (hit := ROUNDING.search(text)):
+        yield "rounding", f"{hit.group()} outside kernels"
+    if (lines := text.count("\n")) > LINES:
+        yield "length", f"{lines} lines, more than {LINES}"
+
+
+def licence_breaches(name, text):
+    lines = text.split("\n", 2)
+    line = lines[1] if lines[0].startswith("#!") and len(lines) > 1 else lines[0]
+    licence = "Apache-2.0" if name.startswith(CLOSED + "/") else "GPL-3.0-or-later"
+    if not re.fullmatch(rf"(//|#) SPDX-License-Identifier: {re.escape(licence)}", line):
+        yield "licence", f"the first line is not SPDX-License-Identifier: {licence}"
+
+
+def listed_files(root):
+    lines = (root / LISTED).read_text().splitlines() if (root / LISTED).is_file() else []
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+def list_breaches(root, listed):
+    for name in listed:
+        text = (root / name).read_text() if (root / name).is_file() else ""
+        if not any(target.startswith(("CGAL/", "boost/")) for _, target in INCLUDE.findall(text)):
+            yield LISTED, "cgal", f"lists {name}, which does not include CGAL"
+        if name.endswith(".hpp") and not name.endswith("_cgal.hpp"):
+            yield LISTED, "cgal", f"lists {name}: a header with CGAL is named *_cgal.hpp"
+
+
+def breaches(root):
+    """All (file, law, what is wrong)."""
+    listed = listed_files(root)
+    found = list(list_breaches(root, listed))
+    for path in files(root):
+        name = path.as_posix()
+        script = path.suffix in (".py", ".sh", ".cmake") or name.endswith(".cmake.in") or path.name == "CMakeLists.txt" or name in SCRIPTS
+        if path.suffix not in SOURCE and not script:
+            continue
+        text = (root / path).read_text(encoding="utf-8")
+        found += [(name, *breach) for breach in licence_breaches(name, text)]
+        if path.suffix in SOURCE:
+            found += [(name, *breach) for breach in source_breaches(root, path, text, listed)]
+    return found
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    found = breaches(root)
+    for name, law, what in found:
+        print(f"{name}: {law}: {what}")
+    if not any(True for _ in files(root)):
+        print(f"{root}: no sources here")
+        return 1
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shows that layers.py lets a clean tree pass and finds each kind of breach in a small bad one."""
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import layers  # noqa: E402
+
+SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+CLEAN = {
+    "kernels/sign.hpp": SPDX + "#include <gmpxx.h>\n#include <string_view>\n",
+    "kernels/sign.cpp": SPDX + '#include "kernels/sign.hpp"\n#include <CGAL/Interval_nt.h>\n',
+    "kernels/round.cpp": SPDX + "#include <cfenv>\n#include <mpfr.h>\n",
+    "reference/polytope/hull.hpp": SPDX + '#include "kernels/sign.hpp"\n',
+    "reference/polytope/mesh_cgal.hpp": SPDX + "#include <CGAL/Surface_mesh.h>\n",
+    "reference/depth/depth.cpp": SPDX + '#include "reference/polytope/hull.hpp"\n#include <fmt/format.h>\n',
+    "reference/depth/depth.hpp": SPDX + "#include <vector>\n",
+    "verify/check/checker.cpp": "// SPDX-License-Identifier: Apache-2.0\n#include <gmpxx.h>\n",
+    "cli/main.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include <CLI/CLI.hpp>\n',
+    "tests/depth/depth_test.cpp": SPDX + '#include "cli/main.cpp"\n',
+    "cmake/cgal_files.txt": "# comment\nkernels/sign.cpp\nreference/polytope/mesh_cgal.hpp\n",
+    "fathom": "#!/usr/bin/env bash\n# SPDX-License-Identifier: GPL-3.0-or-later\n",
+}
+
+
+def breaches(changes=None):
+    """The (file, law) pairs found in the clean tree after the changes."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in {**CLEAN, **(changes or {})}.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+        return [(name, law) for name, law, _ in layers.breaches(root)]
+
+
+class Layers(unittest.TestCase):
+    def expect(self, name, text, *laws):
+        self.assertEqual(breaches({name: text}), [(name, law) for law in laws])
+
+    def test_clean_tree_passes(self):
+        self.assertEqual(breaches(), [])
+
+    def test_room_to_the_right(self):
+        self.expect("kernels/bad.cpp", SPDX + '#include "reference/polytope/hull.hpp"\n', "order")
+        self.expect("reference/polytope/bad.cpp", SPDX + '  #  include "reference/depth/depth.hpp"\n', "order")
+        self.expect("reference/depth/bad.cpp", SPDX + '#include "cli/main.cpp"\n', "order")
+        self.expect("cli/bad.cpp", SPDX + '#include "tests/depth/depth_test.cpp"\n', "order")
+
+    def test_neighbours_do_not_know_each_other(self):
+        changes = {
+            "reference/canonical/subsets.hpp": SPDX,
+            "reference/vertex_facet/bad.cpp": SPDX + '#include "reference/canonical/subsets.hpp"\n',
+        }
+        self.assertEqual(breaches(changes), [("reference/vertex_facet/bad.cpp", "order")])
+
+    def test_path_from_the_root(self):
+        self.expect("reference/depth/bad.cpp", SPDX + '#include "depth.hpp"\n', "order")
+        self.expect("reference/depth/bad.cpp", SPDX + '#include "reference/polytope/missing.hpp"\n', "order")
+
+    def test_unknown_room(self):
+        self.expect("reference/attic/bad.cpp", SPDX, "order")
+        self.expect("attic/bad.cpp", SPDX, "order")
+
+    def test_checker_is_alone(self):
+        self.expect("verify/check/bad.cpp", "// SPDX-License-Identifier: Apache-2.0\n" + '#include "kernels/sign.hpp"\n', "order")
+        self.expect("verify/families/bad.cpp", SPDX + '#include "verify/check/checker.cpp"\n', "order")
+
+    def test_doors_are_light(self):
+        self.expect("reference/depth/bad.hpp", SPDX + "#include <nlohmann/json.hpp>\n", "doors")
+        self.expect("reference/depth/bad.hpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
+
+    def test_cgal_only_where_listed(self):
+        self.expect("reference/depth/bad.cpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
+        self.expect("tests/depth/bad_test.cpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
+        self.expect("cli/bad.cpp", SPDX + "#include <boost/multiprecision/gmp.hpp>\n", "cgal")
+
+    def test_list_holds_nothing_else(self):
+        text = CLEAN["cmake/cgal_files.txt"]
+        self.expect("cmake/cgal_files.txt", text + "cli/main.cpp\n", "cgal")
+        self.expect("cmake/cgal_files.txt", text + "cli/missing.cpp\n", "cgal")
+
+    def test_rounding_stays_in_kernels(self):
+        self.expect("reference/depth/bad.cpp", SPDX + "#include <cfenv>\n", "rounding")
+        self.expect("cli/bad.cpp", SPDX + "void f() { std::fesetround(0); }\n", "rounding")
+
+    def test_licence_line(self):
+        self.expect("cli/bad.cpp", "int x;\n", "licence")
+        self.expect("verify/check/bad.cpp", SPDX, "licence")
+        self.expect("cmake/bad.cmake", "set(x 1)\n", "licence")
+        self.expect("fathom", "#!/usr/bin/env bash\nexit\n", "licence")
+
+    def test_length(self):
+        self.expect("cli/long.cpp", SPDX + "\n" * 349)
+        self.expect("cli/long.cpp", SPDX + "\n" * 350, "length")
+
+    def test_exit_code(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            sys.argv = ["layers.py", folder]
+            self.assertEqual(layers.main(), 1)  # an empty tree proves nothing
+            (pathlib.Path(folder) / "kernels").mkdir()
+            (pathlib.Path(folder) / "kernels/a.cpp").write_text(SPDX)
+            self.assertEqual(layers.main(), 0)
+            (pathlib.Path(folder) / "kernels/a.cpp").write_text("")
+            self.assertEqual(layers.main(), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
