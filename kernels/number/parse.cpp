@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One scan serves decimals and hex floats: digits, point, digits, exponent. GMP sees nothing but checked digits.
+#include "kernels/number/parse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "kernels/number/rounding.hpp"
+
+namespace fathom {
+namespace {
+
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_hex_digit(char c) { return is_decimal_digit(c) || (lower(c) >= 'a' && lower(c) <= 'f'); }
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+/// `text` in quotes; long ones cut short, and everything that a terminal might obey made visible.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t shown = 40;
+  std::string result = "'";
+  for (const char c : text.substr(0, shown)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      result += c;
+    } else {
+      result += {'\\', 'x', "0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
+    }
+  }
+  return result + (text.size() > shown ? "..." : "") + "'";
+}
+
+ParsedNumber refused(std::string reason) { return {std::nullopt, std::move(reason)}; }
+
+/// Removes and returns the longest prefix of `rest` that consists of digits.
+std::string_view take_digits(std::string_view& rest, bool (*is_digit)(char)) {
+  const auto length = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_digit) - rest.begin());
+  const std::string_view digits = rest.substr(0, length);
+  rest.remove_prefix(length);
+  return digits;
+}
+
+mpz_class whole_number(std::string_view digits, int base) { return mpz_class(std::string(digits), base); }
+
+/// digits[.digits][e|p exponent]: stands for digits * base^-places * (10 or 2)^exponent.
+struct Scan {
+  std::string digits;  ///< of both sides of the point
+  long places = 0;     ///< digits after the point
+  bool has_point = false, has_exponent = false;
+  long exponent = 0;  ///< saturated far beyond every limit
+  std::string fault;  ///< empty unless the token is malformed
+};
+
+/// The exponent with these digits, saturated at 10^15: no token is so long that its places could make up for that.
+long saturated_exponent(bool negative, std::string_view digits) {
+  constexpr long bound = 1'000'000'000'000'000;
+  long value = 0;
+  for (const char c : digits) value = std::min(bound, value * 10 + (c - '0'));
+  return negative ? -value : value;
+}
+
+Scan malformed(std::string fault) {
+  Scan result;
+  result.fault = std::move(fault);
+  return result;
+}
+
+Scan scan(std::string_view rest, bool (*is_digit)(char), char exponent_letter) {
+  Scan result;
+  result.digits = take_digits(rest, is_digit);
+  if (!rest.empty() && rest.front() == '.') {
+    result.has_point = true;
+    rest.remove_prefix(1);
+    const std::string_view fraction = take_digits(rest, is_digit);
+    result.digits += fraction;
+    result.places = static_cast<long>(fraction.size());
+  }
+  if (!result.digits.empty() && !rest.empty() && lower(rest.front()) == exponent_letter) {
+    result.has_exponent = true;
+    const std::string letter(rest.substr(0, 1));
+    rest.remove_prefix(1);
+    const bool negative = !rest.empty() && rest.front() == '-';
+    if (!rest.empty() && is_sign(rest.front())) rest.remove_prefix(1);
+    const std::string_view digits = take_digits(rest, is_decimal_digit);
+    if (digits.empty()) return malformed("no digits in the exponent after '" + letter + "'");
+    result.exponent = saturated_exponent(negative, digits);
+  }
+  if (!rest.empty()) return malformed("unexpected " + quoted(rest.substr(0, 1)));
+  if (result.digits.empty()) return malformed("no digits");
+  return result;
+}
+
+mpz_class power(unsigned long base, long exponent) {
+  mpz_class result;
+  mpz_ui_pow_ui(result.get_mpz_t(), base, static_cast<unsigned long>(exponent));
+  return result;
+}
+
+/// digits * 10^exponent, not in lowest terms. No digits: zero.
+struct Decimal {
+  std::string digits;  ///< neither the first nor the last is '0'
+  long exponent;
+
+  explicit Decimal(Scan scanned) : digits(std::move(scanned.digits)), exponent(scanned.exponent - scanned.places) {
+    const std::size_t last = digits.find_last_not_of('0');
+    const std::size_t kept = last == std::string::npos ? 0 : last + 1;
+    exponent += static_cast<long>(digits.size() - kept);
+    digits.resize(kept);
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+  }
+  [[nodiscard]] mpq_class fraction() const {
+    const mpz_class significand = digits.empty() ? mpz_class(0) : whole_number(digits, 10);
+    if (exponent >= 0) return mpq_class(significand * power(10, exponent));
+    return {significand, power(10, -exponent)};
+  }
+  /// The value lies in [10^(k-1), 10^k).
+  [[nodiscard]] long magnitude() const { return static_cast<long>(digits.size()) + exponent; }
+};
+
+ParsedNumber exact_decimal(Scan scanned) {
+  if (std::abs(scanned.exponent) > largest_decimal_exponent) {
+    return refused("the decimal exponent is beyond " + std::to_string(largest_decimal_exponent));
+  }
+  mpq_class value = Decimal(std::move(scanned)).fraction();
+  value.canonicalize();
+  return {std::move(value), {}};
+}
+
+ParsedNumber binary64_decimal(Scan scanned) {
+  const Decimal decimal(std::move(scanned));
+  // Far outside the range of binary64 the answer is known without the power of ten, which may be huge.
+  if (decimal.digits.empty() || decimal.magnitude() < -330) return {mpq_class(0), {}};
+  const double rounded = decimal.magnitude() > 310 ? HUGE_VAL : round_binary64(decimal.fraction(), Rounding::rn);
+  if (std::isinf(rounded)) return refused("beyond binary64");
+  return {exact_value(rounded), {}};
+}
+
+ParsedNumber parse_decimal(std::string_view text, Decimals decimals) {
+  Scan scanned = scan(text, is_decimal_digit, 'e');
+  if (!scanned.fault.empty()) return refused(std::move(scanned.fault));
+  if (!scanned.has_point && !scanned.has_exponent) return {mpq_class(whole_number(scanned.digits, 10)), {}};
+  return decimals == Decimals::exact ? exact_decimal(std::move(scanned)) : binary64_decimal(std::move(scanned));
+}
+
+ParsedNumber parse_hex(std::string_view text) {
+  const Scan scanned = scan(text, is_hex_digit, 'p');
+  if (!scanned.fault.empty()) return refused(scanned.fault == "no digits" ? "no digits after '0x'" : scanned.fault);
+  if (std::abs(scanned.exponent) > largest_binary_exponent) {
+    return refused("the binary exponent is beyond " + std::to_string(largest_binary_exponent));
+  }
+  mpq_class value(whole_number(scanned.digits, 16));
+  const long shift = scanned.exponent - 4 * scanned.places;
+  if (shift >= 0) {
+    value <<= static_cast<mp_bitcnt_t>(shift);
+  } else {
+    value >>= static_cast<mp_bitcnt_t>(-shift);  // exact on rationals, and in lowest terms
+  }
+  return {std::move(value), {}};
+}
+
+ParsedNumber parse_ratio(std::string_view numerator, std::string_view denominator) {
+  const auto all_digits = [](std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_decimal_digit); };
+  if (!all_digits(numerator)) return refused("expected digits only before '/'");
+  if (!all_digits(denominator)) return refused("expected digits only after '/'");
+  mpq_class value(whole_number(numerator, 10), whole_number(denominator, 10));
+  if (value.get_den() == 0) return refused("the denominator is zero");
+  value.canonicalize();
+  return {std::move(value), {}};
+}
+
+bool starts_with_name(std::string_view text, std::string_view name) {
+  return text.size() >= name.size() && std::ranges::equal(text.substr(0, name.size()), name, {}, lower);
+}
+
+ParsedNumber parse_unsigned(std::string_view text, Decimals decimals) {
+  if (text.empty()) return refused("no digits");
+  if (is_sign(text.front())) return refused("more than one sign");
+  if (starts_with_name(text, "inf") || starts_with_name(text, "nan")) return refused("not finite");
+  if (starts_with_name(text, "0x")) return parse_hex(text.substr(2));
+  const std::size_t slash = text.find('/');
+  if (slash != std::string_view::npos) return parse_ratio(text.substr(0, slash), text.substr(slash + 1));
+  return parse_decimal(text, decimals);
+}
+
+}  // namespace
+
+ParsedNumber parse_number(std::string_view token, Decimals decimals) {
+  if (token.empty()) return refused("expected a number, found nothing");
+  if (token.size() > longest_number) {
+    return refused("expected a number, found " + quoted(token) + ": longer than " + std::to_string(longest_number) + " characters");
+  }
+  const bool negative = token.front() == '-';
+  ParsedNumber result = parse_unsigned(token.substr(is_sign(token.front()) ? 1 : 0), decimals);
+  if (!result.value) return refused("expected a number, found " + quoted(token) + ": " + result.error);
+  if (negative) mpq_neg(result.value->get_mpq_t(), result.value->get_mpq_t());
+  return result;
+}
+
+mpq_class exact_value(double value) {
+  if (!std::isfinite(value)) throw std::invalid_argument("a number that is not finite has no exact value");
+  return mpq_class(value);
+}
+
+std::string exact_text(const mpq_class& value) { return value.get_str(); }
+
+}  // namespace fathom

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and whether anything was cut off. These
+// two decide every mode. For a root, floor(sqrt(x)) = isqrt(floor(x)) makes the same cut exact.
+#include "kernels/number/rounding.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+namespace fathom {
+namespace {
+
+/// A binary format: its finite numbers are m 2^e with |m| < 2^precision, e >= least_exponent and |m 2^e| < 2^top.
+struct Format {
+  long precision, least_exponent, top;
+};
+constexpr Format binary64{53, -1074, 1024};
+constexpr Format binary32{24, -149, 128};
+
+/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells whether v is not the left end.
+struct Cut {
+  mpz_class bits;
+  long exponent;
+  bool rest;
+};
+
+long bit_length(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+
+/// floor(q / 2^exponent) for q >= 0. `rest` tells whether q / 2^exponent is not an integer.
+mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {
+  mpz_class numerator = q.get_num(), denominator = q.get_den(), quotient, remainder;
+  if (exponent < 0) numerator <<= static_cast<mp_bitcnt_t>(-exponent);
+  if (exponent > 0) denominator <<= static_cast<mp_bitcnt_t>(exponent);
+  mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+  rest = remainder != 0;
+  return quotient;
+}
+
+/// 2^(k-1) < q < 2^(k+1). For q > 0.
+long magnitude(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
+
+/// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of the format's least number.
+long cut_exponent(long low, const Format& format) { return std::max(low - format.precision, format.least_exponent - 1); }
+
+Cut cut_value(const mpq_class& q, const Format& format) {
+  Cut cut{0, cut_exponent(magnitude(q) - 1, format), false};
+  cut.bits = scaled_floor(q, cut.exponent, cut.rest);
+  return cut;
+}
+
+Cut cut_root(const mpq_class& q, const Format& format) {
+  // sqrt(q) > 2^((k-1)/2); the shift halves towards minus infinity.
+  Cut cut{0, cut_exponent((magnitude(q) - 1) >> 1, format), false};
+  bool rest_of_floor = false;
+  const mpz_class square = scaled_floor(q, 2 * cut.exponent, rest_of_floor);
+  mpz_class rest_of_root;
+  mpz_sqrtrem(cut.bits.get_mpz_t(), rest_of_root.get_mpz_t(), square.get_mpz_t());
+  cut.rest = rest_of_floor || rest_of_root != 0;
+  return cut;
+}
+
+/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives it.
+mpz_class rounded_significand(const Cut& cut, const Format& format, Rounding mode, long& exponent) {
+  const long dropped = std::max(bit_length(cut.bits) - format.precision, 1L);  // the half bit, and what lies below it
+  exponent = cut.exponent + dropped;
+  mpz_class significand = cut.bits >> static_cast<mp_bitcnt_t>(dropped);
+  const mp_bitcnt_t half_bit = static_cast<mp_bitcnt_t>(dropped - 1);
+  const bool half = mpz_tstbit(cut.bits.get_mpz_t(), half_bit) != 0;
+  const bool below = cut.rest || mpz_scan1(cut.bits.get_mpz_t(), 0) < half_bit;
+  const bool odd = mpz_odd_p(significand.get_mpz_t()) != 0;
+  if (mode == Rounding::ru ? half || below : mode == Rounding::rn && half && (below || odd)) ++significand;
+  return significand;
+}
+
+/// For a cut of a positive value. The double is exact: at most 53 bits, and never finer than the format.
+double assemble(const Cut& cut, const Format& format, Rounding mode) {
+  long exponent = 0;
+  const mpz_class significand = rounded_significand(cut, format, mode, exponent);
+  if (bit_length(significand) + exponent <= format.top) return std::ldexp(significand.get_d(), static_cast<int>(exponent));
+  if (mode != Rounding::rd) return std::numeric_limits<double>::infinity();
+  const mpz_class largest = (mpz_class(1) << static_cast<mp_bitcnt_t>(format.precision)) - 1;
+  return std::ldexp(largest.get_d(), static_cast<int>(format.top - format.precision));
+}
+
+Rounding mirrored(Rounding mode) { return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn; }
+
+double round_value(const mpq_class& value, const Format& format, Rounding mode) {
+  const int sign = sgn(value);
+  if (sign == 0) return 0.0;
+  if (sign < 0) return -assemble(cut_value(mpq_class(-value), format), format, mirrored(mode));
+  return assemble(cut_value(value, format), format, mode);
+}
+
+double round_root(const mpq_class& squared, const Format& format, Rounding mode) {
+  if (sgn(squared) < 0) throw std::domain_error("the square root of a negative number was asked for");
+  return sgn(squared) == 0 ? 0.0 : assemble(cut_root(squared, format), format, mode);
+}
+
+}  // namespace
+
+double round_binary64(const mpq_class& value, Rounding mode) { return round_value(value, binary64, mode); }
+
+float round_binary32(const mpq_class& value, Rounding mode) { return static_cast<float>(round_value(value, binary32, mode)); }
+
+double root_binary64(const mpq_class& squared, Rounding mode) { return round_root(squared, binary64, mode); }
+
+float root_binary32(const mpq_class& squared, Rounding mode) { return static_cast<float>(round_root(squared, binary32, mode)); }
+
+std::string hex_text(double value) {
+  constexpr int fraction_bits = 52, bias = 1023;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
+  std::uint64_t fraction = bits & ((std::uint64_t{1} << fraction_bits) - 1);
+  const int biased = static_cast<int>(bits >> fraction_bits) & 0x7ff;
+  std::string text = (bits >> 63) != 0 ? "-" : "";
+  if (biased == 0x7ff) return fraction != 0 ? "nan" : text + "inf";
+  if (biased == 0 && fraction == 0) return text + "0x0p+0";
+  text += biased == 0 ? "0x0" : "0x1";
+  if (fraction != 0) text += '.';
+  for (; fraction != 0; fraction = (fraction << 4) & ((std::uint64_t{1} << fraction_bits) - 1)) {
+    text += "0123456789abcdef"[fraction >> (fraction_bits - 4)];
+  }
+  const int exponent = biased == 0 ? 1 - bias : biased - bias;
+  return text + 'p' + (exponent < 0 ? "" : "+") + std::to_string(exponent);
+}
+
+}  // namespace fathom

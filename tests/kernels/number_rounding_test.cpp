@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Correct rounding against a twin that knows nothing of cuts: it bisects over all floating-point numbers in order and asks exact
+// questions only (is x <= q? is x^2 <= q?).
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+
+namespace fathom {
+namespace {
+
+// Deterministic, and many cases; the environment may ask for others.
+[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=20 max_success=2000", 0);
+
+mpq_class power_of_two(long exponent) {
+  mpq_class one = 1;
+  return exponent < 0 ? mpq_class(one >> static_cast<mp_bitcnt_t>(-exponent)) : mpq_class(one << static_cast<mp_bitcnt_t>(exponent));
+}
+
+mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
+  mpq_class result(numerator, denominator);
+  result.canonicalize();
+  return result;
+}
+
+mpq_class square(const mpq_class& x) { return mpq_class(x * x); }
+
+/// The finite numbers x >= 0 of a format are those of its bit patterns 0 .. last, in the same order.
+template <class Float>
+struct Patterns;
+template <>
+struct Patterns<double> {
+  using Bits = std::uint64_t;
+  static constexpr long top = 1024;
+};
+template <>
+struct Patterns<float> {
+  using Bits = std::uint32_t;
+  static constexpr long top = 128;
+};
+
+/// The exact value; infinity stands for 2^top, the number that would follow the largest.
+template <class Float>
+mpq_class value_of(Float x) {
+  return std::isinf(x) ? power_of_two(Patterns<Float>::top) : exact_value(x);
+}
+
+template <class Float>
+struct Neighbours {
+  Float rd, ru, rn;
+};
+
+/// Whether x stands left of (-1), at (0) or right of (1) the number that was asked for.
+int side_of_value(const mpq_class& x, const mpq_class& q) { return cmp(x, q); }
+int side_of_root(const mpq_class& x, const mpq_class& q) { return cmp(square(x), q); }
+using Side = int (*)(const mpq_class&, const mpq_class&);
+
+template <class Float>
+Neighbours<Float> naive(const mpq_class& q, Side side) {
+  using Bits = typename Patterns<Float>::Bits;
+  const auto number = [](Bits bits) { return std::bit_cast<Float>(bits); };
+  Bits low = 0, high = std::bit_cast<Bits>(std::numeric_limits<Float>::infinity());  // low <= the number; high, or infinity, above
+  while (high - low > 1) {
+    const Bits middle = low + (high - low) / 2;
+    (side(value_of(number(middle)), q) <= 0 ? low : high) = middle;
+  }
+  if (side(value_of(number(low)), q) == 0) return {number(low), number(low), number(low)};
+  const int half = side(mpq_class((value_of(number(low)) + value_of(number(high))) / 2), q);
+  const bool to_low = half > 0 || (half == 0 && low % 2 == 0);
+  return {number(low), number(high), number(to_low ? low : high)};
+}
+
+template <class Float>
+Neighbours<Float> rounded_value(const mpq_class& q) {
+  if constexpr (std::is_same_v<Float, double>) {
+    return {round_binary64(q, Rounding::rd), round_binary64(q, Rounding::ru), round_binary64(q, Rounding::rn)};
+  } else {
+    return {round_binary32(q, Rounding::rd), round_binary32(q, Rounding::ru), round_binary32(q, Rounding::rn)};
+  }
+}
+
+template <class Float>
+Neighbours<Float> rounded_root(const mpq_class& q) {
+  if constexpr (std::is_same_v<Float, double>) {
+    return {root_binary64(q, Rounding::rd), root_binary64(q, Rounding::ru), root_binary64(q, Rounding::rn)};
+  } else {
+    return {root_binary32(q, Rounding::rd), root_binary32(q, Rounding::ru), root_binary32(q, Rounding::rn)};
+  }
+}
+
+template <class Float>
+bool same(const Neighbours<Float>& a, const Neighbours<Float>& b) {
+  using Bits = typename Patterns<Float>::Bits;
+  return std::bit_cast<Bits>(a.rd) == std::bit_cast<Bits>(b.rd) && std::bit_cast<Bits>(a.ru) == std::bit_cast<Bits>(b.ru) &&
+         std::bit_cast<Bits>(a.rn) == std::bit_cast<Bits>(b.rn);
+}
+
+/// The four doors on one number, against the twin.
+void expect_as_naive(const mpq_class& q) {
+  const auto told = [&](const char* what) { return std::string(what) + " of " + exact_text(q).substr(0, 200); };
+  EXPECT_TRUE(same(rounded_value<double>(q), naive<double>(q, side_of_value))) << told("binary64");
+  EXPECT_TRUE(same(rounded_value<float>(q), naive<float>(q, side_of_value))) << told("binary32");
+  EXPECT_TRUE(same(rounded_root<double>(q), naive<double>(q, side_of_root))) << told("root in binary64");
+  EXPECT_TRUE(same(rounded_root<float>(q), naive<float>(q, side_of_root))) << told("root in binary32");
+}
+
+/// A finite number x >= 0 and the one after it (2^top after the largest), by any bit pattern: subnormals and the border included.
+template <class Float>
+std::pair<mpq_class, mpq_class> random_neighbours(std::uint64_t seed) {
+  using Bits = typename Patterns<Float>::Bits;
+  const Bits infinity = std::bit_cast<Bits>(std::numeric_limits<Float>::infinity());
+  const Bits count = infinity;  // as many finite patterns as the pattern of infinity says
+  Bits bits = static_cast<Bits>(seed % count);
+  if (seed >> 60 == 0) bits = static_cast<Bits>(seed % 9);                            // near zero
+  if (seed >> 60 == 1) bits = static_cast<Bits>(count - 1 - seed % 9);                // near the overflow
+  if (seed >> 60 == 2) bits &= ~Bits{0} << (std::numeric_limits<Float>::digits - 3);  // near a power of two
+  return {value_of(std::bit_cast<Float>(bits)), value_of(std::bit_cast<Float>(static_cast<Bits>(bits + 1)))};
+}
+
+/// x, the middle to the next number, and points a hair beside both.
+std::vector<mpq_class> hard_points(const std::pair<mpq_class, mpq_class>& neighbours) {
+  const mpq_class middle = (neighbours.first + neighbours.second) / 2;
+  const mpq_class hair = (neighbours.second - neighbours.first) / mpq_class(mpz_class(1) << 200);
+  std::vector<mpq_class> points{neighbours.first, middle, mpq_class(middle - hair), mpq_class(middle + hair),
+                                mpq_class(neighbours.first + hair)};
+  if (neighbours.first > hair) points.push_back(mpq_class(neighbours.first - hair));
+  return points;
+}
+
+// At full size from the first case on: RapidCheck would begin with small numbers.
+std::uint64_t random_word() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()); }
+
+/// From first to last - 1.
+int random_in(int first, int last) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last)); }
+
+mpz_class random_integer() {
+  mpz_class result = 0;
+  for (auto words = random_in(1, 5); words > 0; --words) result = (result << 64) + mpz_class(std::to_string(random_word()));
+  return mpz_class(result >> static_cast<mp_bitcnt_t>(random_in(0, 64)));
+}
+
+TEST(Rounding, NumbersTiesAndHairsOfBinary64) {
+  EXPECT_TRUE(rc::check([] {
+    for (const mpq_class& x : hard_points(random_neighbours<double>(random_word()))) {
+      RC_ASSERT(same(rounded_value<double>(x), naive<double>(x, side_of_value)));
+      RC_ASSERT(same(rounded_root<double>(square(x)), naive<double>(square(x), side_of_root)));
+    }
+  }));
+}
+
+TEST(Rounding, NumbersTiesAndHairsOfBinary32) {
+  EXPECT_TRUE(rc::check([] {
+    for (const mpq_class& x : hard_points(random_neighbours<float>(random_word()))) {
+      RC_ASSERT(same(rounded_value<float>(x), naive<float>(x, side_of_value)));
+      RC_ASSERT(same(rounded_root<float>(square(x)), naive<float>(square(x), side_of_root)));
+    }
+  }));
+}
+
+TEST(Rounding, RandomRationals) {
+  EXPECT_TRUE(rc::check([] {
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-2300, 2300));
+    expect_as_naive(q);
+    RC_ASSERT(!testing::Test::HasFailure());
+  }));
+}
+
+// The three results stated directly: rd <= root <= ru by squares, they are neighbours or equal, and rn is the nearer one.
+TEST(Rounding, TheRootLiesBetweenNeighboursBySquaring) {
+  EXPECT_TRUE(rc::check([] {
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1));
+    const auto [rd, ru, rn] = rounded_root<double>(q);
+    const mpq_class low = exact_value(rd), high = exact_value(ru), middle = (low + high) / 2;
+    RC_ASSERT(square(low) <= q && q <= square(high));
+    RC_ASSERT((rd == ru ? square(low) == q : ru == std::nextafter(rd, HUGE_VAL)));
+    const int half = cmp(square(middle), q);
+    RC_ASSERT(half == 0 || rn == (half > 0 ? rd : ru));
+    RC_ASSERT(half != 0 || (std::bit_cast<std::uint64_t>(rn) & 1) == 0);
+  }));
+}
+
+TEST(Rounding, TheRootOfANearTieIsDecidedHoweverNear) {
+  const mpq_class middle = 1 + power_of_two(-53);  // between 1 and its successor
+  const double next = std::nextafter(1.0, 2.0);
+  for (const long bits : {60L, 500L, 5000L, 100000L}) {
+    EXPECT_EQ(root_binary64(mpq_class(square(middle) - power_of_two(-bits - 110)), Rounding::rn), 1.0) << bits;
+    EXPECT_EQ(root_binary64(mpq_class(square(middle) + power_of_two(-bits - 110)), Rounding::rn), next) << bits;
+  }
+  EXPECT_EQ(root_binary64(square(middle), Rounding::rn), 1.0);
+  EXPECT_EQ(root_binary64(square(mpq_class(middle + power_of_two(-52))), Rounding::rn), std::nextafter(next, 2.0));
+}
+
+TEST(Rounding, PerfectSquares) {
+  for (long n = 0; n < 3000; ++n) {
+    const mpq_class root = ratio(n, 1024);
+    for (const Rounding mode : {Rounding::rn, Rounding::rd, Rounding::ru}) {
+      ASSERT_EQ(root_binary64(square(root), mode), static_cast<double>(n) / 1024);
+      ASSERT_EQ(root_binary32(square(root), mode), static_cast<float>(n) / 1024);
+    }
+  }
+}
+
+TEST(Rounding, OverflowBorder) {
+  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+  const mpq_class border = power_of_two(1024) - power_of_two(970);  // the largest number plus half an ulp
+  const mpq_class hair = power_of_two(-3000);
+  for (const mpq_class& x : {border, mpq_class(border - hair), mpq_class(border + hair), power_of_two(1024),
+                             mpq_class(power_of_two(1024) - hair), exact_value(largest), mpq_class(exact_value(largest) + hair)}) {
+    EXPECT_EQ(round_binary64(x, Rounding::rd), largest);
+    EXPECT_EQ(round_binary64(x, Rounding::ru), x == exact_value(largest) ? largest : infinity);
+    EXPECT_EQ(round_binary64(x, Rounding::rn), x < border ? largest : infinity);
+    EXPECT_EQ(root_binary64(square(x), Rounding::rd), largest);
+    EXPECT_EQ(root_binary64(square(x), Rounding::ru), x == exact_value(largest) ? largest : infinity);
+    EXPECT_EQ(root_binary64(square(x), Rounding::rn), x < border ? largest : infinity);
+  }
+  constexpr float largest32 = std::numeric_limits<float>::max(), infinity32 = std::numeric_limits<float>::infinity();
+  const mpq_class border32 = power_of_two(128) - power_of_two(103);
+  EXPECT_EQ(round_binary32(mpq_class(border32 - hair), Rounding::rn), largest32);
+  EXPECT_EQ(round_binary32(border32, Rounding::rn), infinity32);
+  EXPECT_EQ(root_binary32(square(mpq_class(border32 - hair)), Rounding::rn), largest32);
+  EXPECT_EQ(root_binary32(square(border32), Rounding::rn), infinity32);
+  EXPECT_EQ(round_binary32(border32, Rounding::rd), largest32);
+}
+
+TEST(Rounding, UnderflowBorder) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  const mpq_class half = power_of_two(-1075), hair = power_of_two(-5000);
+  for (const mpq_class& x : {half, mpq_class(half - hair), mpq_class(half + hair), hair}) {
+    EXPECT_EQ(round_binary64(x, Rounding::rd), 0.0);
+    EXPECT_EQ(round_binary64(x, Rounding::ru), least);
+    EXPECT_EQ(round_binary64(x, Rounding::rn), x > half ? least : 0.0);
+    EXPECT_EQ(root_binary64(square(x), Rounding::rd), 0.0);
+    EXPECT_EQ(root_binary64(square(x), Rounding::ru), least);
+    EXPECT_EQ(root_binary64(square(x), Rounding::rn), x > half ? least : 0.0);
+  }
+  EXPECT_EQ(round_binary32(power_of_two(-150), Rounding::rn), 0.0f);
+  EXPECT_EQ(round_binary32(mpq_class(power_of_two(-150) + hair), Rounding::rn), std::numeric_limits<float>::denorm_min());
+}
+
+TEST(Rounding, FarBeyondBothEnds) {
+  const mpq_class huge = *parse_number("1e100000", Decimals::exact).value, tiny = 1 / huge;
+  EXPECT_EQ(root_binary64(square(huge), Rounding::rd), std::numeric_limits<double>::max());
+  EXPECT_EQ(root_binary64(square(huge), Rounding::rn), HUGE_VAL);
+  EXPECT_EQ(root_binary64(square(tiny), Rounding::rn), 0.0);
+  EXPECT_EQ(root_binary64(square(tiny), Rounding::ru), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(root_binary32(square(tiny), Rounding::ru), std::numeric_limits<float>::denorm_min());
+}
+
+TEST(Rounding, NegativeValuesMirrorAndNegativeSquaresThrow) {
+  EXPECT_TRUE(rc::check([] {
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-1200, 1100));
+    const mpq_class minus = -q;
+    RC_ASSERT(round_binary64(minus, Rounding::rn) == -round_binary64(q, Rounding::rn));
+    RC_ASSERT(round_binary64(minus, Rounding::rd) == -round_binary64(q, Rounding::ru));
+    RC_ASSERT(round_binary64(minus, Rounding::ru) == -round_binary64(q, Rounding::rd));
+    RC_ASSERT(round_binary32(minus, Rounding::rd) == -round_binary32(q, Rounding::ru));
+  }));
+  EXPECT_TRUE(std::signbit(round_binary64(mpq_class(-power_of_two(-2000)), Rounding::rn)));
+  EXPECT_FALSE(std::signbit(round_binary64(mpq_class(0), Rounding::rd)));
+  EXPECT_THROW(root_binary64(mpq_class(-1), Rounding::rn), std::domain_error);
+  EXPECT_THROW(root_binary32(mpq_class(-1), Rounding::rn), std::domain_error);
+}
+
+// A filter may leave the processor in any rounding mode; fractions need not be in lowest terms.
+TEST(Rounding, TheEnvironmentHasNoSay) {
+  const mpq_class third = ratio(1, 3), loose(mpz_class(12), mpz_class(36));
+  const Neighbours<double> expected = rounded_root<double>(third);
+  const Neighbours<double> subnormal = rounded_value<double>(third * power_of_two(-1070));
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const Neighbours<double> found = rounded_root<double>(third), of_loose = rounded_root<double>(loose);
+    const Neighbours<double> small = rounded_value<double>(third * power_of_two(-1070));
+    std::fesetround(FE_TONEAREST);
+    EXPECT_TRUE(same(found, expected) && same(of_loose, expected) && same(small, subnormal)) << mode;
+  }
+}
+
+TEST(HexText, AsPercentAPrintsIt) {
+  EXPECT_EQ(hex_text(0.1), "0x1.999999999999ap-4");
+  EXPECT_EQ(hex_text(0.0), "0x0p+0");
+  EXPECT_EQ(hex_text(-0.0), "-0x0p+0");
+  EXPECT_EQ(hex_text(HUGE_VAL), "inf");
+  EXPECT_EQ(hex_text(-HUGE_VAL), "-inf");
+  EXPECT_EQ(hex_text(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(hex_text(std::numeric_limits<double>::denorm_min()), "0x0.0000000000001p-1022");
+  EXPECT_EQ(hex_text(std::numeric_limits<float>::denorm_min()), "0x1p-149");
+  EXPECT_EQ(hex_text(0.1f), "0x1.99999ap-4");
+  EXPECT_TRUE(rc::check([] {
+    const std::uint64_t word = random_word();
+    for (const std::uint64_t bits : {word, word >> 1, word >> 12, word & ~std::uint64_t{0} << 40}) {
+      const double x = std::bit_cast<double>(bits);
+      if (std::isnan(x)) continue;
+      char expected[64];
+      std::snprintf(expected, sizeof expected, "%a", x);
+      RC_ASSERT(hex_text(x) == expected);
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace fathom
