@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run did, in counts that do not depend on the machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace fathom {
+
+/// The predicates that decide the topology. Names as reported.
+enum class Predicate { side_of_equator, x_order, side_of_arc, order_on_vertical, order_at_infinity, count };
+
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(Predicate::count)> predicate_names{
+    "side_of_equator", "x_order", "side_of_arc", "order_on_vertical", "order_at_infinity"};
+
+/// Calls of one predicate, by the tier that was reached.
+struct TierCounts {
+  std::uint64_t calls = 0;
+  std::uint64_t exact = 0;  ///< the interval filter was unsure
+  std::uint64_t zero = 0;   ///< the exact sign was zero
+};
+
+using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
+
+/// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
+struct Counters {
+  std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
+  std::uint64_t scans = 0;            ///< linear scans of the position test
+  std::uint64_t frames_tried = 0;     ///< chart frames until one met no exact zero
+  std::uint64_t vertex_facet_pairs = 0;
+  std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
+  std::uint64_t crossings = 0;        ///< sum |A_i| |B_i|
+  std::uint64_t pairs_evaluated = 0;  ///< pairs of lines whose distance was looked at
+  std::uint64_t pairs_exact = 0;      ///< of these, compared in exact arithmetic
+  PredicateCounts predicates{};
+};
+
+}  // namespace fathom

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The running minimum: which of the planes seen so far are nearest to O. Squared distances are compared, no root is taken.
+#pragma once
+
+#include <set>
+
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// The nearest planes <n,x> = c to O, with c > 0, and the directions of all of them. Exact; ties are kept.
+class NearestPlanes {
+ public:
+  struct LexicographicOrder {
+    bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
+  };
+
+  /// Takes the plane <normal,x> = height into account; `normal` may not be zero. Planes with height <= 0 are ignored: with O inside P none
+  /// of them supports P. Returns whether the plane is among the nearest now.
+  bool offer(const Vector& normal, const mpz_class& height);
+
+  [[nodiscard]] bool empty() const { return directions_.empty(); }
+  /// Squared distance of the nearest planes as a quotient, not in lowest terms. Only if not empty.
+  [[nodiscard]] const mpz_class& numerator() const { return numerator_; }
+  [[nodiscard]] const mpz_class& denominator() const { return denominator_; }
+  /// Primitive normals of the nearest planes, in lexicographic order.
+  [[nodiscard]] const std::set<Vector, LexicographicOrder>& directions() const { return directions_; }
+
+ private:
+  mpz_class numerator_, denominator_ = 1;
+  std::set<Vector, LexicographicOrder> directions_;
+};
+
+}  // namespace fathom

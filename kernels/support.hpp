@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The support function of a finite point set, by a filtered linear scan.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of
+/// coordinate * 2^-exponent.
+class PointCloud {
+ public:
+  PointCloud() = default;
+  /// Throws std::invalid_argument unless `exponent` is at least binary_exponent(points), so that images stay in [-1, 1].
+  PointCloud(std::vector<Vector> points, long exponent);
+  explicit PointCloud(std::vector<Vector> points);
+
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] const Vector& operator[](std::size_t i) const { return points_[i]; }
+  [[nodiscard]] const std::vector<Vector>& points() const { return points_; }
+  [[nodiscard]] long exponent() const { return exponent_; }
+  /// Images, one array per coordinate.
+  [[nodiscard]] std::span<const double> xs() const { return x_; }
+  [[nodiscard]] std::span<const double> ys() const { return y_; }
+  [[nodiscard]] std::span<const double> zs() const { return z_; }
+
+ private:
+  std::vector<Vector> points_;
+  std::vector<double> x_, y_, z_;
+  long exponent_ = 0;
+};
+
+/// The least e >= 0 with |coordinate| <= 2^e for every coordinate of every point.
+long binary_exponent(std::span<const Vector> points);
+
+/// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations and exact ones only for near ties.
+/// u may be zero (then every point is extreme). An empty cloud gives an empty list.
+std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u);
+
+/// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
+std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
+
+/// The naive twins: exact arithmetic only.
+std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);
+std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k);
+
+}  // namespace fathom

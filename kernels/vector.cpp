@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+Vector primitive(const Vector& v) {
+  const mpz_class g = gcd(gcd(v.x, v.y), v.z);
+  if (g <= 1) return v;
+  Vector r;
+  mpz_divexact(r.x.get_mpz_t(), v.x.get_mpz_t(), g.get_mpz_t());
+  mpz_divexact(r.y.get_mpz_t(), v.y.get_mpz_t(), g.get_mpz_t());
+  mpz_divexact(r.z.get_mpz_t(), v.z.get_mpz_t(), g.get_mpz_t());
+  return r;
+}
+
+bool same_direction(const Vector& a, const Vector& b) {
+  return sgn(a.x) == sgn(b.x) && sgn(a.y) == sgn(b.y) && sgn(a.z) == sgn(b.z) && is_zero(cross(a, b));
+}
+
+}  // namespace fathom

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+namespace fathom {
+
+/// A position with exact rational coordinates, each in lowest terms.
+struct Point {
+  mpq_class x, y, z;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// Three components of any ring: integers, intervals, infinitesimals.
+template <class NT>
+struct Vec3 {
+  NT x, y, z;
+  friend bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+/// An exact integer vector: a direction, a facet normal, or a position in multiples of a common unit.
+using Vector = Vec3<mpz_class>;
+
+template <class NT>
+NT dot(const Vec3<NT>& a, const Vec3<NT>& b) {
+  return NT(a.x * b.x + a.y * b.y + a.z * b.z);
+}
+
+template <class NT>
+Vec3<NT> cross(const Vec3<NT>& a, const Vec3<NT>& b) {
+  return {NT(a.y * b.z - a.z * b.y), NT(a.z * b.x - a.x * b.z), NT(a.x * b.y - a.y * b.x)};
+}
+
+/// det(a, b, c) = <a x b, c>.
+template <class NT>
+NT det(const Vec3<NT>& a, const Vec3<NT>& b, const Vec3<NT>& c) {
+  return dot(cross(a, b), c);
+}
+
+template <class NT>
+Vec3<NT> operator+(const Vec3<NT>& a, const Vec3<NT>& b) {
+  return {NT(a.x + b.x), NT(a.y + b.y), NT(a.z + b.z)};
+}
+
+template <class NT>
+Vec3<NT> operator-(const Vec3<NT>& a, const Vec3<NT>& b) {
+  return {NT(a.x - b.x), NT(a.y - b.y), NT(a.z - b.z)};
+}
+
+template <class NT>
+Vec3<NT> operator-(const Vec3<NT>& a) {
+  return {NT(-a.x), NT(-a.y), NT(-a.z)};
+}
+
+inline bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// Lexicographic order on components; the order in which tied optima are listed.
+inline bool lexicographically_less(const Vector& a, const Vector& b) {
+  if (const int c = cmp(a.x, b.x)) return c < 0;
+  if (const int c = cmp(a.y, b.y)) return c < 0;
+  return cmp(a.z, b.z) < 0;
+}
+
+/// v divided by the greatest common divisor of its components; the zero vector stays.
+Vector primitive(const Vector& v);
+
+/// Whether a = s b for a rational s > 0. Neither may be zero.
+bool same_direction(const Vector& a, const Vector& b);
+
+}  // namespace fathom

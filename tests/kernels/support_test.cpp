@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The filtered scan against exact arithmetic, above all where values tie or differ by less than binary64 can see.
+#include "kernels/support.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cfenv>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+
+namespace fathom {
+namespace {
+
+// Like rc::check, with a fixed seed and a number of cases.
+template <class Property>
+bool holds(int cases, Property&& property) {
+  rc::detail::TestParams params;
+  params.seed = 20240229;
+  params.maxSuccess = cases;
+  const auto result = rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata(), params);
+  rc::detail::printResultMessage(result, std::cerr << '\n');
+  std::cerr << '\n';
+  return result.template is<rc::detail::SuccessResult>();
+}
+
+mpz_class power_of_two(unsigned long e) {
+  mpz_class r = 1;
+  r <<= e;
+  return r;
+}
+
+using Random = std::mt19937_64;
+
+long below(Random& random, long n) { return static_cast<long>(random() % static_cast<std::uint64_t>(n)); }
+
+mpz_class random_integer(Random& random, unsigned long bits) {
+  mpz_class r;
+  for (unsigned long have = 0; have < bits; have += 32) r = (r << 32) + static_cast<unsigned long>(random() >> 32);
+  r >>= (32 - bits % 32) % 32;
+  return random() & 1 ? r : mpz_class(-r);
+}
+
+Vector random_vector(Random& random, unsigned long bits) {
+  return {random_integer(random, bits), random_integer(random, bits), random_integer(random, bits)};
+}
+
+void expect_scans_agree(const PointCloud& cloud, const Vector& u, Random& random) {
+  ASSERT_EQ(extreme_points(cloud, u), extreme_points_naive(cloud.points(), u));
+  for (int repeat = 0; repeat < 3 && cloud.size() > 0; ++repeat) {
+    const auto k = static_cast<std::uint32_t>(below(random, static_cast<long>(cloud.size())));
+    ASSERT_EQ(points_beyond(cloud, u, k), points_beyond_naive(cloud.points(), u, k));
+  }
+}
+
+// Points of one plane <u, p> = c, up to a few units of <u, p>: closer together than the filter can tell.
+std::vector<Vector> nearly_coplanar(Random& random, const Vector& u, unsigned long bits, std::size_t n) {
+  std::vector<Vector> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector in_plane = cross(u, random_vector(random, bits));
+    points.push_back(in_plane + Vector{mpz_class(below(random, 4)), 0, 0});
+  }
+  return points;
+}
+
+TEST(BinaryExponent, IsTheLeastThatCovers) {
+  const auto of = [](const mpz_class& x) {
+    const Vector p{0, x, 0};
+    return binary_exponent(std::span(&p, 1));
+  };
+  EXPECT_EQ(binary_exponent({}), 0);
+  EXPECT_EQ(of(0), 0);
+  EXPECT_EQ(of(1), 0);
+  EXPECT_EQ(of(-1), 0);
+  EXPECT_EQ(of(2), 1);
+  EXPECT_EQ(of(-3), 2);
+  EXPECT_EQ(of(-4), 2);
+  EXPECT_EQ(of(5), 3);
+  EXPECT_EQ(of(power_of_two(4000)), 4000);
+  EXPECT_EQ(of(-power_of_two(4000) - 1), 4001);
+}
+
+TEST(PointCloud, ImagesAreWithinTheStatedError) {
+  Random random(1);
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    std::vector<Vector> points;
+    for (int i = 0; i < 3; ++i) points.push_back(random_vector(random, 1 + static_cast<unsigned long>(below(random, 3000))));
+    const long exponent = binary_exponent(points) + below(random, 60);
+    const PointCloud cloud(points, exponent);
+    const mpq_class unit(1, power_of_two(static_cast<unsigned long>(exponent))), bound(1, power_of_two(52));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LE(abs(cloud.xs()[i] - points[i].x * unit), bound);
+      EXPECT_LE(abs(cloud.ys()[i] - points[i].y * unit), bound);
+      EXPECT_LE(abs(cloud.zs()[i] - points[i].z * unit), bound);
+      for (const double c : {cloud.xs()[i], cloud.ys()[i], cloud.zs()[i]}) {
+        EXPECT_LE(std::abs(c), 1);
+        EXPECT_NE(std::fpclassify(c), FP_SUBNORMAL);
+      }
+    }
+  }
+}
+
+TEST(PointCloud, RefusesAnExponentThatIsTooSmall) {
+  EXPECT_NO_THROW(PointCloud({{4, 0, -4}}, 2));
+  EXPECT_THROW(PointCloud({{5, 0, 0}}, 2), std::invalid_argument);
+}
+
+TEST(ExtremePoints, ZeroDirectionAndEmptyCloud) {
+  const PointCloud cloud({{1, 2, 3}, {0, 0, 0}});
+  EXPECT_EQ(extreme_points(cloud, {0, 0, 0}), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_TRUE(points_beyond(cloud, {0, 0, 0}, 1).empty());
+  EXPECT_TRUE(extreme_points(PointCloud(), {1, 2, 3}).empty());
+  EXPECT_TRUE(extreme_points(PointCloud(), {0, 0, 0}).empty());
+}
+
+TEST(ExtremePoints, TiesAreAllListed) {
+  const PointCloud cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+  EXPECT_EQ(extreme_points(cube, {1, 0, 0}), (std::vector<std::uint32_t>{1, 3, 5, 7, 8}));
+  EXPECT_EQ(extreme_points(cube, {power_of_two(900), 0, 1}), (std::vector<std::uint32_t>{5, 7, 8}));
+  EXPECT_EQ(extreme_points(cube, {-power_of_two(900), 0, -1}), (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(points_beyond(cube, {-power_of_two(900), 0, -1}, 5), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 6}));
+}
+
+// Two points that no image can tell apart, since the exponent is that of another, far larger point.
+TEST(ExtremePoints, DifferencesBelowEveryImageDecide) {
+  const PointCloud cloud({{0, 0, -power_of_two(5000)}, {0, 0, 1}, {0, 0, 2}, {0, 0, 2}});
+  EXPECT_EQ(extreme_points(cloud, {0, 0, 1}), (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(extreme_points(cloud, {0, power_of_two(9000), 1}), (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(points_beyond(cloud, {0, 0, 1}, 1), (std::vector<std::uint32_t>{2, 3}));
+}
+
+TEST(ExtremePoints, AgreeWithTheNaiveTwinOnLattices) {
+  EXPECT_TRUE(holds(3000, [] {
+    const auto coordinate = rc::gen::map(rc::gen::element(-2, -1, 0, 1, 2), [](int x) { return mpz_class(x); });
+    const auto vector = rc::gen::map(rc::gen::tuple(coordinate, coordinate, coordinate), [](const auto& t) {
+      return Vector{std::get<0>(t), std::get<1>(t), std::get<2>(t)};
+    });
+    const auto points = *rc::gen::container<std::vector<Vector>>(vector);
+    const Vector u = *vector;
+    const PointCloud cloud(points), deep(points, 1000);
+    const auto expected = extreme_points_naive(points, u);
+    RC_ASSERT(extreme_points(cloud, u) == expected);
+    RC_ASSERT(extreme_points(deep, u) == expected);
+    if (points.empty()) return;
+    const auto k = static_cast<std::uint32_t>(points.size() / 2);
+    RC_ASSERT(points_beyond(cloud, u, k) == points_beyond_naive(points, u, k));
+    RC_ASSERT(points_beyond(deep, u, k) == points_beyond_naive(points, u, k));
+  }));
+}
+
+TEST(ExtremePoints, AgreeWithTheNaiveTwinOnRandomSetsOfEverySize) {
+  Random random(2);
+  for (std::size_t n = 0; n < 600; n += 1 + n / 8) {
+    for (const unsigned long bits : {3UL, 20UL, 53UL, 60UL, 2000UL}) {
+      std::vector<Vector> points;
+      for (std::size_t i = 0; i < n; ++i) points.push_back(random_vector(random, bits));
+      const PointCloud cloud(points);
+      for (const unsigned long u_bits : {2UL, 30UL, 100UL, 3000UL}) expect_scans_agree(cloud, random_vector(random, u_bits), random);
+    }
+  }
+}
+
+// Values that differ by 2^-40 to 2^-60 of the greatest possible one: the filter's error bound is what separates right from wrong.
+TEST(ExtremePoints, AgreeWithTheNaiveTwinOnNearTies) {
+  Random random(3);
+  for (int repeat = 0; repeat < 4000; ++repeat) {
+    const unsigned long u_bits = 10 + static_cast<unsigned long>(below(random, 40));
+    const Vector u = random_vector(random, u_bits);
+    const auto n = static_cast<std::size_t>(1 + below(random, 40));
+    const unsigned long bits = 4 + static_cast<unsigned long>(below(random, 40));
+    expect_scans_agree(PointCloud(nearly_coplanar(random, u, bits, n)), u, random);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(ExtremePoints, AgreeWithTheNaiveTwinWhenTheExponentsAreAtTheLimitOfExactImages) {
+  Random random(4);
+  for (int repeat = 0; repeat < 4000; ++repeat) {
+    const unsigned long u_bits = 1 + static_cast<unsigned long>(below(random, 50));
+    const Vector u = random_vector(random, u_bits);
+    std::vector<Vector> points;
+    const unsigned long bits = 53 - u_bits;  // around the last pair of lengths that is computed without error
+    for (int i = 0; i < 30; ++i) points.push_back(random_vector(random, bits));
+    const Vector along = cross(u, random_vector(random, 3));
+    for (int i = 0; i < 30; ++i) points.push_back(points[static_cast<std::size_t>(i)] + along);
+    expect_scans_agree(PointCloud(points), u, random);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(ExtremePoints, DoNotDependOnTheRoundingMode) {
+  Random random(5);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    for (int repeat = 0; repeat < 1000 && !HasFatalFailure(); ++repeat) {
+      const Vector u = random_vector(random, 40);
+      expect_scans_agree(PointCloud(nearly_coplanar(random, u, 13, 20)), u, random);
+    }
+    std::fesetround(FE_TONEAREST);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
