@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coplanar neighbours are united, corners where fewer than three facets meet are dropped, the rest is numbered canonically.
+#include "reference/polytope/hull_merge.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+using Index = std::uint32_t;
+
+/// Half-edge 3 t + i runs from corner i of triangle t to the next one.
+struct Surface {
+  std::span<const Triangle> triangles;
+  std::vector<Vector> normals;  // of triangles, primitive
+  std::vector<Index> twin;      // of half-edges
+  std::vector<bool> border;     // of half-edges: whether the triangles on its two sides lie in different planes
+
+  [[nodiscard]] Index origin(Index h) const { return triangles[h / 3][h % 3]; }
+  [[nodiscard]] Index next(Index h) const { return h % 3 == 2 ? h - 2 : h + 1; }
+  /// The border half-edge that follows border half-edge h around the same facet.
+  [[nodiscard]] Index next_border(Index h) const {
+    h = next(h);
+    while (!border[h]) h = next(twin[h]);
+    return h;
+  }
+};
+
+std::vector<Index> twins(const Surface& s) {
+  const auto count = static_cast<Index>(3 * s.triangles.size());
+  std::vector<std::pair<std::uint64_t, Index>> by_ends(count);
+  for (Index h = 0; h < count; ++h) {
+    const auto [low, high] = std::minmax({s.origin(h), s.origin(s.next(h))});
+    by_ends[h] = {std::uint64_t{low} << 32 | high, h};
+  }
+  std::ranges::sort(by_ends);
+  std::vector<Index> twin(count);
+  for (Index i = 0; i < count; i += 2) {
+    twin[by_ends[i].second] = by_ends[i + 1].second;
+    twin[by_ends[i + 1].second] = by_ends[i].second;
+  }
+  return twin;
+}
+
+Surface make_surface(std::span<const Vector> points, std::span<const Triangle> triangles) {
+  Surface s;
+  s.triangles = triangles;
+  s.normals.reserve(triangles.size());
+  for (const auto& [p, q, r] : triangles) s.normals.push_back(primitive(cross(points[q] - points[p], points[r] - points[p])));
+  s.twin = twins(s);
+  s.border.resize(s.twin.size());
+  // Neighbours share an edge, so equal normals mean equal planes.
+  for (Index h = 0; h < s.twin.size(); ++h) s.border[h] = s.normals[h / 3] != s.normals[s.twin[h] / 3];
+  return s;
+}
+
+/// Facets meet at a point in as many border half-edges as there are facets: 0 or 2 where it lies inside a facet or an edge.
+std::vector<bool> extreme_points(const Surface& s, std::size_t points) {
+  std::vector<Index> borders(points, 0);
+  for (Index h = 0; h < s.border.size(); ++h) {
+    if (s.border[h]) ++borders[s.origin(h)];
+  }
+  std::vector<bool> extreme(points);
+  for (std::size_t i = 0; i < points; ++i) extreme[i] = borders[i] >= 3;
+  return extreme;
+}
+
+struct Cycle {
+  Index triangle;  // one of the facet's
+  std::vector<Index> corners;
+};
+
+/// One cycle for each facet, in the order of the cycles.
+std::vector<Cycle> facet_cycles(const Surface& s, std::span<const Index> number) {
+  std::vector<Cycle> cycles;
+  std::vector<bool> seen(s.border.size());
+  for (Index start = 0; start < s.border.size(); ++start) {
+    if (!s.border[start] || seen[start]) continue;
+    Cycle cycle{start / 3, {}};
+    for (Index h = start; !seen[h]; h = s.next_border(h)) {
+      seen[h] = true;
+      if (const Index v = number[s.origin(h)]; v != no_facet) cycle.corners.push_back(v);
+    }
+    start_at_lowest(cycle.corners);
+    cycles.push_back(std::move(cycle));
+  }
+  std::ranges::sort(cycles, {}, &Cycle::corners);
+  return cycles;
+}
+
+/// Each pair of neighbouring corners occurs once in either direction: rising in the facet to the left, falling in the one to the right.
+std::vector<Edge> edges_of(const Polytope& polytope) {
+  std::vector<Edge> halves;
+  halves.reserve(polytope.corners.size());
+  for (Index f = 0; f < polytope.facets.size(); ++f) {
+    const Facet& facet = polytope.facets[f];
+    Index u = polytope.corners[facet.end - 1];
+    for (Index c = facet.begin; c < facet.end; ++c) {
+      const Index v = polytope.corners[c];
+      halves.push_back(u < v ? Edge{u, v, f, no_facet} : Edge{v, u, no_facet, f});
+      u = v;
+    }
+  }
+  std::ranges::sort(halves, {}, [](const Edge& e) { return std::tuple(e.from, e.to, e.left); });
+  std::vector<Edge> edges;
+  edges.reserve(halves.size() / 2);
+  for (std::size_t i = 0; i < halves.size(); i += 2) edges.push_back({halves[i].from, halves[i].to, halves[i].left, halves[i + 1].right});
+  return edges;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
+  std::vector<Index> number(points.size(), no_facet);
+  for (Index id = 0; id < points.size(); ++id) {
+    if (!extreme[id]) continue;
+    number[id] = static_cast<Index>(polytope.vertices.size());
+    polytope.vertices.push_back(points[id]);
+    polytope.input_ids.push_back(id);
+  }
+  return number;
+}
+
+void start_at_lowest(std::vector<std::uint32_t>& cycle) { std::ranges::rotate(cycle, std::ranges::min_element(cycle)); }
+
+void append_facet(Polytope& polytope, Vector normal, std::span<const std::uint32_t> cycle) {
+  const auto begin = static_cast<Index>(polytope.corners.size());
+  polytope.corners.insert(polytope.corners.end(), cycle.begin(), cycle.end());
+  polytope.facets.push_back({std::move(normal), begin, static_cast<Index>(polytope.corners.size())});
+}
+
+Polytope merge_coplanar(std::span<const Vector> points, std::span<const Triangle> triangles) {
+  Surface surface = make_surface(points, triangles);
+  Polytope polytope;
+  polytope.rank = 3;
+  const std::vector<Index> number = number_vertices(polytope, points, extreme_points(surface, points.size()));
+  for (const Cycle& cycle : facet_cycles(surface, number)) {
+    append_facet(polytope, std::move(surface.normals[cycle.triangle]), cycle.corners);
+  }
+  polytope.edges = edges_of(polytope);
+  return polytope;
+}
+
+}  // namespace fathom

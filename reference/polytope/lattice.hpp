@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Both bodies as integer points in one common unit: the form in which every later stage computes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// A point p of either body stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not see `origin`;
+/// it only keeps the integers small when the bodies lie far from O.
+struct Lattice {
+  mpz_class denominator = 1;  ///< > 0
+  Point origin;
+  std::vector<Vector> a, b;
+};
+
+/// The lattice with the least denominator for which all points, taken from the first point of B, are integral; b[0] is zero. Exact.
+/// The unit is never coarser than 1: a factor that all integers share stays. Indices are those of the input.
+/// Throws std::invalid_argument when a body is empty.
+/// Size: each integer has about as many bits as the common denominator of all points, times their extent.
+Lattice common_lattice(std::span<const Point> a, std::span<const Point> b);
+
+/// The rational position of a lattice point, or of lattice coordinates with a further divisor: origin + v / (denominator * divisor).
+/// `divisor` must not be zero.
+Point position(const Lattice& lattice, const Vector& v, const mpz_class& divisor = 1);
+
+}  // namespace fathom

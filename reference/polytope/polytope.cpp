@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hull of points of any rank: duplicates out, rank found exactly, then one method for each rank.
+#include "reference/polytope/polytope.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "reference/polytope/hull_hash.hpp"
+#include "reference/polytope/hull_merge.hpp"
+#include "reference/polytope/hull_triangles.hpp"
+
+namespace fathom {
+namespace {
+
+using Index = std::uint32_t;
+
+/// One index, the lowest, of each group of equal points; ascending.
+std::vector<Index> distinct_points(std::span<const Vector> points) {
+  DistinctPoints seen = no_points_yet(points, points.size());
+  std::vector<Index> ids;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (seen.insert(i).second) ids.push_back(i);
+  }
+  return ids;
+}
+
+/// The affine span of the points; for rank 2 with a normal of the plane.
+struct Span {
+  int rank = 0;
+  Vector normal;
+};
+
+Span affine_span(std::span<const Vector> points) {
+  Span span;
+  Vector direction;
+  for (const Vector& point : points) {
+    Vector d = point - points[0];
+    if (span.rank == 0) {
+      if (is_zero(d)) continue;
+      direction = std::move(d);
+      span.rank = 1;
+    } else if (span.rank == 1) {
+      span.normal = cross(direction, d);
+      if (!is_zero(span.normal)) span.rank = 2;
+    } else if (dot(span.normal, d) != 0) {
+      span.rank = 3;
+      break;
+    }
+  }
+  return span;
+}
+
+Polytope point(std::span<const Vector> points) {
+  Polytope polytope;
+  polytope.vertices = {points[0]};
+  polytope.input_ids = {0};
+  return polytope;
+}
+
+/// Lexicographic order is monotone along a line.
+Polytope segment(std::span<const Vector> points, std::span<const Index> ids) {
+  const auto [first, last] =
+      std::ranges::minmax_element(ids, [&](Index i, Index j) { return lexicographically_less(points[i], points[j]); });
+  const auto [low, high] = std::minmax(*first, *last);
+  Polytope polytope;
+  polytope.rank = 1;
+  polytope.vertices = {points[low], points[high]};
+  polytope.input_ids = {low, high};
+  polytope.edges = {{0, 1, no_facet, no_facet}};
+  return polytope;
+}
+
+/// Of the two normals the one whose first component other than zero is positive belongs to facet 0; seen along that axis nothing is lost.
+Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, const Vector& some_normal) {
+  Vector normal = primitive(some_normal);
+  const int axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;
+  if (lexicographically_less(normal, Vector{})) normal = -normal;
+  std::vector<Index> cycle = hull_cycle(points, ids, axis);
+
+  Polytope polytope;
+  polytope.rank = 2;
+  std::vector<bool> extreme(points.size());
+  for (const Index id : cycle) extreme[id] = true;
+  const std::vector<Index> number = number_vertices(polytope, points, extreme);
+  for (Index& v : cycle) v = number[v];
+  start_at_lowest(cycle);
+  append_facet(polytope, normal, cycle);
+  std::reverse(cycle.begin() + 1, cycle.end());
+  append_facet(polytope, -normal, cycle);
+  const auto n = static_cast<Index>(cycle.size());
+  for (Index i = 0; i < n; ++i) polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], 0, 1});
+  return polytope;
+}
+
+}  // namespace
+
+int affine_rank(std::span<const Vector> points) { return affine_span(points).rank; }
+
+Polytope convex_hull(std::span<const Vector> points) {
+  if (points.empty()) throw std::invalid_argument("convex_hull: no points");
+  if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
+  const std::vector<Index> ids = distinct_points(points);
+  const Span span = affine_span(points);
+  switch (span.rank) {
+    case 0: return point(points);
+    case 1: return segment(points, ids);
+    case 2: return polygon(points, ids, span.normal);
+    default: return merge_coplanar(points, hull_triangles(points, ids));
+  }
+}
+
+}  // namespace fathom
