@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   the charts of one hemisphere.
+// Output  pairs (A_i, B_i) of sets of edges: every pair in A_i x B_i has crossing arcs, hence generates a facet of P (C2), and every
+//         pair with crossing arcs lies in one of them (C3).                                    [AGHRS, section 2.2, "Computing F"]
+// Size    sum |A_i| + |B_i| = O((m + n) log^2(m + n)).                                         [AGHRS, (C5) and equation (1)]
+// Departs from the paper: the tree T_A stores A's arcs and takes B's as queries (the text swaps them once); both trees stand on one
+//         skeleton, the walls of both colours; T_A takes a query at the children of the nodes in whose open strip it has an end, T_B at
+//         those nodes themselves, so that a crossing is found once. Arcs that touch (an end on the other arc or on its great circle's
+//         wall) may be reported, once or more: ranges are closed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kernels/report.hpp"
+#include "reference/chart/chart.hpp"
+
+namespace fathom {
+
+/// One (A_i, B_i): `stored` is a canonical subset, contiguous in height order, of a node of T_A or T_B; `queries` are the edges of the
+/// other body for which the node's query returned it.
+struct CanonicalPair {
+  Colour stored_of;
+  std::span<const std::uint32_t> stored, queries;
+
+  [[nodiscard]] std::span<const std::uint32_t> edges_of_a() const { return stored_of == Colour::a ? stored : queries; }
+  [[nodiscard]] std::span<const std::uint32_t> edges_of_b() const { return stored_of == Colour::a ? queries : stored; }
+};
+
+/// The family F = F^A and F^B of one hemisphere. Edge ids are stored once a node and once a query: near-linear, however many crossings.
+class CanonicalSubsets {
+ public:
+  [[nodiscard]] std::size_t size() const { return records_.size(); }
+  [[nodiscard]] CanonicalPair operator[](std::size_t i) const;
+
+  /// sum |A_i|, sum |B_i| and sum |A_i| |B_i|: in general position the last is the number of crossings.
+  struct Sums {
+    std::uint64_t a = 0, b = 0, product = 0;
+  };
+  [[nodiscard]] Sums sums() const;
+
+ private:
+  friend class CanonicalBuilder;
+  struct Record {
+    Colour stored_of;
+    std::uint64_t stored_begin, stored_end, queries_begin, queries_end;
+  };
+  std::vector<std::uint32_t> stored_, queries_;
+  std::vector<Record> records_;
+};
+
+CanonicalSubsets canonical_subsets(const Charts& charts);
+
+/// The naive twin: all pairs (edge of A, edge of B) whose arcs cross strictly, in their interiors and transversally, in the open
+/// hemisphere; ascending. Tests every pair.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings_naive(const Charts& charts);
+
+/// C1: indices are edges, each at most once in a set. C2, C3 against the naive twin: no strict crossing is missing and none is reported
+/// twice, unless it lies on a wall; whatever else is reported touches (its arcs meet in the closed hemisphere) or is parallel.
+/// `general_position` also forbids the latter. O(m n).
+[[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts, bool general_position);
+
+}  // namespace fathom

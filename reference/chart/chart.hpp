@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   the Gaussian diagrams of -A and of B, and a frame.
+// Output  the charts of one hemisphere: both diagrams projected centrally to a plane, where arcs are segments, rays and lines, and the
+//         walls through their endpoints.                                                       [AGHRS, section 2.2, "Computing F"]
+// Departs from the paper: arcs are not cut at the equator. An arc that crosses it is a ray in either chart, because <v,z> = 0 puts the
+//         equator at x = -infinity and x = +infinity.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "kernels/direction.hpp"
+#include "kernels/report.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
+
+namespace fathom {
+
+/// The pole z of a hemisphere and the upward direction v of its chart, <v,z> = 0.
+struct Frame {
+  Direction v, z;
+};
+
+/// The frame of the `attempt`-th try, a fixed sequence of integer frames; `lower` negates the pole and keeps v.
+Frame chart_frame(unsigned attempt, bool lower);
+
+/// Which body an arc or a node belongs to. Colour a is the diagram of -A.
+enum class Colour : std::uint8_t { a, b };
+
+constexpr Colour other(Colour c) { return c == Colour::a ? Colour::b : Colour::a; }
+
+inline constexpr std::uint32_t at_infinity = UINT32_MAX;
+
+/// The part of an arc in this hemisphere, oriented from left to right.
+struct ChartArc {
+  std::uint32_t arc;          ///< index in the diagram: the edge
+  std::uint32_t left, right;  ///< node, or at_infinity
+  bool flipped;               ///< <circle,v> < 0: above and below change places
+};
+
+/// Charts of both colours over one frame.
+struct Charts {
+  Frame frame;
+  std::array<const GaussianDiagram*, 2> diagrams;
+  std::array<std::vector<ChartArc>, 2> arcs;
+  /// Walls: the distinct x-coordinates of the nodes of both colours in this hemisphere, from left to right, each named by one of its
+  /// nodes. The one skeleton of both segment trees.
+  struct Wall {
+    Colour colour;
+    std::uint32_t node;
+  };
+  std::vector<Wall> walls;
+  /// Of each node of the diagram the index of its wall, or at_infinity when it lies in the other hemisphere.
+  std::array<std::vector<std::uint32_t>, 2> wall_of;
+
+  [[nodiscard]] const GaussianDiagram& diagram(Colour c) const { return *diagrams[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const std::vector<ChartArc>& arcs_of(Colour c) const { return arcs[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] std::uint32_t wall(Colour c, std::uint32_t node) const { return wall_of[static_cast<std::size_t>(c)][node]; }
+  [[nodiscard]] const Direction& node(Colour c, std::uint32_t i) const { return diagram(c).nodes[i]; }
+  [[nodiscard]] const Direction& circle(Colour c, const ChartArc& arc) const { return diagram(c).arcs[arc.arc].circle; }
+  /// The vertex whose face lies right above, or right below, the arc in this chart.
+  [[nodiscard]] std::uint32_t vertex_above(Colour c, const ChartArc& arc) const;
+  [[nodiscard]] std::uint32_t vertex_below(Colour c, const ChartArc& arc) const;
+};
+
+/// Nothing when the frame meets an exact zero: a node on the equator, an arc on a vertical, or two different nodes on one vertical.
+/// The diagrams must outlive the charts. O((m + n) log(m + n)).
+std::optional<Charts> make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame);
+
+/// Questions of the combinatorial layer; each answer is a sign, and 0 means "on".
+/// 1: the node lies above the line of the arc.
+int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc);
+/// 1: arc e lies above arc f on the wall.
+int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall);
+/// 1: arc e lies above arc f far to the left.
+int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f);
+/// 1: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
+/// cross, so the later of the left ends decides, or else the earlier of the right ends.        [degree 3, no wall needed]
+int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
+
+/// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end. Linear.
+[[nodiscard]] Report validate(const Charts& charts);
+
+}  // namespace fathom

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/gaussian/gaussian_diagram.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+// For B: the face on the side of d = to - from is the edge's head, since <u,d> > 0 prefers it. Between the normals of the left and of
+// the right facet the arc runs on the circle of left x right, a positive multiple of d. Reflection negates both normals and both
+// points: the circle stays, head and tail change places.
+GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
+  GaussianDiagram result;
+  result.rank = polytope.rank;
+  result.nodes.reserve(polytope.facets.size());
+  for (const Facet& facet : polytope.facets) result.nodes.emplace_back(reflected ? -facet.normal : facet.normal);
+  result.arcs.reserve(polytope.edges.size());
+  for (const Edge& edge : polytope.edges) {
+    Arc arc{Direction(polytope.vertices[edge.to] - polytope.vertices[edge.from]), edge.left, edge.right, edge.to, edge.from};
+    if (reflected) std::swap(arc.above, arc.below);
+    result.arcs.push_back(std::move(arc));
+  }
+  return result;
+}
+
+// All indices of nodes and vertices exist; then the other laws may be looked at.
+bool in_range(const GaussianDiagram& diagram, const Polytope& polytope) {
+  const auto node = [&](std::uint32_t n) { return diagram.rank == 1 ? n == no_facet : n < diagram.nodes.size(); };
+  const auto face = [&](std::uint32_t v) { return v < polytope.vertices.size(); };
+  return std::all_of(diagram.arcs.begin(), diagram.arcs.end(),
+                     [&](const Arc& arc) { return node(arc.from) && node(arc.to) && face(arc.above) && face(arc.below); });
+}
+
+// Around a face on the left, an arc leads from a node to the next: each node of the face is entered once and left once.
+bool faces_close_up(const GaussianDiagram& diagram) {
+  using NodeOfFace = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<NodeOfFace> left, entered;
+  for (const Arc& arc : diagram.arcs) {
+    left.insert(left.end(), {{arc.above, arc.from}, {arc.below, arc.to}});
+    entered.insert(entered.end(), {{arc.above, arc.to}, {arc.below, arc.from}});
+  }
+  std::sort(left.begin(), left.end());
+  std::sort(entered.begin(), entered.end());
+  return left == entered && std::adjacent_find(left.begin(), left.end()) == left.end();
+}
+
+void check_ends(Report& report, const GaussianDiagram& diagram, const Arc& arc, const Vector& step, const std::string& name) {
+  const Vector& from = diagram.nodes[arc.from].exact();
+  const Vector& to = diagram.nodes[arc.to].exact();
+  if (diagram.rank == 2) {
+    report.expect(arc.from == 0 && arc.to == 1 && same_direction(-from, to), name + "a half-circle joins node 0 to the antipodal node 1");
+  } else {
+    report.expect(same_direction(cross(from, to), arc.circle.exact()), name + "circle is not a positive multiple of from x to");
+  }
+  report.expect(dot(from, step) == 0 && dot(to, step) == 0, name + "an end prefers one of its faces");
+}
+
+}  // namespace
+
+GaussianDiagram gaussian_diagram(const Polytope& polytope) { return diagram(polytope, false); }
+
+GaussianDiagram gaussian_diagram_of_reflection(const Polytope& polytope) { return diagram(polytope, true); }
+
+Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+  Report report;
+  const bool sizes = diagram.nodes.size() == polytope.facets.size() && diagram.arcs.size() == polytope.edges.size();
+  if (!report.expect(diagram.rank == polytope.rank && sizes, "the polytope's rank, one node a facet and one arc an edge")) return report;
+  if (!report.expect(in_range(diagram, polytope), "nodes and faces of every arc exist, and a full circle has no nodes")) return report;
+  for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
+    const Vector& normal = polytope.facets[i].normal;
+    report.expect(same_direction(reflected ? -normal : normal, diagram.nodes[i].exact()),
+                  "node " + std::to_string(i) + " is not the normal of its facet");
+  }
+  const auto point = [&](std::uint32_t v) { return reflected ? -polytope.vertices[v] : polytope.vertices[v]; };
+  for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+    const Arc& arc = diagram.arcs[i];
+    const std::string name = "arc " + std::to_string(i) + ": ";
+    const Vector step = point(arc.above) - point(arc.below);
+    report.expect(!is_zero(step) && same_direction(step, arc.circle.exact()),
+                  name + "the face above is not the one on the circle's positive side");
+    if (diagram.rank >= 2) check_ends(report, diagram, arc, step, name);
+  }
+  if (diagram.rank >= 2) report.expect(faces_close_up(diagram), "the arcs around a face do not close up");
+  if (diagram.rank == 3) {
+    report.expect(diagram.nodes.size() + polytope.vertices.size() == diagram.arcs.size() + 2, "Euler's formula on the sphere");
+  }
+  return report;
+}
+
+}  // namespace fathom

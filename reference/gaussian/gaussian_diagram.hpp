@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a convex polytope of rank 0 to 3.
+// Output  its Gaussian diagram, or that of its reflection through O: nodes are outward facet normals, arcs are edges, faces are vertices.
+//         [AGHRS, section 2.2, "Computing F"]
+// Size    linear; node i is facet i, arc i is edge i.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/direction.hpp"
+#include "kernels/report.hpp"
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom {
+
+/// The arc of an edge, from node `from` to node `to`, shorter than pi for rank 3: the normals of the planes that support the body at the
+/// edge. `circle` is normal to its great circle, a positive multiple of from x to.
+/// Rank 2: a half-circle, from = 0 and to = 1 antipodal; the order of its interior is that of rank 3 in the limit: it passes through
+/// circle x from. Rank 1: a full circle, both nodes no_facet.
+struct Arc {
+  Direction circle;
+  std::uint32_t from, to;
+  /// The faces beside the arc, as vertices: `above` where <u,circle> > 0, `below` where < 0.
+  std::uint32_t above, below;
+};
+
+struct GaussianDiagram {
+  int rank = 0;
+  std::vector<Direction> nodes;
+  std::vector<Arc> arcs;
+};
+
+/// The diagram of the polytope itself: what B contributes.
+GaussianDiagram gaussian_diagram(const Polytope& polytope);
+
+/// The diagram of -polytope: what A contributes. Node i is the negated normal of facet i, face i the vertex i, negated.
+GaussianDiagram gaussian_diagram_of_reflection(const Polytope& polytope);
+
+/// Checks every node against its facet, the orientation of every arc, that both faces beside an arc are equally extreme at its ends, that
+/// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `reflected` tells which diagram of the polytope it
+/// should be.
+[[nodiscard]] Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool reflected);
+
+}  // namespace fathom

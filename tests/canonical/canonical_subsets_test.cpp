@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/canonical/canonical_subsets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "kernels/filter.hpp"
+#include "reference/depth/depth.hpp"
+#include "reference/lines/closest_lines.hpp"
+#include "tests/support/prepared.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cases_of_all_families;
+using testing::prepare;
+using testing::Prepared;
+using testing::text;
+
+TEST(CanonicalSubsets, CoverEachCrossingOnEveryFamily) {
+  for (const Case& input : cases_of_all_families(6, 10)) {
+    const auto p = prepare(input);
+    for (const Charts& charts : p->charts) {
+      const Report report = validate(canonical_subsets(charts), charts, false);
+      EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
+    }
+  }
+}
+
+// Nothing touches, nothing is parallel: C1 to C4 to the letter, and the sum of products counts the crossings.
+class GeneralPosition : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(GeneralPosition, ConditionsHoldAsStated) {
+  for (const unsigned n : {4U, 7U, 20U, 60U}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      const PredicateCounts before = predicate_counts();
+      const Case input = families::find_family(GetParam())->make(seed, n);
+      const auto p = prepare(input);
+      const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+      const bool overlap = penetration_depth(input.a.points, input.b.points).status == Status::penetrating;
+      for (const Charts& charts : p->charts) {
+        const CanonicalSubsets subsets = canonical_subsets(charts);
+        const Report report = validate(subsets, charts, true);
+        EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
+        EXPECT_EQ(subsets.sums().product, crossings_naive(charts).size()) << input.id;
+        const Report separation = validate_separation(subsets, a, b, charts.frame.z.exact());
+        EXPECT_TRUE(!overlap || separation.ok()) << input.id << "\n" << text(separation);
+      }
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(predicate_counts()[i].zero - before[i].zero, 0U) << "not in general position: " << input.id << ", " << predicate_names[i];
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, GeneralPosition, ::testing::Values("random_sphere", "random_ball", "crossed_bands"));
+
+// (C5) and equation (1), measured: sums stay below (m + n) log^2(m + n), and do not follow the number of crossings.
+TEST(CanonicalSubsets, SumsAreNearLinear) {
+  for (const char* family : {"random_sphere", "crossed_fans", "crossed_bands"}) {
+    for (const unsigned n : {32U, 128U, 512U}) {
+      const auto p = prepare(families::find_family(family)->make(1, n));
+      const double edges = static_cast<double>(p->a.edges.size() + p->b.edges.size());
+      double sum = 0, crossings = 0;
+      for (const Charts& charts : p->charts) {
+        const CanonicalSubsets::Sums sums = canonical_subsets(charts).sums();
+        sum += static_cast<double>(sums.a + sums.b);
+        crossings += static_cast<double>(sums.product);
+      }
+      EXPECT_LE(sum, edges * std::log2(edges) * std::log2(edges)) << family << " " << n;
+      if (std::string(family) == "crossed_fans") {
+        EXPECT_GE(crossings, 0.9 * n * n);
+        EXPECT_LE(sum, 8 * edges) << n;
+      }
+      RecordProperty(std::string(family) + std::to_string(n), std::to_string(sum / edges) + " ids an edge");
+    }
+  }
+}
+
+TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
+  for (const unsigned n : {64U, 256U, 1024U}) {
+    const auto p = prepare(families::find_family("random_sphere")->make(1, n));
+    const PredicateCounts before = predicate_counts();
+    for (const Charts& charts : p->charts) canonical_subsets(charts);
+    std::uint64_t calls = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) calls += predicate_counts()[i].calls - before[i].calls;
+    EXPECT_LE(calls, 6 * std::uint64_t{n} * std::bit_width(n) * std::bit_width(n)) << n;
+  }
+}
+
+// Hand-made charts: the smallest case in which two segment trees with breakpoints of their own lose a crossing. Stored over [0,10], query
+// over [5,15], crossing at 7. One skeleton finds it, whatever other walls there are.
+TEST(CanonicalSubsets, OneSkeletonFindsTheSmallestLostCrossing) {
+  const auto node = [](long x, long y) { return Direction(Vector{x, y, 1}); };
+  const auto arc = [&](std::vector<Direction>& nodes, Direction from, Direction to) {
+    const auto first = static_cast<std::uint32_t>(nodes.size());
+    Direction circle(cross(from.exact(), to.exact()));
+    nodes.push_back(std::move(from));
+    nodes.push_back(std::move(to));
+    return Arc{std::move(circle), first, first + 1, 1, 0};
+  };
+  GaussianDiagram a, b;
+  a.rank = b.rank = 3;
+  // Walls of their own besides the two arcs: the stored colour's at 6 and 12, the other's at 4 and 9, far above.
+  a.arcs = {arc(a.nodes, node(0, 0), node(10, 0)), arc(a.nodes, node(6, 100), node(12, 100))};
+  b.arcs = {arc(b.nodes, node(5, -2), node(15, 8)), arc(b.nodes, node(4, 200), node(9, 200))};
+  // x runs along v x z = (1,0,0) for v = (0,1,0), z = (0,0,1).
+  const std::optional<Charts> charts = make_charts(a, b, {Direction(Vector{0, 1, 0}), Direction(Vector{0, 0, 1})});
+  ASSERT_TRUE(charts);
+  EXPECT_EQ(crossings_naive(*charts), (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0}}));
+  const Report report = validate(canonical_subsets(*charts), *charts, true);
+  EXPECT_TRUE(report.ok()) << text(report);
+}
+
+TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {
+  Case input{"segments", {{{0, 0, 0}, {1, 0, 0}}}, {{{0, 0, 0}, {0, 1, 0}}}};
+  const auto p = prepare(input);
+  for (const Charts& charts : p->charts) {
+    const CanonicalSubsets subsets = canonical_subsets(charts);
+    EXPECT_EQ(subsets.sums().product, 1U);
+    EXPECT_TRUE(validate(subsets, charts, true).ok()) << text(validate(subsets, charts, true));
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/vertex_facet/vertex_facet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "kernels/filter.hpp"
+#include "tests/support/prepared.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cases_of_all_families;
+using testing::prepare;
+using testing::text;
+
+TEST(VertexFacet, SweepFindsAnExtremeVertexForEveryFacet) {
+  for (const Case& input : cases_of_all_families(6, 12)) {
+    const auto p = prepare(input);
+    std::size_t located = 0;
+    for (const Charts& charts : p->charts) {
+      const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
+      const Report report = validate(pairs, charts, p->a, p->b);
+      EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
+      located += pairs.size();
+    }
+    EXPECT_EQ(located, p->a.facets.size() + p->b.facets.size()) << input.id;
+  }
+}
+
+TEST(VertexFacet, ValidateCatchesAWrongVertexAndAMissingFacet) {
+  const auto p = prepare(families::find_family("random_sphere")->make(1, 20));
+  const Charts& charts = p->charts[0];
+  std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
+  pairs[0].vertex = (pairs[0].vertex + 1) % 20;
+  EXPECT_FALSE(validate(pairs, charts, p->a, p->b).ok());
+  pairs = vertex_facet_pairs(charts);
+  pairs.pop_back();
+  EXPECT_FALSE(validate(pairs, charts, p->a, p->b).ok());
+}
+
+// Growth: comparisons a facet grow like the logarithm of the size.
+TEST(VertexFacet, ComparisonsGrowLikeNLogN) {
+  for (const unsigned n : {64U, 256U, 1024U, 4096U}) {
+    const auto p = prepare(families::find_family("random_sphere")->make(1, n));
+    const PredicateCounts before = predicate_counts();
+    for (const Charts& charts : p->charts) vertex_facet_pairs(charts);
+    const auto id = static_cast<std::size_t>(Predicate::side_of_arc);
+    const std::uint64_t calls = predicate_counts()[id].calls - before[id].calls;
+    EXPECT_LE(calls, 12 * std::uint64_t{n} * std::bit_width(n)) << n;
+  }
+}
+
+}  // namespace
+}  // namespace fathom
