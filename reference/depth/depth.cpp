@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/depth/depth.hpp"
+
+#include <algorithm>
+
+#include "kernels/filter.hpp"
+#include "reference/depth/contact.hpp"
+#include "reference/depth/naive_depth.hpp"
+#include "reference/depth/nearest_facets.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "reference/polytope/position.hpp"
+
+namespace fathom {
+namespace {
+
+Status status_of(Position position) {
+  switch (position) {
+    case Position::inside: return Status::penetrating;
+    case Position::boundary: return Status::touching;
+    case Position::outside: break;
+  }
+  return Status::disjoint;
+}
+
+void count_bodies(const Polytope& a, const Polytope& b, Counters& counters) {
+  counters.vertices_a = a.vertices.size();
+  counters.vertices_b = b.vertices.size();
+  counters.edges_a = a.edges.size();
+  counters.edges_b = b.edges.size();
+  counters.facets_a = a.facets.size();
+  counters.facets_b = b.facets.size();
+}
+
+// The part of the work that only penetrating bodies need.
+class Penetration {
+ public:
+  Penetration(const Lattice& lattice, long exponent, const Options& options, Depth& result)
+      : lattice_(lattice), exponent_(exponent), options_(options), result_(result) {}
+
+  void run() {
+    progress("hull of a");
+    const Polytope a = convex_hull(lattice_.a);
+    progress("hull of b");
+    const Polytope b = convex_hull(lattice_.b);
+    if (options_.validate) {
+      insist(validate(a, lattice_.a));
+      insist(validate(b, lattice_.b));
+    }
+    count_bodies(a, b, result_.counters);
+    result_.extreme_a = static_cast<std::uint32_t>(a.vertices.size());
+    result_.extreme_b = static_cast<std::uint32_t>(b.vertices.size());
+    const std::vector<Vector> directions = nearest_directions(a, b);
+    const Bodies bodies{lattice_, a, b, PointCloud(a.vertices, exponent_), PointCloud(b.vertices, exponent_)};
+    for (const Vector& n : directions) result_.optima.push_back(optimum(bodies, n));
+    const Optimum& first = result_.optima.front();
+    result_.direction = first.direction;
+    result_.translation = first.translation;
+    result_.contact = first.contact;
+    result_.witness = witness(bodies, first);
+    const Point& t = first.translation;
+    result_.squared = t.x * t.x + t.y * t.y + t.z * t.z;
+  }
+
+ private:
+  void progress(const char* stage) const {
+    if (options_.progress && !options_.progress(stage, 0)) throw Interrupted();
+  }
+
+  std::vector<Vector> nearest_directions(const Polytope& a, const Polytope& b) {
+    if (options_.method == Method::naive) {
+      progress("hull of all differences");
+      return naive_depth(a.vertices, b.vertices).directions;
+    }
+    const NearestPlanes nearest = nearest_facets(a, b, exponent_, options_, result_.counters);
+    return {nearest.directions().begin(), nearest.directions().end()};
+  }
+
+  const Lattice& lattice_;
+  long exponent_;
+  const Options& options_;
+  Depth& result_;
+};
+
+PredicateCounts difference(const PredicateCounts& now, const PredicateCounts& before) {
+  PredicateCounts result;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    result[i] = {now[i].calls - before[i].calls, now[i].exact - before[i].exact, now[i].zero - before[i].zero};
+  }
+  return result;
+}
+
+}  // namespace
+
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  const PredicateCounts before = predicate_counts();
+  const Lattice lattice = common_lattice(a, b);
+  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
+  const PositionOfOrigin origin = position_of_origin(PointCloud(lattice.a, exponent), PointCloud(lattice.b, exponent));
+  if (options.validate) insist(validate(origin, lattice.a, lattice.b));
+  Depth result;
+  result.status = status_of(origin.position);
+  result.direction = origin.normal;
+  result.flat_a = affine_rank(lattice.a) < 3;
+  result.flat_b = affine_rank(lattice.b) < 3;
+  result.counters.scans = origin.scans;
+  if (result.status == Status::touching) {
+    result.witness = Witness{combination(lattice, lattice.a, origin.a), combination(lattice, lattice.b, origin.b)};
+  }
+  if (result.status == Status::penetrating) Penetration(lattice, exponent, options, result).run();
+  result.counters.predicates = difference(predicate_counts(), before);
+  return result;
+}
+
+}  // namespace fathom

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two finite point sets with rational coordinates; each stands for its convex hull.
+// Output  the exact penetration depth of the two hulls, squared, with every optimum.        [AGHRS, PENETRATION-DEPTH, section 2.2]
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kernels/counters.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// Where O lies with respect to P = B (+) (-A): in its interior; on its boundary, or in a flat P; outside.
+enum class Status { penetrating, touching, disjoint };
+
+/// The six kinds of facets of P. A's feature comes first.
+enum class ContactKind { facet_vertex, vertex_facet, facet_edge, edge_facet, facet_facet, edge_edge };
+
+/// The faces of the bodies in one direction, as ascending 0-based indices of the input points that span them: extreme points only,
+/// of equal points the lowest index.
+struct Contact {
+  ContactKind kind;
+  std::vector<std::uint32_t> a, b;
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// A shortest way out. Moving A by `translation` makes the interiors disjoint, and |translation| is the depth.
+struct Optimum {
+  Vector direction;   ///< primitive outward normal of a nearest facet of P
+  Point translation;  ///< (h(n) / <n,n>) n
+  Contact contact;
+  friend bool operator==(const Optimum&, const Optimum&) = default;
+};
+
+/// Points a of A and b of B with b - a = translation: in the contact's faces where there is a contact.
+struct Witness {
+  Point a, b;
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+
+struct Depth {
+  Status status = Status::disjoint;
+  mpq_class squared;               ///< depth^2, in lowest terms; 0 unless penetrating
+  std::vector<Optimum> optima;     ///< one per direction, sorted lexicographically on it; empty unless penetrating
+  std::optional<Vector> direction; ///< of the first optimum; else a primitive u with h(u) <= 0
+  Point translation;               ///< of the first optimum; else 0
+  std::optional<Contact> contact;  ///< of the first optimum
+  std::optional<Witness> witness;  ///< of the first optimum; a common point when touching
+  bool flat_a = false, flat_b = false;  ///< whether the body has no interior
+  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when disjoint (no hull was needed)
+  Counters counters;
+};
+
+/// exact: AGHRS section 2. naive: the convex hull of all vertex differences, its independent twin.
+enum class Method { exact, naive };
+
+/// How the closest lines of a canonical pair are found.
+enum class ClosestLines { naive };
+
+/// Thrown when the progress callback asked to stop.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+struct Options {
+  Method method = Method::exact;
+  ClosestLines closest_lines = ClosestLines::naive;
+  /// Called now and then with the stage's name and the share of it that is done, in [0, 1]. Return false to stop.
+  std::function<bool(const std::string& stage, double share)> progress;
+  /// Run `validate` on every stage and throw std::logic_error on any broken law. Slow.
+  bool validate = false;
+};
+
+/// Throws std::invalid_argument when a body is empty.
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
+
+}  // namespace fathom

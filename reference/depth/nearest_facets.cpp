@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/depth/nearest_facets.hpp"
+
+#include "reference/canonical/canonical_subsets.hpp"
+#include "reference/chart/chart.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
+#include "reference/lines/closest_lines.hpp"
+#include "reference/vertex_facet/vertex_facet.hpp"
+
+namespace fathom {
+namespace {
+
+// One run of the pipeline: what is common to both hemispheres.
+class Pipeline {
+ public:
+  Pipeline(const Polytope& a, const Polytope& b, long exponent, const Options& options, Counters& counters)
+      : a_(a),
+        b_(b),
+        options_(options),
+        counters_(counters),
+        of_minus_a_(gaussian_diagram_of_reflection(a)),
+        of_b_(gaussian_diagram(b)),
+        lines_a_(a, exponent),
+        lines_b_(b, exponent) {
+    if (options.validate) {
+      insist(validate(of_minus_a_, a, true));
+      insist(validate(of_b_, b, false));
+    }
+  }
+
+  NearestPlanes run() {
+    const std::array<Charts, 2> hemispheres = charts();
+    for (const Charts& charts : hemispheres) offer_vertex_facets(charts);
+    for (std::size_t i = 0; i < 2; ++i) offer_crossing_edges(hemispheres[i], 0.5 * static_cast<double>(i));
+    return std::move(nearest_);
+  }
+
+ private:
+  void progress(const char* stage, double share) const {
+    if (options_.progress && !options_.progress(stage, share)) throw Interrupted();
+  }
+
+  // Turns the frame until no sign of either chart is exactly zero. One of the first few always does: each zero is a curve of frames.
+  std::array<Charts, 2> charts() {
+    for (unsigned attempt = 0;; ++attempt) {
+      progress("charts", 0);
+      ++counters_.frames_tried;
+      std::optional<Charts> upper = make_charts(of_minus_a_, of_b_, chart_frame(attempt, false));
+      if (!upper) continue;
+      std::optional<Charts> lower = make_charts(of_minus_a_, of_b_, chart_frame(attempt, true));
+      if (!lower) continue;
+      if (options_.validate) {
+        insist(validate(*upper));
+        insist(validate(*lower));
+      }
+      return {std::move(*upper), std::move(*lower)};
+    }
+  }
+
+  void offer_vertex_facets(const Charts& charts) {
+    progress("vertex-facet pairs", 0);
+    const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
+    if (options_.validate) insist(validate(pairs, charts, a_, b_));
+    counters_.vertex_facet_pairs += pairs.size();
+    for (const VertexFacetPair& pair : pairs) {
+      const bool facet_of_a = pair.facet_of == Colour::a;
+      const Polytope& body = facet_of_a ? a_ : b_;
+      const std::uint32_t on_facet = body.corners[body.facets[pair.facet].begin];
+      const Vector& p = a_.vertices[facet_of_a ? on_facet : pair.vertex];
+      const Vector& q = b_.vertices[facet_of_a ? pair.vertex : on_facet];
+      const Vector& n = charts.node(pair.facet_of, pair.facet).exact();
+      nearest_.offer(n, dot(n, q - p));
+    }
+  }
+
+  void offer_crossing_edges(const Charts& charts, double share) {
+    progress("canonical subsets", share);
+    const CanonicalSubsets subsets = canonical_subsets(charts);
+    if (options_.validate) {
+      insist(validate(subsets, charts, false));
+      insist(validate_separation(subsets, lines_a_, lines_b_, charts.frame.z.exact()));
+    }
+    const CanonicalSubsets::Sums sums = subsets.sums();
+    counters_.canonical_pairs += subsets.size();
+    counters_.sum_a += sums.a;
+    counters_.sum_b += sums.b;
+    counters_.crossings += sums.product;
+    closest_lines(subsets, lines_a_, lines_b_, nearest_, counters_, [&](double done) {
+      progress("closest lines", share + done / 2);
+      return true;
+    });
+  }
+
+  const Polytope& a_;
+  const Polytope& b_;
+  const Options& options_;
+  Counters& counters_;
+  GaussianDiagram of_minus_a_, of_b_;
+  EdgeLines lines_a_, lines_b_;
+  NearestPlanes nearest_;
+};
+
+}  // namespace
+
+NearestPlanes nearest_facets(const Polytope& a, const Polytope& b, long exponent, const Options& options, Counters& counters) {
+  return Pipeline(a, b, exponent, options, counters).run();
+}
+
+}  // namespace fathom

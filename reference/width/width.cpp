@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/width/width.hpp"
+
+namespace fathom {
+
+Depth width(std::span<const Point> points, const Options& options) { return penetration_depth(points, points, options); }
+
+}  // namespace fathom

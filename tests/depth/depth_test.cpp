@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole pipeline against its twins and against the independent oracles, by exact equality, over all families.
+#include "reference/depth/depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/depth/nearest_facets.hpp"
+#include "tests/oracles/brute_oracle.hpp"
+#include "tests/oracles/cdd_oracle.hpp"
+#include "tests/support/check_depth.hpp"
+#include "tests/support/prepared.hpp"
+
+namespace fathom {
+namespace {
+
+using oracles::OracleAnswer;
+using testing::check;
+using testing::text;
+
+OracleAnswer answer(const Depth& depth) {
+  OracleAnswer result{depth.status, depth.squared, {}};
+  for (const Optimum& o : depth.optima) result.directions.push_back(o.direction);
+  return result;
+}
+
+Depth solve(const Case& input, const Options& options = {}) { return penetration_depth(input.a.points, input.b.points, options); }
+
+class EveryFamily : public ::testing::TestWithParam<families::Family> {};
+
+TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
+  Options validated;
+  validated.validate = true;
+  Options naive;
+  naive.method = Method::naive;
+  for (const unsigned size : {1U, 5U, 11U}) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      const Case input = GetParam().make(seed, size);
+      const Depth depth = solve(input, validated), twin = solve(input, naive);
+      EXPECT_EQ(answer(depth), answer(twin)) << input.id;
+      EXPECT_EQ(depth.optima, twin.optima) << input.id;
+      const Report report = check(depth, input.a.points, input.b.points);
+      EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
+    }
+  }
+}
+
+TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Case input = GetParam().make(seed, 14);
+    const Depth depth = solve(input);
+    if (depth.status != Status::penetrating) continue;
+    const auto p = testing::prepare(input);
+    const NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
+    const std::vector<Vector> directions = answer(depth).directions;
+    EXPECT_EQ(std::vector<Vector>(naive.directions().begin(), naive.directions().end()), directions) << input.id;
+    EXPECT_EQ(std::vector<Vector>(scan.directions().begin(), scan.directions().end()), directions) << input.id;
+  }
+}
+
+TEST_P(EveryFamily, EqualsTheIndependentOracles) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Case input = GetParam().make(seed, 6);
+    if (input.a.points.size() > 12 || input.b.points.size() > 12) continue;
+    const OracleAnswer mine = answer(solve(input));
+    EXPECT_EQ(mine, oracles::cdd_oracle(input.a.points, input.b.points)) << input.id;
+    if (input.a.points.size() * input.b.points.size() <= 80) {
+      EXPECT_EQ(mine, oracles::brute_oracle(input.a.points, input.b.points)) << input.id;
+    }
+  }
+}
+
+std::vector<families::Family> all_families() { return {families::families().begin(), families::families().end()}; }
+
+INSTANTIATE_TEST_SUITE_P(Depth, EveryFamily, ::testing::ValuesIn(all_families()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Depth, EmptyBodiesAreRefused) {
+  const std::vector<Point> none, one{{0, 0, 0}};
+  EXPECT_THROW(penetration_depth(none, one), std::invalid_argument);
+  EXPECT_THROW(penetration_depth(one, none), std::invalid_argument);
+}
+
+TEST(Depth, UnitCubesAThirdDeep) {
+  std::vector<Point> a, b;
+  for (int i = 0; i < 8; ++i) {
+    a.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
+    b.push_back({(i & 1) + mpq_class(2, 3), i >> 1 & 1, i >> 2 & 1});
+  }
+  const Depth depth = penetration_depth(a, b);
+  EXPECT_EQ(depth.status, Status::penetrating);
+  EXPECT_EQ(depth.squared, mpq_class(1, 9));
+  ASSERT_EQ(depth.optima.size(), 1U);
+  EXPECT_EQ(depth.optima[0].direction, (Vector{-1, 0, 0})) << "A has to move away from B";
+  EXPECT_EQ(depth.optima[0].translation, (Point{mpq_class(-1, 3), 0, 0}));
+  EXPECT_EQ(depth.optima[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
+}
+
+TEST(Depth, ProgressCanStopTheRun) {
+  const Case input = families::find_family("random_sphere")->make(1, 60);
+  Options options;
+  std::vector<std::string> stages;
+  options.progress = [&](const std::string& stage, double share) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+    stages.push_back(stage);
+    return true;
+  };
+  solve(input, options);
+  EXPECT_GE(stages.size(), 6U);
+  for (std::size_t stop = 1; stop <= stages.size(); ++stop) {
+    std::size_t calls = 0;
+    options.progress = [&](const std::string&, double) { return ++calls < stop; };
+    EXPECT_THROW(solve(input, options), Interrupted);
+    EXPECT_EQ(calls, stop);
+  }
+}
+
+TEST(Depth, CountersAreThoseOfTheRun) {
+  const Case input = families::find_family("random_sphere")->make(3, 30);
+  const Depth first = solve(input), second = solve(input);
+  EXPECT_EQ(first.counters.crossings, second.counters.crossings);
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    EXPECT_EQ(first.counters.predicates[i].calls, second.counters.predicates[i].calls) << predicate_names[i];
+  }
+  const auto p = testing::prepare(input);
+  EXPECT_EQ(first.counters.edges_a, p->a.edges.size());
+  EXPECT_EQ(first.counters.facets_b, p->b.facets.size());
+  EXPECT_EQ(first.counters.vertex_facet_pairs, p->a.facets.size() + p->b.facets.size());
+}
+
+}  // namespace
+
+namespace families {
+// For test names and failure messages.
+void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }
+}  // namespace families
+
+}  // namespace fathom

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/lines/closest_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/depth/depth.hpp"
+#include "tests/support/prepared.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cases_of_all_families;
+using testing::prepare;
+using testing::text;
+
+void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const std::string& where) {
+  ASSERT_EQ(left.empty(), right.empty()) << where;
+  if (left.empty()) return;
+  EXPECT_EQ(mpz_class(left.numerator() * right.denominator()), mpz_class(right.numerator() * left.denominator())) << where;
+  EXPECT_EQ(left.directions(), right.directions()) << where;
+}
+
+// The filtered scan against exact arithmetic on every pair, one canonical pair at a time, so that ties and near ties that a better pair
+// elsewhere would hide are seen as well.
+TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
+  for (const Case& input : cases_of_all_families(2, 12)) {
+    const auto p = prepare(input);
+    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+    for (const Charts& charts : p->charts) {
+      const CanonicalSubsets subsets = canonical_subsets(charts);
+      NearestPlanes filtered, exact;
+      Counters counters;
+      ASSERT_TRUE(closest_lines(subsets, a, b, filtered, counters));
+      for (std::size_t i = 0; i < subsets.size(); ++i) {
+        for (const std::uint32_t e : subsets[i].edges_of_a()) {
+          for (const std::uint32_t f : subsets[i].edges_of_b()) offer_edges(a, e, b, f, exact);
+        }
+      }
+      expect_equal(filtered, exact, input.id);
+      EXPECT_EQ(counters.pairs_evaluated, subsets.sums().product) << input.id;
+    }
+  }
+}
+
+// AGHRS, Lemma 2.2: the plane's distance from O is the distance of the two lines, here from the foot points of their common perpendicular.
+TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
+  std::size_t compared = 0;
+  for (const Case& input : cases_of_all_families(1, 6)) {
+    const auto p = prepare(input);
+    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+    for (std::uint32_t e = 0; e < a.size(); ++e) {
+      for (std::uint32_t f = 0; f < b.size(); ++f) {
+        NearestPlanes nearest;
+        if (!offer_edges(a, e, b, f, nearest)) continue;
+        // Feet p + s d and q + t g: <q + t g - p - s d, d> = <..., g> = 0, by Cramer's rule.
+        const Vector d = a.direction(e), g = b.direction(f), r = b.point(f) - a.point(e);
+        const mpz_class dd = dot(d, d), gg = dot(g, g), dg = dot(d, g), rd = dot(r, d), rg = dot(r, g);
+        const mpz_class det2 = dd * gg - dg * dg;
+        const mpz_class s = rd * gg - rg * dg, t = rd * dg - rg * dd;
+        const Vector foot{det2 * r.x + t * g.x - s * d.x, det2 * r.y + t * g.y - s * d.y, det2 * r.z + t * g.z - s * d.z};
+        EXPECT_EQ(mpz_class(dot(foot, foot) * nearest.denominator()), mpz_class(nearest.numerator() * det2 * det2)) << input.id;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000U);
+}
+
+TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
+  std::size_t checked = 0;
+  for (const Case& input : cases_of_all_families(3, 10)) {
+    if (penetration_depth(input.a.points, input.b.points).status != Status::penetrating) continue;
+    const auto p = prepare(input);
+    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+    for (const Charts& charts : p->charts) {
+      const Report report = validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact());
+      EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 100U);
+}
+
+TEST(ClosestLines, SeparationIsNoticedToFail) {
+  const auto p = prepare(families::find_family("random_disjoint")->make(1, 20));
+  const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+  bool failed = false;
+  for (const Charts& charts : p->charts) failed |= !validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact()).ok();
+  EXPECT_TRUE(failed) << "disjoint bodies are not separated in every direction";
+}
+
+TEST(ClosestLines, StopsWhenAsked) {
+  const auto p = prepare(families::find_family("random_sphere")->make(1, 40));
+  const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+  NearestPlanes nearest;
+  Counters counters;
+  EXPECT_FALSE(closest_lines(canonical_subsets(p->charts[0]), a, b, nearest, counters, [](double) { return false; }));
+  EXPECT_TRUE(nearest.empty());
+}
+
+// In general position exact arithmetic is rare: it decides improvements and near ties only.
+TEST(ClosestLines, FilterLeavesFewPairs) {
+  const Case input = families::find_family("crossed_fans")->make(1, 300);
+  const Depth depth = penetration_depth(input.a.points, input.b.points);
+  EXPECT_GE(depth.counters.pairs_evaluated, 80000U);
+  EXPECT_LE(depth.counters.pairs_exact, depth.counters.pairs_evaluated / 10);
+}
+
+}  // namespace
+}  // namespace fathom
