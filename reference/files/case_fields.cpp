@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A listener to the events of a JSON parser. It knows its place in the object; whatever is not ours is passed over unstored, so that
+// nesting of any depth costs one counter. A fault does not stop it: an id that comes later still names the case.
+#include "reference/files/case_fields.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "reference/files/case_places.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t readable = 40;  // what a message shows of a text
+
+class Listener : public nlohmann::json_sax<Json> {
+ public:
+  CaseFields fields;
+
+  explicit Listener(std::string_view text) : text_(text) {}
+
+  bool null() override {
+    const Place place = next_place();
+    return may_be_null(place) ? done() : wrong(place, "null");
+  }
+  bool boolean(bool value) override {
+    const Place place = next_place();
+    return place == Place::other ? done() : wrong(place, value ? "true" : "false");
+  }
+  bool number_integer(number_integer_t value) override { return number(mpz_class(static_cast<long>(value))); }
+  bool number_unsigned(number_unsigned_t value) override { return number(mpz_class(static_cast<unsigned long>(value))); }
+  bool number_float(number_float_t value, const std::string& text) override {
+    return number(next_place(), text, [&](mpq_class& target) { target = value; });
+  }
+  bool string(std::string& text) override;
+  bool binary(binary_t&) override { return done(); }
+  bool start_object(std::size_t) override {
+    const Place place = next_place();
+    return place == Place::whole || place == Place::body ? enter(place) : skip(place, "an object");
+  }
+  bool start_array(std::size_t) override;
+  bool key(std::string& name) override;
+  bool end_object() override;
+  bool end_array() override;
+  bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) override;
+
+ private:
+  // A container that is being read: an object with the key at hand, or an array with the index at hand.
+  struct Frame {
+    Place place;
+    std::size_t index = 0;
+    std::string key;
+    std::vector<std::string> seen;  // keys of ours
+  };
+
+  [[nodiscard]] Place next_place() const;
+  [[nodiscard]] std::string path() const;
+  [[nodiscard]] BodyFields& body() { return frames_.front().key == "a" ? fields.a : fields.b; }
+
+  // Each of these ends the handling of one event; all return true: go on.
+  bool enter(Place place) {
+    frames_.push_back({place, 0, {}, {}});
+    return true;
+  }
+  bool skip(Place place, const std::string& found) {
+    if (place != Place::other) fault(path(), expected_at(place), found);
+    ++skipped_;
+    return true;
+  }
+  bool done() {
+    if (skipped_ == 0 && !frames_.empty()) ++frames_.back().index;
+    return true;
+  }
+  bool wrong(Place place, const std::string& found) {
+    fault(path(), expected_at(place), found);
+    return done();
+  }
+  bool leave() {
+    frames_.pop_back();
+    return done();
+  }
+  template <class Assign>
+  bool number(Place place, const std::string& text, Assign assign);
+  bool number(const mpz_class& value);
+  [[nodiscard]] mpq_class* target(Place place);
+  void fault(const std::string& where, const std::string& expected, const std::string& found) {
+    report((where.empty() ? "" : where + ": ") + "expected " + expected + ", found " + found);
+  }
+  void report(const std::string& sentence) {
+    if (fields.fault.empty()) fields.fault = sentence;
+  }
+
+  std::string_view text_;
+  std::vector<Frame> frames_;
+  std::size_t skipped_ = 0;  // depth inside something that is not read
+};
+
+Place Listener::next_place() const {
+  if (skipped_ != 0) return Place::other;
+  if (frames_.empty()) return Place::whole;
+  const Frame& top = frames_.back();
+  switch (top.place) {
+    case Place::whole: return field_of_case(top.key);
+    case Place::body: return field_of_body(top.key);
+    case Place::vertices: return Place::vertex;
+    case Place::vertex: return Place::coordinate;
+    case Place::pose: return Place::pose_row;
+    default: return Place::pose_entry;
+  }
+}
+
+std::string Listener::path() const {
+  std::string result;
+  for (const Frame& frame : frames_) {
+    if (frame.place != Place::whole && frame.place != Place::body) {
+      result += "[" + std::to_string(frame.index) + "]";
+    } else if (!frame.key.empty()) {
+      result += (result.empty() ? "" : ".") + frame.key;
+    }
+  }
+  return result;
+}
+
+// Where the number that comes next belongs; nowhere if there are too many, which the end of the array will tell.
+mpq_class* Listener::target(Place place) {
+  const std::size_t index = frames_.back().index;
+  if (place == Place::coordinate && index < 3) {
+    Point& point = body().vertices.back();
+    return index == 0 ? &point.x : index == 1 ? &point.y : &point.z;
+  }
+  if (place != Place::pose_entry || index >= 4) return nullptr;
+  const std::size_t row = frames_[frames_.size() - 2].index;
+  return row < 3 ? &(*body().pose)[row][index] : nullptr;
+}
+
+template <class Assign>
+bool Listener::number(Place place, const std::string& text, Assign assign) {
+  if (place == Place::coordinate || place == Place::pose_entry) {
+    if (mpq_class* const to = target(place)) assign(*to);
+  } else if (place == Place::id) {
+    fields.id = text;
+  } else if (place != Place::other) {
+    return wrong(place, printable(text, readable));
+  }
+  return done();
+}
+
+// A JSON number means the nearest binary64, an integer too.
+bool Listener::number(const mpz_class& value) {
+  constexpr long exact_up_to = 1L << 53;
+  const Place place = next_place();
+  return number(place, place == Place::coordinate || place == Place::pose_entry ? "" : value.get_str(), [&](mpq_class& to) {
+    to = value;
+    if (abs(value) > exact_up_to) to = round_binary64(to, Rounding::rn);
+  });
+}
+
+bool Listener::string(std::string& text) {
+  const Place place = next_place();
+  bool good = true;
+  if (place == Place::coordinate || place == Place::pose_entry) {
+    ParsedNumber number = parse_number(text, Decimals::exact);
+    mpq_class* const to = target(place);
+    if (!number.value) report(path() + ": " + number.error);
+    if (number.value && to) *to = *std::move(number.value);
+  } else if (place == Place::id) {
+    fields.id = text;
+  } else if (place == Place::schema) {
+    good = text == "fathom/case/1";
+  } else if (place == Place::rounding || place == Place::body_rounding) {
+    good = text == "binary64";
+    (place == Place::rounding ? fields.rounded : body().rounded) = good;
+  } else {
+    good = place == Place::other;
+  }
+  return good ? done() : wrong(place, "\"" + printable(text, readable) + "\"");
+}
+
+bool Listener::start_array(std::size_t) {
+  const Place place = next_place();
+  const bool ours = place == Place::vertices || place == Place::vertex || place == Place::pose || place == Place::pose_row;
+  if (!ours) return skip(place, "an array");
+  if (place == Place::vertex) body().vertices.emplace_back();
+  if (place == Place::pose) body().pose.emplace();
+  return enter(place);
+}
+
+// A repeated key of ours is refused: readers differ in which of the two they take.
+bool Listener::key(std::string& name) {
+  if (skipped_ != 0) return true;
+  Frame& top = frames_.back();
+  top.key = name;
+  const Place place = next_place();
+  if (place == Place::other) return true;
+  if (std::ranges::find(top.seen, name) != top.seen.end()) fault(path(), "one field of this name", "a second one");
+  top.seen.push_back(name);
+  return true;
+}
+
+bool Listener::end_object() {
+  if (skipped_ != 0) {
+    --skipped_;
+    return done();
+  }
+  Frame& top = frames_.back();
+  top.key.clear();
+  const auto require = [&](const std::string& name) {
+    if (std::ranges::find(top.seen, name) == top.seen.end()) fault(path(), "a field '" + name + "'", "none");
+  };
+  if (top.place == Place::body) {
+    require("vertices");
+  } else {
+    require("a");
+    require("b");
+  }
+  return leave();
+}
+
+bool Listener::end_array() {
+  if (skipped_ != 0) {
+    --skipped_;
+    return done();
+  }
+  const Frame ended = frames_.back();
+  frames_.pop_back();
+  const std::size_t wanted = ended.place == Place::pose_row ? 4 : 3;
+  if (ended.place == Place::vertices) {
+    if (ended.index == 0) fault(path(), "at least one point", "none");
+  } else if (ended.index != wanted) {
+    fault(path(), expected_at(ended.place), std::to_string(ended.index));
+  }
+  return done();
+}
+
+bool Listener::parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) {
+  constexpr int number_overflow = 406;
+  constexpr std::size_t readable_reason = 160;
+  const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
+  fields.fault_line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  fields.fault.clear();  // what is no JSON at all is told as such
+  if (error.id == number_overflow) {
+    fault(path(), "a number within the range of binary64", shown(last_token));
+    return false;
+  }
+  std::string_view reason = error.what();
+  const std::size_t dash = reason.find(" - ");
+  if (dash != std::string_view::npos) reason.remove_prefix(dash + 3);
+  fault("", "JSON", "a syntax error at column " + std::to_string(column) + ": " + printable(reason, readable_reason));
+  return false;
+}
+
+}  // namespace
+
+CaseFields read_case_fields(std::string_view text) {
+  Listener listener(text);
+  Json::sax_parse(text, &listener);
+  return std::move(listener.fields);
+}
+
+}  // namespace fathom

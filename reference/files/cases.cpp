@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/files/cases.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "reference/files/case_fields.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(blanks) == std::string_view::npos; }
+
+bool is_lone_brace(std::string_view text) {
+  const std::size_t brace = text.find_first_not_of(blanks);
+  return brace != std::string_view::npos && text[brace] == '{' && is_blank(text.substr(brace + 1));
+}
+
+/// Counts braces and brackets outside strings, without caring which closes which: enough to see where a value ends.
+class Nesting {
+ public:
+  /// Takes text up to the end of the outermost value. Returns how much was taken.
+  std::size_t take(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      take(text[i]);
+      if (closed_) return i + 1;
+    }
+    return text.size();
+  }
+  [[nodiscard]] bool closed() const { return closed_; }
+
+ private:
+  void take(char c) {
+    if (in_string_) {
+      if (c == '"' && !escaped_) in_string_ = false;
+      escaped_ = c == '\\' && !escaped_;
+    } else if (c == '"') {
+      in_string_ = true;
+    } else if (c == '{' || c == '[') {
+      ++depth_;
+    } else if ((c == '}' || c == ']') && depth_ > 0) {
+      closed_ = --depth_ == 0;
+    }
+  }
+
+  std::size_t depth_ = 0;
+  bool in_string_ = false, escaped_ = false, closed_ = false;
+};
+
+/// Whether nothing but blanks follows the first value, which may be cut short.
+bool holds_one_value(std::string_view text) { return is_blank(text.substr(Nesting().take(text))); }
+
+/// Places the vertices of `fields`; a sentence on what went wrong, or nothing.
+std::string place(BodyFields& fields, bool rounded, const char* name, Body& body) {
+  body.points = std::move(fields.vertices);
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    Point& point = body.points[i];
+    if (fields.pose) point = placed(point, *fields.pose);
+    if ((rounded || fields.rounded) && !round_to_binary64(point)) {
+      return std::string(name) + ".vertices[" + std::to_string(i) + "]: expected a point within binary64 once placed, found a larger one";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line) {
+  CaseFields fields = read_case_fields(text);
+  Case result{fields.id.value_or(std::to_string(line)), {}, {}};
+  std::string fault = std::move(fields.fault);
+  if (fault.empty()) fault = place(fields.a, fields.rounded, "a", result.a);
+  if (fault.empty()) fault = place(fields.b, fields.rounded, "b", result.b);
+  std::string id = result.id;
+  if (fault.empty()) return {line, std::move(id), std::move(result)};
+  return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
+}
+
+CaseStream::CaseStream(std::istream& input, std::string name, CaseLayout layout)
+    : input_(&input), name_(std::move(name)), layout_(layout) {}
+
+CaseStream::CaseStream(std::unique_ptr<std::istream> input, std::string name, CaseLayout layout)
+    : owned_(std::move(input)), input_(owned_.get()), name_(std::move(name)), layout_(layout) {}
+
+CaseStream CaseStream::open(const std::string& path, std::istream& standard_input) {
+  if (path == "-") return {standard_input, "<stdin>"};
+  if (extension(path) == "json") {
+    std::string text = read_file(path);
+    const CaseLayout layout = holds_one_value(text) ? CaseLayout::document : CaseLayout::lines;
+    return {std::make_unique<std::istringstream>(std::move(text)), path, layout};
+  }
+  require_readable(path);
+  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!file->is_open()) throw InputError(path, 0, "expected a readable file, found one that cannot be opened");
+  return {std::move(file), path, CaseLayout::lines};
+}
+
+bool CaseStream::next_line(std::string& line) {
+  if (pending_) {
+    line = *std::exchange(pending_, std::nullopt);
+  } else if (!std::getline(*input_, line)) {
+    return false;
+  }
+  ++line_;
+  return true;
+}
+
+void CaseStream::take_back(std::string line) {
+  pending_ = std::move(line);
+  --line_;
+}
+
+// `text` is a lone brace. Whatever starts with an unindented brace is a case of its own: this one was cut short.
+void CaseStream::read_rest_of_case(std::string& text) {
+  Nesting nesting;
+  nesting.take(text);
+  for (std::string line; !nesting.closed() && next_line(line);) {
+    if (line.starts_with('{')) return take_back(std::move(line));
+    nesting.take(line);
+    text += '\n' + line;
+  }
+}
+
+void CaseStream::read_document(std::string& text) {
+  for (std::string line; next_line(line);) text += '\n' + line;
+}
+
+CaseItem CaseStream::failure(std::size_t line, const std::string& message) const {
+  return {line, std::to_string(line), InputError(name_, line, message)};
+}
+
+std::optional<CaseItem> CaseStream::next() {
+  if (finished_) return std::nullopt;
+  for (std::string text; next_line(text);) {
+    if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    if (is_blank(text)) continue;
+    any_ = true;
+    const std::size_t first = line_;
+    if (layout_ == CaseLayout::document) {
+      read_document(text);
+    } else if (is_lone_brace(text)) {
+      read_rest_of_case(text);
+    }
+    return parse_case(text, name_, first);
+  }
+  finished_ = true;
+  if (input_->bad()) return failure(line_ + 1, "expected a line, found that the input cannot be read further");
+  if (!any_) return failure(1, "expected at least one case, found an empty input");
+  return std::nullopt;
+}
+
+}  // namespace fathom

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/files/mesh.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "kernels/number/quick_number.hpp"
+#include "reference/files/mesh_formats.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom {
+namespace {
+
+std::optional<MeshFormat> format_of_name(const std::string& name) {
+  const std::string ending = extension(name);
+  if (ending == "off") return MeshFormat::off;
+  if (ending == "obj") return MeshFormat::obj;
+  if (ending == "ply") return MeshFormat::ply;
+  if (ending == "stl") return MeshFormat::stl;
+  if (ending == "xyz" || ending == "txt" || ending == "pts") return MeshFormat::xyz;
+  return std::nullopt;
+}
+
+bool is_obj_keyword(std::string_view token) {
+  constexpr std::array<std::string_view, 8> keywords{"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
+  for (const std::string_view keyword : keywords)
+    if (token == keyword) return true;
+  return false;
+}
+
+/// By the first token that is no comment; a binary STL by its size.
+std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+  TextScanner scanner(bytes, "", {.comment = '#'});
+  if (scanner.next_line()) {
+    const std::string_view token = scanner.next_token();
+    if (token == "ply") return MeshFormat::ply;
+    if (token == "solid" || is_binary_stl(bytes)) return MeshFormat::stl;
+    if (token.ends_with("OFF")) return MeshFormat::off;
+    if (is_obj_keyword(token)) return MeshFormat::obj;
+    if (parse_number(token.substr(0, token.find(',')), Decimals::exact).value) return MeshFormat::xyz;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value) {
+  if (quick_number(token, decimals, value)) return;
+  if (token.empty()) scanner.fail("a number", token);
+  ParsedNumber number = parse_number(token, decimals);
+  if (!number.value) throw InputError(scanner.file(), scanner.line(), number.error);
+  value = *std::move(number.value);
+}
+
+void read_coordinate(TextScanner& scanner, Decimals decimals, mpq_class& value) {
+  parse_coordinate(scanner.next_token(), scanner, decimals, value);
+}
+
+void read_point(TextScanner& scanner, Decimals decimals, Point& point) {
+  read_coordinate(scanner, decimals, point.x);
+  read_coordinate(scanner, decimals, point.y);
+  read_coordinate(scanner, decimals, point.z);
+}
+
+Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals, MeshFormat format) {
+  if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
+  switch (format) {
+    case MeshFormat::off: return parse_off(bytes, name, decimals);
+    case MeshFormat::obj: return parse_obj(bytes, name, decimals);
+    case MeshFormat::ply: return parse_ply(bytes, name, decimals);
+    case MeshFormat::stl: return parse_stl(bytes, name, decimals);
+    default: return parse_xyz(bytes, name, decimals);
+  }
+}
+
+Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals) {
+  if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
+  std::optional<MeshFormat> format = format_of_name(name);
+  if (!format) format = format_of_content(bytes);
+  if (format) return parse_mesh(bytes, name, decimals, *format);
+  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + shown(bytes));
+}
+
+Body read_mesh(const std::string& path, Decimals decimals) { return parse_mesh(read_file(path), path, decimals); }
+
+}  // namespace fathom

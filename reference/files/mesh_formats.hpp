@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One reader per mesh format, and what they share. Not a door: the door is mesh.hpp.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernels/number/parse.hpp"
+#include "reference/files/body.hpp"
+#include "reference/files/text_scanner.hpp"
+
+namespace fathom {
+
+Body parse_off(std::string_view text, const std::string& name, Decimals decimals);
+Body parse_obj(std::string_view text, const std::string& name, Decimals decimals);
+Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimals);
+Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals);
+Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
+
+/// Whether the size is the one that a binary STL announces.
+bool is_binary_stl(std::string_view bytes);
+
+/// Sets `value` to the coordinate that `token` says; InputError, with the place of `scanner`, if it is no number.
+void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value);
+
+/// The same with the next token of the line.
+void read_coordinate(TextScanner& scanner, Decimals decimals, mpq_class& value);
+
+/// The same with the next three tokens.
+void read_point(TextScanner& scanner, Decimals decimals, Point& point);
+
+/// Room for what a file announces, but never more than `bytes_left` could hold at `bytes_each`.
+template <class T>
+void reserve_within(std::vector<T>& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
+  const std::uint64_t possible = bytes_left / bytes_each + 1;
+  items.reserve(static_cast<std::size_t>(announced < possible ? announced : possible));
+}
+
+}  // namespace fathom

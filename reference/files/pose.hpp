@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Placing a body: an exact affine map, and the one rounding that a program in doubles would add.          [design section 8]
+#pragma once
+
+#include <array>
+
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// Rows of a 3 x 4 matrix (M | t). M may be anything: neither orthonormal nor regular.
+using Pose = std::array<std::array<mpq_class, 4>, 3>;
+
+/// M p + t, exactly.
+Point placed(const Point& p, const Pose& pose);
+
+/// Sets `point` to the nearest binary64 numbers, ties to even. False: a coordinate is too large; the point is then unusable.
+bool round_to_binary64(Point& point);
+
+}  // namespace fathom

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/files/source.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include "reference/files/body.hpp"
+
+namespace fathom {
+namespace {
+
+// A device may never end (/dev/zero); no terminal or sound input is this long.
+constexpr std::size_t device_limit = std::size_t{1} << 30;
+
+[[noreturn]] void refuse(const std::string& path, const std::string& found) {
+  throw InputError(path, 0, "expected a readable file, found " + found);
+}
+
+[[noreturn]] void refuse_with_errno(const std::string& path) {
+  const int code = errno;
+  if (code == ENOENT || code == ENOTDIR) refuse(path, "none of this name");
+  if (code == EISDIR) refuse(path, "a directory");
+  refuse(path, "'" + std::string(std::strerror(code)) + "'");
+}
+
+struct Descriptor {
+  int value;
+  explicit Descriptor(int v) : value(v) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (value >= 0) ::close(value);
+  }
+};
+
+// A null byte would silently end the name.
+void require_plain_name(const std::string& path) {
+  if (path.find('\0') != std::string::npos) refuse(shown(path), "a null byte in its name");
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  require_plain_name(path);
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (file.value < 0 || ::fstat(file.value, &status) != 0) refuse_with_errno(path);
+  if (S_ISDIR(status.st_mode)) refuse(path, "a directory");
+  std::string bytes;
+  if (S_ISREG(status.st_mode)) bytes.reserve(static_cast<std::size_t>(status.st_size));
+  std::vector<char> block(std::size_t{1} << 18);
+  while (true) {
+    const ssize_t got = ::read(file.value, block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) refuse_with_errno(path);
+    if (got == 0) return bytes;
+    bytes.append(block.data(), static_cast<std::size_t>(got));
+    if (S_ISCHR(status.st_mode) && bytes.size() > device_limit) refuse(path, "a device without an end");
+  }
+}
+
+// Not by opening: whoever writes into a named pipe would see its reader go.
+void require_readable(const std::string& path) {
+  require_plain_name(path);
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) refuse_with_errno(path);
+  if (S_ISDIR(status.st_mode)) refuse(path, "a directory");
+  if (::faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) != 0) refuse_with_errno(path);
+}
+
+std::string extension(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return "";
+  std::string result(name.substr(dot + 1));
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+std::string printable(std::string_view text, std::size_t limit) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string result;
+  for (const char c : text.substr(0, limit)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      result += c;
+    } else {
+      result += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  if (text.size() > limit) result += "...";
+  return result;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t readable = 40;
+  return text.empty() ? "nothing" : "'" + printable(text, readable) + "'";
+}
+
+}  // namespace fathom

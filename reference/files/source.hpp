@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a path to bytes, and from bytes to what a message may show of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+/// The whole file, byte by byte; pipes are read to their end.
+/// InputError if it is missing, a directory, unreadable, or a device without an end.
+std::string read_file(const std::string& path);
+
+/// InputError if `path` is missing, a directory or unreadable. Opens nothing.
+void require_readable(const std::string& path);
+
+/// The extension of the file's name in lower case and without the dot; empty if there is none.
+std::string extension(std::string_view path);
+
+/// `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN. "nothing" if empty.
+std::string shown(std::string_view text);
+
+/// `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
+std::string printable(std::string_view text, std::size_t limit);
+
+}  // namespace fathom

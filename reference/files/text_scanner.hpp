@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines and tokens of a text, with the place of each for messages. Looks at bytes only: no locale, no copies.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace fathom {
+
+/// What belongs to no token, besides blanks.
+struct ScanRules {
+  char comment = '\0';        ///< starts a comment that runs to the end of the line; '\0': there are none
+  bool continuation = false;  ///< a backslash that ends a line joins it to the next
+};
+
+/// Walks over a text it does not own. Lines end in LF, CR LF or a lone CR; a byte order mark is skipped.
+class TextScanner {
+ public:
+  TextScanner(std::string_view text, std::string file, ScanRules rules = {}, std::size_t first_line = 1);
+
+  /// Goes to the next line that holds a token (or is joined to one that may). False: none is left.
+  bool next_line();
+  /// The next token of the line; empty at its end.
+  std::string_view next_token();
+  /// The next token, on this line or a later one; empty at the end of the text.
+  std::string_view next_token_anywhere();
+  /// What is left of the line, without comment and outer blanks. Does not move.
+  [[nodiscard]] std::string_view rest_of_line() const;
+  /// The next token of the line as a count: decimal digits only. `what` is for the message: "the number of vertices".
+  std::uint64_t count(const std::string& what);
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// Bytes that are neither in this line nor before it: a bound on everything that can still come.
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
+
+  /// InputError "file:line: expected ..., found ...". An empty `token` is told as the end of the line.
+  [[noreturn]] void fail(const std::string& expected, std::string_view token) const;
+  /// The same where the text ends too early.
+  [[noreturn]] void fail_at_end(const std::string& expected) const;
+
+ private:
+  void take_line();
+
+  std::string_view text_;
+  std::string file_;
+  ScanRules rules_;
+  std::size_t position_ = 0, line_end_ = 0, next_ = 0;
+  std::size_t line_;
+  bool started_ = false, joined_ = false;
+};
+
+/// Whether `token` is decimal digits that fit 64 bits; if so, their value.
+bool parse_count(std::string_view token, std::uint64_t& value);
+
+}  // namespace fathom

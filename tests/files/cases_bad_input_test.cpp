@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every kind of bad case gets its sentence: what was expected, where in the object, what was found. Cut and noisy text is refused.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "reference/files/cases.hpp"
+
+namespace fathom {
+namespace {
+
+[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=13 max_success=5000 max_size=200", 0);
+
+const std::string good_b = R"("b":{"vertices":[[0,0,0]]})";
+
+/// What is said of a case, without "c:1: "; empty if it is taken.
+std::string complaint(const std::string& text) {
+  const CaseItem item = parse_case(text, "c");
+  if (item.ok()) return "";
+  const std::string sentence = item.error().what();
+  EXPECT_TRUE(sentence.starts_with("c:1: ")) << sentence;
+  return sentence.substr(5);
+}
+std::string of_a(const std::string& a) { return complaint("{\"a\":" + a + "," + good_b + "}"); }
+std::string of_vertices(const std::string& vertices) { return of_a("{\"vertices\":" + vertices + "}"); }
+std::string of_pose(const std::string& pose) { return of_a("{\"vertices\":[[0,0,0]],\"pose\":" + pose + "}"); }
+std::string of_field(const std::string& field) { return complaint("{" + field + ",\"a\":{\"vertices\":[[0,0,0]]}," + good_b + "}"); }
+
+TEST(BadCase, Fields) {
+  EXPECT_EQ(complaint("[]"), "expected a case (a JSON object), found an array");
+  EXPECT_EQ(complaint("3"), "expected a case (a JSON object), found 3");
+  EXPECT_EQ(complaint("{}"), "expected a field 'a', found none");
+  EXPECT_EQ(complaint(R"({"a":{"vertices":[[0,0,0]]}})"), "expected a field 'b', found none");
+  EXPECT_EQ(of_a("3"), "a: expected an object with 'vertices', found 3");
+  EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices', found null");
+  EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices', found an array");
+  EXPECT_EQ(of_a("{}"), "a: expected a field 'vertices', found none");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"vertices":[[0,0,0]]})"), "a.vertices: expected one field of this name, found a second one");
+  EXPECT_EQ(complaint("{" + good_b + "," + good_b + "}"), "b: expected one field of this name, found a second one");
+  EXPECT_EQ(of_field(R"("schema":"fathom/case/2")"), R"(schema: expected "fathom/case/1", found "fathom/case/2")");
+  EXPECT_EQ(of_field(R"("schema":1)"), R"(schema: expected "fathom/case/1", found 1)");
+  EXPECT_EQ(of_field(R"("schema":null)"), R"(schema: expected "fathom/case/1", found null)");
+  EXPECT_EQ(of_field(R"("schema":["fathom/case/1"])"), R"(schema: expected "fathom/case/1", found an array)");
+  EXPECT_EQ(of_field(R"("id":true)"), "id: expected text or a number, found true");
+  EXPECT_EQ(of_field(R"("id":{})"), "id: expected text or a number, found an object");
+  EXPECT_EQ(of_field(R"("pose_rounding":"binary32")"), R"(pose_rounding: expected "binary64", found "binary32")");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"pose_rounding":64})"), R"(a.pose_rounding: expected "binary64", found 64)");
+}
+
+TEST(BadCase, Vertices) {
+  EXPECT_EQ(of_vertices("[]"), "a.vertices: expected at least one point, found none");
+  EXPECT_EQ(of_vertices("null"), "a.vertices: expected an array of points, found null");
+  EXPECT_EQ(of_vertices("{\"0\":[0,0,0]}"), "a.vertices: expected an array of points, found an object");
+  EXPECT_EQ(of_vertices("[0,0,0]"), "a.vertices[0]: expected three coordinates, found 0");
+  EXPECT_EQ(of_vertices("[[0,0,0],[0,0]]"), "a.vertices[1]: expected three coordinates, found 2");
+  EXPECT_EQ(of_vertices("[[0,0,0],[0,0,0,0]]"), "a.vertices[1]: expected three coordinates, found 4");
+  EXPECT_EQ(of_vertices("[[]]"), "a.vertices[0]: expected three coordinates, found 0");
+  EXPECT_EQ(of_vertices("[{\"x\":0,\"y\":0,\"z\":0}]"), "a.vertices[0]: expected three coordinates, found an object");
+  EXPECT_EQ(of_vertices("[[0,0,0],[0,[0],0]]"), "a.vertices[1][1]: expected a number, or an exact number in quotes, found an array");
+  EXPECT_EQ(of_vertices("[[0,0,0],[0,0,0],[0,0,0],[0,false,0]]"),
+            "a.vertices[3][1]: expected a number, or an exact number in quotes, found false");
+  EXPECT_EQ(of_vertices("[[0,0,null]]"), "a.vertices[0][2]: expected a number, or an exact number in quotes, found null");
+  EXPECT_EQ(of_vertices(R"([["zero",0,0]])"), "a.vertices[0][0]: expected a number, found 'zero': unexpected 'z'");
+  EXPECT_EQ(of_vertices(R"([[0,"",0]])"), "a.vertices[0][1]: expected a number, found nothing");
+  EXPECT_EQ(of_vertices(R"([[0,"nan",0]])"), "a.vertices[0][1]: expected a number, found 'nan': not finite");
+  EXPECT_EQ(of_vertices(R"([[0,"1/0",0]])"), "a.vertices[0][1]: expected a number, found '1/0': the denominator is zero");
+  EXPECT_EQ(of_vertices(R"([[0,"1e100001",0]])"),
+            "a.vertices[0][1]: expected a number, found '1e100001': the decimal exponent is beyond 100000");
+  EXPECT_EQ(of_vertices("[[0,1e400,0]]"), "a.vertices[0][1]: expected a number within the range of binary64, found '1e400'");
+  EXPECT_EQ(of_vertices("[[0,-" + std::string(400, '9') + ",0]]"),
+            "a.vertices[0][1]: expected a number within the range of binary64, found '-" + std::string(39, '9') + "...'");
+}
+
+TEST(BadCase, Pose) {
+  EXPECT_EQ(of_pose("[]"), "a.pose: expected three rows of four numbers, found 0");
+  EXPECT_EQ(of_pose("{}"), "a.pose: expected three rows of four numbers, found an object");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), "a.pose: expected three rows of four numbers, found 4");
+  EXPECT_EQ(of_pose("[[1,0,0],[0,1,0],[0,0,1]]"), "a.pose[0]: expected four numbers, found 3");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0,0],[0,0,1,0]]"), "a.pose[1]: expected four numbers, found 5");
+  EXPECT_EQ(of_pose("[1,0,0]"), "a.pose[0]: expected four numbers, found 1");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,\"t\"]]"), "a.pose[2][3]: expected a number, found 't': unexpected 't'");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,{}],[0,0,1,0]]"), "a.pose[1][3]: expected a number, or an exact number in quotes, found an object");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]],"pose_rounding":"binary64"})"),
+            "a.vertices[1]: expected a point within binary64 once placed, found a larger one");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]]})"), "") << "exact: no bound";
+}
+
+TEST(BadCase, Syntax) {
+  EXPECT_EQ(complaint(""), "expected JSON, found a syntax error at column 1: unexpected end of input; expected '[', '{', or a literal");
+  EXPECT_EQ(complaint("OFF"), "expected JSON, found a syntax error at column 1: invalid literal; last read: 'O'");
+  EXPECT_EQ(complaint(R"({"a":)"),
+            "expected JSON, found a syntax error at column 6: unexpected end of input; expected '[', '{', or a literal");
+  EXPECT_EQ(of_vertices("[[0,NaN,0]]"), "expected JSON, found a syntax error at column 22: invalid literal; last read: '0,N'");
+  EXPECT_EQ(complaint("{} {}"), "expected JSON, found a syntax error at column 4: unexpected '{'; expected end of input");
+  for (const char* number : {"Infinity", "-Infinity", ".5", "1.", "+1", "01", "0x10", "1e", "--1", "1/2"})
+    EXPECT_TRUE(of_vertices(std::string("[[0,") + number + ",0]]").starts_with("expected JSON, found a syntax error at column ")) << number;
+  EXPECT_TRUE(complaint("{\"id\":\"\xff\"}").starts_with("expected JSON, found a syntax error at column 8: invalid string: "));
+  const std::string sentence = complaint("{\"id\":\"" + std::string(1000, 'x'));
+  EXPECT_LT(sentence.size(), 300u);
+}
+
+TEST(BadCase, TheIdIsToldWhereverItStands) {
+  EXPECT_EQ(parse_case(R"({"a":3,"id":"late"})", "c").id, "late");
+  EXPECT_EQ(parse_case(R"({"id":"early","a":)", "c").id, "early");
+  EXPECT_EQ(parse_case(R"({"a":{"id":"not this"},"id")", "c", 9).id, "9");
+}
+
+std::vector<CaseItem> all(CaseStream stream) {
+  std::vector<CaseItem> items;
+  while (std::optional<CaseItem> item = stream.next()) items.push_back(*std::move(item));
+  return items;
+}
+
+TEST(BadStream, NothingAtAll) {
+  for (const char* text : {"", "\n", " \n\t\r\n"}) {
+    std::istringstream input(text);
+    const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+    ASSERT_EQ(items.size(), 1u);
+    EXPECT_STREQ(items[0].error().what(), "c:1: expected at least one case, found an empty input");
+  }
+}
+
+TEST(BadStream, ReadingFails) {
+  struct Failing : std::streambuf {
+    int_type underflow() override { throw std::runtime_error("no more"); }
+  } buffer;
+  std::istream input(&buffer);
+  const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+  ASSERT_EQ(items.size(), 1u);
+  EXPECT_STREQ(items[0].error().what(), "c:1: expected a line, found that the input cannot be read further");
+}
+
+TEST(BadStream, CannotBeOpened) {
+  const auto complaint_of = [](const std::string& path) -> std::string {
+    std::istringstream unused;
+    try {
+      CaseStream::open(path, unused);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  EXPECT_EQ(complaint_of(folder), folder + ": expected a readable file, found a directory");
+  EXPECT_EQ(complaint_of(folder + "/no.jsonl"), folder + "/no.jsonl: expected a readable file, found none of this name");
+  EXPECT_EQ(complaint_of(folder + "/no.json"), folder + "/no.json: expected a readable file, found none of this name");
+}
+
+const std::string rich =
+    R"({"schema":"fathom/case/1","id":"x\u00e4","a":{"vertices":[[0.5,-1e2,"1/3"],["0x1p-2",7,0]],"pose":[[1,0,0,"0.1"],[0,1,0,0],)"
+    R"([0,0,1,-2]]},"b":{"vertices":[[0,0,0]],"pose_rounding":"binary64"},"flags":["f"],"source":{"n":null,"t":[true,false]}})";
+
+TEST(Truncation, EveryPrefixOfACaseIsRefused) {
+  ASSERT_EQ(complaint(rich), "");
+  for (std::size_t length = 0; length < rich.size(); ++length) EXPECT_NE(complaint(rich.substr(0, length)), "") << length;
+}
+
+TEST(Truncation, EveryPrefixOfAStream) {
+  const std::string text =
+      rich + "\n{\n \"id\": 3,\n \"a\": {\"vertices\": [[1, 2, 3]]},\n \"b\":\n {\"vertices\": [[1, 2, 3]]}\n}\n" + rich + "\n";
+  for (std::size_t length = 0; length <= text.size(); ++length) {
+    std::istringstream input(text.substr(0, length));
+    std::size_t good = 0;
+    const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+    for (const CaseItem& item : items) good += item.ok() ? 1 : 0;
+    EXPECT_TRUE(!items.empty() && items.size() <= 3 && good + 1 >= items.size()) << length;
+    EXPECT_TRUE(length < text.size() || good == 3);
+  }
+}
+
+/// Every outcome is a well-formed case or a sentence in printable ASCII.
+void expect_sound(const std::string& text) {
+  std::istringstream input(text);
+  const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+  EXPECT_FALSE(items.empty());
+  for (const CaseItem& item : items) {
+    if (item.ok()) {
+      EXPECT_FALSE(item.value().a.points.empty() || item.value().b.points.empty());
+    } else {
+      for (const char c : std::string(item.error().what())) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << item.error().what();
+    }
+  }
+}
+
+TEST(Noise, BytesChanged) {
+  EXPECT_TRUE(rc::check([] {
+    std::string text = rich;
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+      text[*rc::gen::inRange<std::size_t>(0, text.size())] = static_cast<char>(*rc::gen::inRange(0, 256));
+    expect_sound(text);
+  }));
+}
+
+TEST(Noise, TokensThatNearlyFit) {
+  const std::vector<std::string> tokens{"{",
+                                        "}",
+                                        "[",
+                                        "]",
+                                        ":",
+                                        ",",
+                                        "\"a\"",
+                                        "\"b\"",
+                                        "\"vertices\"",
+                                        "\"pose\"",
+                                        "\"id\"",
+                                        "\"schema\"",
+                                        "\"pose_rounding\"",
+                                        "\"binary64\"",
+                                        "1",
+                                        "-2.5",
+                                        "1e400",
+                                        "null",
+                                        "true",
+                                        "\"1/3\"",
+                                        "\n",
+                                        "{\"vertices\":[[1,2,3]]}",
+                                        "[1,2,3]",
+                                        "\"",
+                                        "\\",
+                                        "{\n",
+                                        "{\"a\":",
+                                        "\xff"};
+  EXPECT_TRUE(rc::check([&] {
+    std::string text;
+    for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens))) text += token;
+    expect_sound(text);
+  }));
+}
+
+}  // namespace
+}  // namespace fathom
