@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The project's own naive twin in the oracles' words, so that it can be compared with them.
+#pragma once
+
+#include "reference/depth/naive_depth.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "tests/oracles/oracle.hpp"
+
+namespace fathom::oracles {
+
+inline OracleAnswer naive_answer(std::span<const Point> a, std::span<const Point> b) {
+  const Lattice lattice = common_lattice(a, b);
+  const NaiveDepth naive = naive_depth(lattice.a, lattice.b);
+  return {naive.status, mpq_class(naive.squared / (lattice.denominator * lattice.denominator)), naive.directions};
+}
+
+}  // namespace fathom::oracles

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other oracles.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "reference/polytope/polytope.hpp"
+#include "tests/oracles/naive_answer.hpp"
+#include "tests/oracles/sgm/sgm_oracle.hpp"
+#include "verify/families/families.hpp"
+#include "verify/families/solids.hpp"
+
+namespace {
+
+using namespace fathom;
+using namespace fathom::oracles;
+using families::Family;
+
+bool both_solid(const Case& pair) {
+  const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
+  return convex_hull(lattice.a).rank == 3 && convex_hull(lattice.b).rank == 3;
+}
+
+TEST(GaussianMaps, CubeInItself) {
+  const OracleAnswer answer = sgm_oracle(families::cube().points, families::cube().points);
+  EXPECT_EQ(answer.squared, 4);
+  EXPECT_EQ(answer.directions.size(), 6u);
+}
+
+TEST(GaussianMaps, RefuseFlatBodies) {
+  const Body flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  EXPECT_THROW(sgm_oracle(flat.points, families::cube().points), std::invalid_argument);
+}
+
+class EveryFamily : public ::testing::TestWithParam<Family> {};
+
+TEST_P(EveryFamily, OverlayEqualsTheNaiveTwin) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Case pair = GetParam().make(seed, 16);
+    if (!both_solid(pair)) continue;
+    EXPECT_EQ(sgm_oracle(pair.a.points, pair.b.points), naive_answer(pair.a.points, pair.b.points)) << pair.id;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(GaussianMaps, LargeRandomSpheres) {
+  const Case pair = families::find_family("random_sphere")->make(1, 100);
+  EXPECT_EQ(sgm_oracle(pair.a.points, pair.b.points), naive_answer(pair.a.points, pair.b.points)) << pair.id;
+}
+
+}  // namespace

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/families/degenerate.hpp"
+
+#include <algorithm>
+
+#include "verify/families/random_bodies.hpp"
+#include "verify/families/solids.hpp"
+
+namespace fathom::families {
+
+namespace {
+
+Point moved(const Point& p, const Point& by, const mpq_class& factor = 1) {
+  return {mpq_class(p.x + factor * by.x), mpq_class(p.y + factor * by.y), mpq_class(p.z + factor * by.z)};
+}
+
+Point difference(const Point& p, const Point& q) { return moved(p, q, -1); }
+
+/// Each component at most 1 / divisor.
+Point small_shift(Random& random, long divisor) { return moved({0, 0, 0}, random_shift(random, 1), ratio(1, divisor)); }
+
+Body random_box(Random& random) {
+  const std::int64_t x = random.between(1, 3), y = random.between(1, 3), z = random.between(1, 3);
+  return box(x, y, z);
+}
+
+/// A platonic solid, a prism, an antiprism or a box, turned.
+Body symmetric_solid(Random& random, unsigned n) {
+  const std::int64_t kind = random.between(0, 7);
+  const unsigned corners = std::max(3u, n / 2);
+  Body body;
+  if (kind < 5) body = platonic(static_cast<unsigned>(kind));
+  else if (kind == 5) body = prism(corners, ratio(random.between(1, 8), 4));
+  else if (kind == 6) body = antiprism(corners, ratio(random.between(1, 8), 4));
+  else body = random_box(random);
+  return random.coin() ? body : rotated(body, random_rotation(random));
+}
+
+Point small_lattice_point(Random& random) { return {random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)}; }
+
+bool is_origin(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
+
+bool parallel(const Point& p, const Point& q) { return p.x * q.y == p.y * q.x && p.y * q.z == p.z * q.y && p.z * q.x == p.x * q.z; }
+
+/// Two independent integer directions.
+std::vector<Point> two_directions(Random& random) {
+  std::vector<Point> chosen;
+  while (chosen.size() < 2) {
+    const Point d = small_lattice_point(random);
+    const bool independent = !is_origin(d) && (chosen.empty() || !parallel(d, chosen.front()));
+    if (independent) chosen.push_back(d);
+  }
+  return chosen;
+}
+
+/// At least rank + 1 points, the first ones affinely independent. A segment runs along the first of the two axes, a polygon along both.
+Body flat_body(int rank, std::vector<Point> axes, Random& random, unsigned n) {
+  if (rank == 3) {
+    Body body = random_lattice_body(random, n);
+    for (Point corner : {Point{0, 0, 0}, Point{3, 0, 0}, Point{0, 3, 0}, Point{0, 0, 3}}) body.points.push_back(corner);
+    return body;
+  }
+  const Point origin{random.between(0, 3), random.between(0, 3), random.between(0, 3)};
+  axes.resize(static_cast<std::size_t>(rank));
+  Body body{{origin}};
+  for (const Point& axis : axes) body.points.push_back(moved(origin, axis));
+  const unsigned total = rank == 0 ? 1 + static_cast<unsigned>(random.between(0, 1)) : std::max(n, static_cast<unsigned>(rank) + 1);
+  while (body.points.size() < total) {
+    Point p = origin;
+    for (const Point& axis : axes) p = moved(p, axis, random.between(-2, 2));
+    body.points.push_back(p);
+  }
+  return body;
+}
+
+/// A point of the body, or halfway between two of them.
+Point some_point(const Body& body, Random& random) {
+  const std::int64_t last = static_cast<std::int64_t>(body.points.size()) - 1;
+  const Point& p = body.points[static_cast<std::size_t>(random.between(0, last))];
+  const Point& q = body.points[static_cast<std::size_t>(random.between(0, last))];
+  return random.coin() ? p : moved(p, difference(q, p), ratio(1, 2));
+}
+
+constexpr long far = 996;  // 2^996 is just below 1e300
+
+}  // namespace
+
+Bodies exact_ties(Random& random, unsigned n) {
+  const Body body = symmetric_solid(random, n);
+  return {body, body};
+}
+
+Bodies near_ties(Random& random, unsigned n) {
+  const Body body = symmetric_solid(random, n);
+  const mpq_class gap = times_power_of_two(1, -random.between(10, 200));
+  Point direction = small_lattice_point(random);
+  while (is_origin(direction)) direction = small_lattice_point(random);
+  return {body, translated(body, moved({0, 0, 0}, direction, gap))};
+}
+
+Bodies near_tie_boxes(Random& random, unsigned) {
+  const mpq_class y_gap = times_power_of_two(1, -random.between(10, 60)), z_gap = times_power_of_two(1, -random.between(10, 60));
+  const Body a = box(2, 2, 2);
+  const Body b = random_box(random);
+  // B's lowest corner (b starts at minus its half extents) goes to A's highest, less the wanted depths.
+  const Point lowest = b.points.front();
+  const Point shift{mpq_class(2 - 1 - lowest.x), mpq_class(2 - 1 - y_gap - lowest.y), mpq_class(2 - 1 - z_gap - lowest.z)};
+  return rotated(Bodies{a, translated(b, shift)}, random_rotation(random));
+}
+
+Bodies identical(Random& random, unsigned n) {
+  const Body body = random_ball_body(random, n);
+  return {body, body};
+}
+
+Bodies mirrored(Random& random, unsigned n) {
+  const Body ball = random_ball_body(random, n);
+  const Body body = translated(ball, small_shift(random, 4));
+  return {body, scaled(body, -1)};
+}
+
+Bodies nested(Random& random, unsigned n) {
+  const Body body = random_sphere_body(random, n);
+  const Body inner = scaled(body, ratio(random.between(4, 12), 16));
+  return {body, translated(inner, small_shift(random, 8))};
+}
+
+Bodies common_normals(Random& random, unsigned n) {
+  const Body body = random_sphere_body(random, n);
+  const mpq_class factor = ratio(random.between(4, 32), 16);
+  const Body copy = scaled(body, random.coin() ? factor : mpq_class(-factor));
+  return {body, translated(copy, small_shift(random, 2))};
+}
+
+Bodies parallel_edges(Random& random, unsigned n) {
+  const unsigned corners = std::max(3u, n / 2);
+  const Body a = prism(corners, ratio(random.between(2, 8), 4));
+  const mpq_class half_height = ratio(random.between(2, 8), 4);
+  const unsigned phase = static_cast<unsigned>(random.between(0, 3));
+  const Body b = prism(random.coin() ? corners : corners + 1, half_height, phase);
+  const Point shift = random_shift(random, 1);
+  return rotated(Bodies{a, translated(b, shift)}, random_rotation(random));
+}
+
+Bodies redundant_points(Random& random, unsigned n) {
+  Bodies bodies = random_lattice(random, n);
+  for (Body* body : {&bodies.a, &bodies.b}) {
+    const std::size_t given = body->points.size();
+    const auto any = [&] { return body->points[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(given) - 1))]; };
+    for (std::size_t i = 0; i < given; ++i) {
+      const Point p = any(), q = any(), r = any();
+      const Point middle = moved(p, difference(q, p), ratio(1, 2));
+      const Point deeper = moved(middle, difference(r, middle), ratio(1, 3));
+      body->points.push_back(i % 3 == 0 ? p : i % 3 == 1 ? middle : deeper);
+    }
+    std::reverse(body->points.begin(), body->points.end());
+  }
+  return bodies;
+}
+
+Bodies flat(int rank_a, int rank_b, Random& random, unsigned n) {
+  const std::vector<Point> axes = two_directions(random), others = two_directions(random);
+  const Body a = flat_body(rank_a, axes, random, n);
+  const Body b = flat_body(rank_b, random.coin() ? axes : others, random, n);
+  if (random.between(0, 3) == 0) return {a, b};
+  const Point meet = some_point(a, random), at = some_point(b, random);
+  return {a, translated(b, difference(meet, at))};
+}
+
+Bodies tiny_coordinates(Random& random, unsigned n) {
+  const Bodies bodies = random_sphere(random, n);
+  const mpq_class unit = times_power_of_two(1, -far);
+  return {scaled(bodies.a, unit), scaled(bodies.b, unit)};
+}
+
+Bodies huge_coordinates(Random& random, unsigned n) {
+  const Bodies bodies = random_sphere(random, n);
+  const mpq_class unit = times_power_of_two(1, far - 1);  // coordinates up to 2
+  return {scaled(bodies.a, unit), scaled(bodies.b, unit)};
+}
+
+Bodies uneven_coordinates(Random& random, unsigned n) {
+  const Bodies bodies = random_sphere(random, n);
+  const mpq_class large = times_power_of_two(1, far - 1), small = times_power_of_two(1, -far);
+  return {scaled(bodies.a, large, 1, small), scaled(bodies.b, large, 1, small)};
+}
+
+Bodies wild_coordinates(Random& random, unsigned n) {
+  const auto coordinate = [&random] {
+    const std::int64_t mantissa = random.between(1 << 19, (1 << 20) - 1);
+    const std::int64_t sign = random.coin() ? 1 : -1;
+    return times_power_of_two(mpq_class(sign * mantissa), random.between(-far, far) - 20);
+  };
+  Bodies bodies;
+  for (Body* body : {&bodies.a, &bodies.b})
+    for (unsigned i = 0; i < n; ++i) body->points.push_back({coordinate(), coordinate(), coordinate()});
+  return bodies;
+}
+
+}  // namespace fathom::families

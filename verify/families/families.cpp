@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/families/families.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "verify/families/bundles.hpp"
+#include "verify/families/contacts.hpp"
+#include "verify/families/degenerate.hpp"
+#include "verify/families/random_bodies.hpp"
+
+namespace fathom::families {
+
+namespace {
+
+template <Feature A, Feature B>
+Bodies touching(Random& random, unsigned n) {
+  return touching(A, B, random, n);
+}
+
+template <Feature A, Feature B>
+Bodies overlapping(Random& random, unsigned n) {
+  return overlapping(A, B, random, n);
+}
+
+template <int RankA, int RankB>
+Bodies flat(Random& random, unsigned n) {
+  return flat(RankA, RankB, random, n);
+}
+
+constexpr Family table[] = {
+    // Random bodies.
+    {"random_ball", "points in a ball; B shifted by up to 1 along each axis", 20, random_ball},
+    {"random_sphere", "points near a sphere, all extreme; B shifted by up to 1 along each axis", 20, random_sphere},
+    {"random_lattice", "points of {0..3}^3: duplicates, collinear and coplanar points", 10, random_lattice},
+    {"random_disjoint", "balls of points, well apart", 20, random_disjoint},
+    {"boxes_posed", "boxes in rational poses; the size is ignored", 8, boxes_posed},
+    {"boxes_aligned", "boxes with corners in {0..4}^3: coplanar facets, parallel edges; the size is ignored", 8, boxes_aligned},
+    {"platonic_posed", "platonic solids in rational poses; the size is ignored", 20, platonic_posed},
+    {"platonic_aligned", "platonic solids, shifted but not turned; the size is ignored", 20, platonic_aligned},
+    {"prisms_posed", "prisms and antiprisms in rational poses", 20, prisms_posed},
+    {"needles", "two needles, a million times longer than wide", 20, needles},
+    {"plates", "two plates, a million times wider than thick", 20, plates},
+    {"needle_and_plate", "a needle against a plate", 20, needle_and_plate},
+    // Crossed bundles.
+    {"crossed_fans", "crossed fans on circles: K = Theta(n^2), one clear optimum", 50, crossed_fans},
+    {"crossed_parabolas", "crossed fans on a paraboloid: the minimum runs along a circle, with exact ties; the seed is ignored", 50,
+     crossed_parabolas},
+    {"crossed_random_parabolas", "crossed fans on a paraboloid at random places: near ties along a circle", 50, crossed_random_parabolas},
+    {"crossed_patch", "crossed fans over a small patch of a sphere: n^2 near ties; the seed is ignored", 50, crossed_patch},
+    {"crossed_prisms", "the rims of two prisms across each other", 50, crossed_prisms},
+    {"crossed_bands", "thin bands around two circles across each other", 50, crossed_bands},
+    // Ties.
+    {"exact_ties", "a symmetric solid against itself: many optima", 12, exact_ties},
+    {"near_ties", "a symmetric solid against itself, moved by about 2^-k: optima that nearly tie", 12, near_ties},
+    {"near_tie_boxes", "boxes with depths 1, 1 + 2^-k, 1 + 2^-j along three axes; the size is ignored", 8, near_tie_boxes},
+    // Shared features.
+    {"identical", "a random body against itself: its width", 20, identical},
+    {"mirrored", "B = -A: the Gaussian diagrams of B and -A coincide", 20, mirrored},
+    {"nested", "B is a smaller copy of A inside A, or nearly", 20, nested},
+    {"common_normals", "B is a scaled copy of A or of -A", 20, common_normals},
+    {"parallel_edges", "prisms with parallel axes", 16, parallel_edges},
+    {"redundant_points", "lattice bodies with repeated, interior and boundary points", 8, redundant_points},
+    // Coordinates.
+    {"tiny_coordinates", "spheres of radius 1e-300", 12, tiny_coordinates},
+    {"huge_coordinates", "spheres of radius 1e300", 12, huge_coordinates},
+    {"uneven_coordinates", "spheres stretched to 1e300, 1 and 1e-300", 12, uneven_coordinates},
+    {"wild_coordinates", "every coordinate with its own exponent between 1e-300 and 1e300", 12, wild_coordinates},
+    // Touching, by the features of A and of B that meet.
+    {"touching_vertex_vertex", "a vertex of A touches a vertex of B", 6, touching<Feature::vertex, Feature::vertex>},
+    {"touching_vertex_edge", "a vertex of A touches an edge of B", 6, touching<Feature::vertex, Feature::edge>},
+    {"touching_vertex_face", "a vertex of A touches a face of B", 6, touching<Feature::vertex, Feature::face>},
+    {"touching_edge_vertex", "an edge of A touches a vertex of B", 6, touching<Feature::edge, Feature::vertex>},
+    {"touching_edge_edge", "an edge of A touches an edge of B, crossing", 6, touching<Feature::edge, Feature::edge>},
+    {"touching_edge_face", "an edge of A touches a face of B", 6, touching<Feature::edge, Feature::face>},
+    {"touching_face_vertex", "a face of A touches a vertex of B", 6, touching<Feature::face, Feature::vertex>},
+    {"touching_face_edge", "a face of A touches an edge of B", 6, touching<Feature::face, Feature::edge>},
+    {"touching_face_face", "a face of A touches a face of B", 6, touching<Feature::face, Feature::face>},
+    {"touching_parallel_edges", "an edge of A touches a parallel edge of B", 6, touching_parallel_edges},
+    {"nearly_touching", "any of the nine, apart or overlapping by 2^-k", 6, nearly_touching},
+    // Penetrating by 2^-k, by the kind of contact.
+    {"contact_facet_vertex", "one optimum, of kind facet-vertex, depth 2^-k", 6, overlapping<Feature::face, Feature::vertex>},
+    {"contact_vertex_facet", "one optimum, of kind vertex-facet, depth 2^-k", 6, overlapping<Feature::vertex, Feature::face>},
+    {"contact_facet_edge", "one optimum, of kind facet-edge, depth 2^-k", 6, overlapping<Feature::face, Feature::edge>},
+    {"contact_edge_facet", "one optimum, of kind edge-facet, depth 2^-k", 6, overlapping<Feature::edge, Feature::face>},
+    {"contact_facet_facet", "one optimum, of kind facet-facet, depth 2^-k", 6, overlapping<Feature::face, Feature::face>},
+    {"contact_edge_edge", "one optimum, of kind edge-edge, depth 2^-k", 6, overlapping<Feature::edge, Feature::edge>},
+    // Bodies without interior.
+    {"point_point", "a point against a point, small half-integers", 6, flat<0, 0>},
+    {"point_segment", "a point against a segment, small half-integers", 6, flat<0, 1>},
+    {"point_polygon", "a point against a polygon, small half-integers", 6, flat<0, 2>},
+    {"point_solid", "a point against a solid, small half-integers", 6, flat<0, 3>},
+    {"segment_point", "a segment against a point, small half-integers", 6, flat<1, 0>},
+    {"segment_segment", "a segment against a segment, small half-integers", 6, flat<1, 1>},
+    {"segment_polygon", "a segment against a polygon, small half-integers", 6, flat<1, 2>},
+    {"segment_solid", "a segment against a solid, small half-integers", 6, flat<1, 3>},
+    {"polygon_point", "a polygon against a point, small half-integers", 6, flat<2, 0>},
+    {"polygon_segment", "a polygon against a segment, small half-integers", 6, flat<2, 1>},
+    {"polygon_polygon", "a polygon against a polygon, small half-integers", 6, flat<2, 2>},
+    {"polygon_solid", "a polygon against a solid, small half-integers", 6, flat<2, 3>},
+    {"solid_point", "a solid against a point, small half-integers", 6, flat<3, 0>},
+    {"solid_segment", "a solid against a segment, small half-integers", 6, flat<3, 1>},
+    {"solid_polygon", "a solid against a polygon, small half-integers", 6, flat<3, 2>},
+};
+
+/// FNV-1a; gives every family its own stream of random numbers.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return value;
+}
+
+}  // namespace
+
+Case Family::make(std::uint64_t seed, unsigned size) const {
+  Random random(hash(name) ^ Random(seed).next());
+  Bodies bodies = build(random, std::max(1u, size));
+  return {std::string(name) + "-n" + std::to_string(size) + "-s" + std::to_string(seed), std::move(bodies.a), std::move(bodies.b)};
+}
+
+std::span<const Family> families() { return table; }
+
+const Family* find_family(std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Family::name);
+  return found == std::end(table) ? nullptr : &*found;
+}
+
+}  // namespace fathom::families

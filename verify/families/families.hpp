@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All families of test cases by name. A case is given by its family, its size and its seed, and is the same on every machine.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "verify/families/placement.hpp"
+
+namespace fathom::families {
+
+struct Family {
+  std::string_view name;         ///< letters, digits and underscores
+  std::string_view description;  ///< one line
+  unsigned usual_size;           ///< when the user has no wish of his own
+  Bodies (*build)(Random& random, unsigned size);
+
+  /// The case "<name>-n<size>-s<seed>". `size` is about the number of points of each body; families of fixed shape ignore it, and
+  /// others raise it to the least that their shape needs. Never throws; every body has at least one point.
+  [[nodiscard]] Case make(std::uint64_t seed, unsigned size) const;
+};
+
+/// Sorted into groups, not by name. Names are unique.
+std::span<const Family> families();
+
+/// Null when there is none of that name.
+const Family* find_family(std::string_view name);
+
+}  // namespace fathom::families
