@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One solved case, on its way to a page or to a JSON line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cli/command.hpp"
+#include "cli/progress.hpp"
+#include "cli/request.hpp"
+
+namespace fathom::cli {
+
+struct Answer {
+  std::string id;
+  Depth depth;                             ///< for `width`: of the body against itself
+  std::size_t points_a = 0, points_b = 0;  ///< as given
+};
+
+/// Computes the answer with the method that was asked for. Throws Interrupted when the user has asked to stop.
+Answer answer_to(const Case& single, const Request& request, const Solve& solve, Progress& progress);
+
+/// The names that results use.
+std::string_view name(Status status);
+std::string_view name(ContactKind kind);
+std::string_view name(Method method);
+
+}  // namespace fathom::cli

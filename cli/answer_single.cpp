@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <new>
+
+#include "cli/answer.hpp"
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json_result.hpp"
+#include "cli/output.hpp"
+#include "cli/text_result.hpp"
+
+namespace fathom::cli {
+
+ExitCode answer_single(const Request& request, const Case& single, const Solve& solve) {
+  const Working working;
+  Progress progress;
+  const Answer answer = answer_to(single, request, solve, progress);
+  if (const auto note = hull_note(answer, request)) talk(*note);
+  print(request.json ? json_result(answer, request) : text_block(answer, request));
+  return fine;
+}
+
+std::string fault_text(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+  return std::string("internal error: ") + error.what();
+}
+
+}  // namespace fathom::cli

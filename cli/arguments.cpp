@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "cli/help.hpp"
+#include "kernels/number/enclosure.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom::cli {
+namespace {
+
+/// Help with examples first and a synopsis written by hand.
+class ExamplesFirst : public CLI::Formatter {
+ public:
+  ExamplesFirst(std::string_view examples, std::string_view synopsis) : examples_(examples), synopsis_(synopsis) { column_width(34); }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (mode != CLI::AppFormatMode::Normal) return Formatter::make_help(app, std::move(name), mode);
+    const std::string rest = Formatter::make_help(app, std::move(name), mode);
+    return examples_ + '\n' + rest.substr(0, rest.find_last_not_of('\n') + 1);
+  }
+  std::string make_usage(const CLI::App*, std::string) const override { return "Usage: " + synopsis_ + '\n'; }
+  std::string make_positionals(const CLI::App*) const override { return ""; }
+
+ private:
+  std::string examples_, synopsis_;
+};
+
+/// A value that must be one of `here`; those in `absent` are known but not part of this version.
+CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> absent) {
+  const auto check = [here, absent](const std::string& value) -> std::string {
+    if (std::find(here.begin(), here.end(), value) != here.end()) return "";
+    const bool known = std::find(absent.begin(), absent.end(), value) != absent.end();
+    return fmt::format("{} is {} (expected {})", shown(value), known ? "not part of this version" : "unknown", fmt::join(here, ", "));
+  };
+  return CLI::Validator(check, "", "");
+}
+
+std::string check_digits(const std::string& value) {
+  const bool number = !value.empty() && value.size() < 8 && value.find_first_not_of("0123456789") == std::string::npos;
+  if (number && value != std::string(value.size(), '0') && std::stoul(value) <= most_root_digits) return "";
+  return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, shown(value));
+}
+
+/// What the options say, before it is known whether they go together.
+struct Texts {
+  std::string method = "auto", closest_lines;
+  bool exact_decimals = false;
+};
+
+void add_options(CLI::App& app, Request& request, Texts& texts) {
+  // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
+  for (const char* input : {"first", "second"})
+    app.add_option_function<std::string>(input, [&request](const std::string& path) { request.inputs.push_back(path); });
+  app.add_option("--method", texts.method, "how: auto, exact, or naive (the hull of all vertex differences)\nauto is exact")
+      ->check(one_of({"auto", "exact", "naive"}, {"certificate", "shallow"}))
+      ->type_name("NAME");
+  app.add_option("--closest-lines", texts.closest_lines, "engine inside the exact method: naive")
+      ->check(one_of({"naive"}, {"cutting", "sampled"}))
+      ->type_name("NAME");
+  app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
+  app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
+  app.add_flag("--counters", request.counters, "add what the run did, in counts");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/1");
+}
+
+CLI::App& add_command(CLI::App& app, std::string name, std::string description, std::string_view examples, std::string_view synopsis) {
+  CLI::App& command = *app.add_subcommand(name, std::move(description));
+  command.formatter(std::make_shared<ExamplesFirst>(examples, synopsis));
+  command.footer(footer_text);
+  command.get_help_ptr()->description("this text");
+  return command;
+}
+
+/// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
+std::string wrong_words(int argc, const char* const* argv) {
+  const std::string_view command = argv[1];
+  const bool known = command.starts_with('-') || command == "depth" || command == "width";
+  const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
+  if (absent) return fmt::format("the command '{}' is not part of this version (expected depth or width)", command);
+  if (!known) return fmt::format("unknown command {} (expected depth or width)", shown(command));
+  for (int i = 2; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--") break;
+    if (word == "--certificate" || word.starts_with("--certificate=")) return "--certificate is not part of this version";
+  }
+  return "";
+}
+
+/// CLI11's sentence, or a plainer one.
+std::string sentence(const CLI::ParseError& error) {
+  const std::string text = printable(error.what(), 200);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  return text.substr(0, text.find(':')) + ": expected one value, once";
+}
+
+Arguments refusal(const std::string& sentence, const std::string& command = "") {
+  return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
+}
+
+/// A mesh by its name. Other names may be streams of cases.
+bool is_mesh_name(const std::string& path) {
+  constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
+  return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
+}
+
+/// What is wrong with the number of inputs, or nothing.
+std::string wrong_inputs(const Request& request) {
+  const std::vector<std::string>& inputs = request.inputs;
+  const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
+  if (request.command == Command::width)
+    return inputs.size() == 1 ? "" : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
+  const std::string expected = "depth expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
+  if (inputs.empty()) return expected + found;
+  if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + shown(inputs[0]);
+  if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
+  return "";
+}
+
+/// The request, unless its parts contradict each other.
+Arguments completed(Request request, const Texts& texts) {
+  const std::string command = request.command == Command::depth ? "depth" : "width";
+  if (const std::string fault = wrong_inputs(request); !fault.empty()) return refusal(fault, command);
+  if (!texts.closest_lines.empty() && texts.method == "naive")
+    return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method naive", command);
+  request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
+  request.method = texts.method == "naive" ? Method::naive : Method::exact;
+  return {std::move(request), "", fine};
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, const char* const* argv) {
+  Request request;
+  Texts texts;
+  CLI::App app("Exact penetration depth of two convex polytopes.", "fathom");
+  app.formatter(std::make_shared<ExamplesFirst>(general_examples, "fathom COMMAND [OPTIONS] INPUT..."));
+  app.get_help_ptr()->description("this text");
+  app.set_version_flag("--version", "fathom " FATHOM_VERSION, "the version");
+  app.require_subcommand(0, 1);  // so that a file may be called "width"
+  app.footer(footer_text);
+  CLI::App& depth =
+      add_command(app, "depth", "Exact penetration depth of two bodies.", depth_examples, "fathom depth [OPTIONS] A B | CASES.jsonl | -");
+  CLI::App& width = add_command(app, "width", "Exact width of one body.", width_examples, "fathom width [OPTIONS] A | CASES.jsonl | -");
+  add_options(depth, request, texts);
+  add_options(width, request, texts);
+
+  if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};
+  if (const std::string fault = wrong_words(argc, argv); !fault.empty()) return refusal(fault);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const CLI::App* asked = depth.parsed() ? &depth : width.parsed() ? &width : &app;
+    return {std::nullopt, asked->help(), fine};
+  } catch (const CLI::CallForVersion&) {
+    return {std::nullopt, "fathom " FATHOM_VERSION, fine};
+  } catch (const CLI::ParseError& error) {
+    return refusal(sentence(error), depth.parsed() ? "depth" : width.parsed() ? "width" : "");
+  }
+  if (!depth.parsed() && !width.parsed()) return refusal("expected a command: depth or width");
+  request.command = width.parsed() ? Command::width : Command::depth;
+  return completed(std::move(request), texts);
+}
+
+}  // namespace fathom::cli

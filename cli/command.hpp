@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function per command, and the two ways in which each of them answers: a single case, or a stream.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/exit_code.hpp"
+#include "cli/request.hpp"
+#include "reference/files/body.hpp"
+
+namespace fathom::cli {
+
+/// These throw InputError, OutputError, Interrupted; anything else is a fault of ours.
+ExitCode run_depth(const Request& request);
+ExitCode run_width(const Request& request);
+
+/// What a command computes for one case.
+using Solve = std::function<Depth(const Case&, const Options&)>;
+
+/// Prints the answer to one case.
+ExitCode answer_single(const Request& request, const Case& single, const Solve& solve);
+
+/// Prints the answer to each case of the stream that is named by the only input, before the next case is read. A bad case gets an
+/// error line and the stream goes on; the exit code tells. A stream without any case is an error.
+ExitCode answer_stream(const Request& request, const Solve& solve);
+
+/// What `error`, caught from anything that is no input's fault, is to be called.
+std::string fault_text(const std::exception& error);
+
+}  // namespace fathom::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom width A | CASES.jsonl | -
+#include "cli/command.hpp"
+#include "reference/files/mesh.hpp"
+#include "reference/files/source.hpp"
+#include "reference/width/width.hpp"
+
+namespace fathom::cli {
+namespace {
+
+/// A single argument may be a mesh or a stream; its name tells.
+bool names_stream(const std::string& path) {
+  const std::string kind = extension(path);
+  return path == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
+}
+
+}  // namespace
+
+ExitCode run_width(const Request& request) {
+  const Solve solve = [](const Case& body, const Options& options) { return width(body.a.points, options); };
+  const std::string& input = request.inputs[0];
+  if (names_stream(input)) return answer_stream(request, solve);
+  return answer_single(request, {input, read_mesh(input, request.decimals), {}}, solve);
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact values as a reader can take them in: exactly where that is short, else to a few digits behind a "~".
+#pragma once
+
+#include <gmpxx.h>
+
+#include <string>
+
+#include "kernels/vector.hpp"
+
+namespace fathom::cli {
+
+/// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17 digits beyond that range.
+std::string root_text(const mpq_class& squared);
+
+/// "(1/2, 0, -3)", or "~(0.333333333, ...)".
+std::string point_text(const Point& p);
+
+/// "(-1, 0, 0)", or where the integers are long the unit vector of that direction: "~(0.577350269, ...)".
+std::string direction_text(const Vector& n);
+
+}  // namespace fathom::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of --help. Examples come first.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace fathom::cli {
+
+inline constexpr std::string_view general_examples =
+    "Examples\n"
+    "  fathom depth a.off b.stl                 how deep do two bodies overlap? exactly, with the shortest way out\n"
+    "  fathom depth --json a.obj b.ply          the same as one JSON object, with every exact field\n"
+    "  fathom depth --json cases.jsonl          many pairs: one case per line in, one result per line out\n"
+    "  program | fathom depth --json -          the same as a filter: each answer before the next case is read\n"
+    "  fathom width a.off                       the exact width of one body\n"
+    "  fathom depth --help                      every option of a command\n";
+
+inline constexpr std::string_view depth_examples =
+    "Examples\n"
+    "  fathom depth a.off b.stl                 exact depth, direction, translation, contact, ties\n"
+    "  fathom depth --digits 50 a.off b.stl     with the depth enclosed to 50 digits\n"
+    "  fathom depth --json --counters a.off b.off\n"
+    "                                           one JSON object, with what the run did\n"
+    "  fathom depth --exact-decimals a.obj b.obj\n"
+    "                                           0.1 means 1/10, not the nearest binary64\n"
+    "  fathom depth --method naive a.off b.off  the slow independent twin\n"
+    "  fathom depth cases.jsonl                 a stream: one line per case\n"
+    "  program | fathom depth --json -          the same from standard input\n";
+
+inline constexpr std::string_view width_examples =
+    "Examples\n"
+    "  fathom width a.off                       the least distance of two parallel planes with the body between them\n"
+    "  fathom width --json a.stl                one JSON object\n"
+    "  fathom width --json cases.jsonl          for a stream: the width of body a of each case\n"
+    "  program | fathom width --json -          the same from standard input\n";
+
+inline constexpr std::string_view footer =
+    "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.\n"
+    "Results go to standard output, everything else to standard error.\n"
+    "Exit codes: 0 fine; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error; 130 interrupted.\n";
+
+inline std::string footer_text() { return std::string(footer); }
+
+/// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
+inline constexpr std::string_view absent_commands[] = {"approx",  "ray",    "metric", "check",  "cases",
+                                                       "certify", "golden", "study",  "explain"};
+
+}  // namespace fathom::cli

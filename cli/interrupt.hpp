@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ctrl-C ends the run with exit code 130, at once while waiting for input and at the next good moment while working.
+#pragma once
+
+namespace fathom::cli {
+
+/// SIGINT as described here. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
+void install_signal_handlers();
+
+/// Whether SIGINT arrived while a `Working` existed.
+bool interrupt_requested();
+
+/// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
+/// itself. If it has not stopped after a second, or on a second SIGINT, the process ends all the same.
+class Working {
+ public:
+  Working();
+  ~Working();
+  Working(const Working&) = delete;
+  Working& operator=(const Working&) = delete;
+};
+
+/// Whether an unfinished line stands on the terminal, to be wiped before any last word.
+void line_is_open(bool open);
+
+}  // namespace fathom::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line `fathom`: understand the arguments, run the command, turn what went wrong into one sentence and an exit code.
+#include <exception>
+#include <string>
+
+#include "cli/arguments.hpp"
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+
+namespace {
+
+using namespace fathom::cli;
+
+ExitCode failed(const std::string& sentence, ExitCode code) {
+  talk(sentence);
+  return code;
+}
+
+ExitCode run(int argc, char** argv) {
+  try {
+    const Arguments arguments = parse_arguments(argc, argv);
+    if (!arguments.request) {
+      if (arguments.code != fine) return failed(arguments.text, arguments.code);
+      print(arguments.text);
+      return fine;
+    }
+    return arguments.request->command == Command::width ? run_width(*arguments.request) : run_depth(*arguments.request);
+  } catch (const fathom::InputError& error) {
+    return failed(error.what(), bad_input);
+  } catch (const fathom::Interrupted&) {
+    return failed("interrupted", interrupted);
+  } catch (const OutputError& error) {
+    return failed(error.what(), internal_error);
+  } catch (const std::exception& error) {
+    return failed(fault_text(error), internal_error);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  install_signal_handlers();
+  return run(argc, argv);
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// stdout is data, stderr is talk.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+namespace fathom::cli {
+
+/// Standard output refused a write: closed, full disk.
+struct OutputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes `text` and a newline to standard output and flushes, so that a reader has each result before the next case is read.
+/// Throws OutputError.
+void print(std::string_view text);
+
+/// Writes "fathom: `text`" and a newline to standard error. Never fails.
+void talk(std::string_view text);
+
+}  // namespace fathom::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bar on standard error, for work over a second and only on a terminal. It also carries Ctrl-C into a computation.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace fathom::cli {
+
+class Progress {
+ public:
+  Progress();
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Names what the next reports are about: "line 12". Does not restart the clock.
+  void about(std::string what);
+  /// For Options::progress. False once the user has asked to stop.
+  bool report(const std::string& stage, double share);
+  /// Takes the bar off the screen until the next report, so that other text can be printed.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void keep_drawing();
+  void draw();
+  void erase();
+
+  Clock::time_point begin_ = Clock::now();
+  std::string what_, stage_;
+  double share_ = 0;
+  bool active_ = false, drawn_ = false, stop_ = false;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::thread painter_;  // a stage may take long without a report; the clock on the bar shows that it lives
+};
+
+}  // namespace fathom::cli

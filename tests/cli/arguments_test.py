@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Help, version, and every way to misuse the command line."""
+import unittest
+
+from harness import DATA, VERSION, CliTest
+
+A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
+OPTIONS = ("--method", "--closest-lines", "--digits", "--exact-decimals", "--counters", "--json", "--help")
+
+
+class Help(CliTest):
+    def test_starts_with_examples_and_names_everything(self):
+        for arguments in (["--help"], ["-h"]):
+            out = self.answer(*arguments)
+            self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
+            for word in ("depth", "width", "--version", "Exit codes: 0 fine; 2 ", "130 interrupted"):
+                self.assertIn(word, out)
+        for command in ("depth", "width"):
+            out = self.answer(command, "--help")
+            self.assertTrue(out.startswith(f"Examples\n  fathom {command} "), out)
+            for option in OPTIONS:
+                self.assertIn(f"\n  {option} " if option != "--help" else "--help", out)
+            self.assertNotIn("certificate", out)
+
+    def test_says_nothing_else(self):
+        self.assertEqual(self.run_cli("--help")[2], "")
+        self.assertEqual(self.run_cli("depth", "--help")[2], "")
+
+    def test_version(self):
+        self.assertEqual(self.answer("--version"), f"fathom {VERSION}\n")
+
+
+class Misuse(CliTest):
+    def test_no_command(self):
+        err = self.refused()
+        self.assertIn("expected a command", err)
+        self.assertIn("Examples\n", err)
+        self.assertIn("expected a command", self.refused("--"))
+
+    def test_unknown_words(self):
+        self.assertIn("unknown command 'dept' (expected depth or width)", self.refused("dept", A, B))
+        self.assertIn("--frobnicate", self.refused("depth", "--frobnicate", A, B))
+        self.assertIn("--json", self.refused("--json", "depth", A, B))
+
+    def test_what_comes_later_is_refused_by_name(self):
+        for command in ("approx", "ray", "metric", "check", "cases", "certify", "golden", "study", "explain"):
+            self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
+        for command in ("depth", "width"):
+            for method in ("certificate", "shallow"):
+                self.assertIn(f"--method: '{method}' is not part of this version", self.refused(command, "--method", method, A, B))
+            for engine in ("cutting", "sampled"):
+                self.assertIn(f"--closest-lines: '{engine}' is not part of this version",
+                              self.refused(command, "--closest-lines", engine, A, B))
+        for arguments in (["--certificate", "x.cert"], ["--certificate=x.cert"], ["--certificate"]):
+            self.assertIn("--certificate is not part of this version", self.refused("depth", A, B, *arguments))
+
+    def test_values_of_options(self):
+        self.assertIn("--method: 'fast' is unknown (expected auto, exact, naive)", self.refused("depth", "--method", "fast", A, B))
+        self.assertIn("--closest-lines: 'fast' is unknown", self.refused("depth", "--closest-lines", "fast", A, B))
+        for digits in ("0", "00", "-1", "1.5", "1e3", "many", "", "1000001", "99999999999999999999"):
+            self.assertIn("expected an integer from 1 to 1000000", self.refused("depth", f"--digits={digits}", A, B) if digits
+                          else self.refused("depth", "--digits", "", A, B))
+        self.assertIn("--digits: expected one value, once", self.refused("depth", A, B, "--digits"))
+        self.assertIn("--digits: expected one value, once", self.refused("depth", A, B, "--digits", "3", "--digits", "4"))
+        self.assertIn("cannot be combined", self.refused("depth", "--closest-lines", "naive", "--method", "naive", A, B))
+
+    def test_number_of_inputs(self):
+        self.assertIn("depth expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), found 0 arguments",
+                      self.refused("depth"))
+        for command in ("depth", "width"):
+            for inputs in ([A, B, "extra"], [A, B, "extra", A]):
+                err = self.refused(command, *inputs)
+                self.assertIn("not expected: ", err)
+                self.assertIn("extra", err)
+        self.assertIn("found the single mesh", self.refused("depth", A))
+        self.assertIn("found - beside another input", self.refused("depth", A, "-"))
+        for inputs in ([], [A, B]):
+            self.assertIn(f"width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), "
+                          f"found {len(inputs)} arguments", self.refused("width", *inputs))
+
+    def test_what_the_user_typed_cannot_play_with_the_terminal(self):
+        for arguments in (["\x1b[2J"], ["depth", "--\x1b[2J", A, B], ["depth", "--method", "\x1b[2J", A, B]):
+            self.assertNotIn("\x1b", self.refused(*arguments))
+
+    def test_names_of_files_are_free(self):
+        for name in ("width", "depth", "[x]", "-x"):
+            self.file(name, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
+            out = self.run_cli("width", "--", name, cwd=self.folder)
+            self.assertEqual(out[0], 0, out)
+            self.assertIn("width^2", out[1])
+
+
+if __name__ == "__main__":
+    unittest.main()

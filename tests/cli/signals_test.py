@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Interrupts, readers that go away, output that cannot be written, and the progress bar."""
+import os
+import pty
+import random
+import signal
+import subprocess
+import unittest
+
+from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, case
+
+A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
+GOOD = case(UNIT, UNIT)
+
+
+def on_sphere(count, seed):
+    rng = random.Random(seed)
+    points = [[rng.gauss(0, 1) for _ in range(3)] for _ in range(count)]
+    return [[x / sum(y * y for y in point) ** 0.5 for x in point] for point in points]
+
+
+# Far more than a second of work for the naive method, and little memory.
+LONG = case(on_sphere(1000, 1), on_sphere(1000, 2))
+
+
+def run_on_terminal(*arguments, stop_at=None):
+    """(exit code, what appeared on stderr, a terminal). SIGINT is sent once `stop_at` has appeared."""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.DEVNULL, stderr=theirs) as process:
+        os.close(theirs)
+        seen = b""
+        while True:
+            try:
+                piece = os.read(ours, 4096)
+            except OSError:  # how a terminal says that nobody holds its other side
+                break
+            if not piece:
+                break
+            seen += piece
+            if stop_at is not None and stop_at in seen:
+                process.send_signal(signal.SIGINT)
+                stop_at = None
+        os.close(ours)
+        return process.wait(PATIENCE), seen
+
+
+class Interrupts(CliTest):
+    def interrupted(self, stream):
+        """Sends the stream, waits for its first answer, interrupts."""
+        with subprocess.Popen([EXECUTABLE, "depth", "--method", "naive", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            process.stdin.write(stream.encode())
+            process.stdin.flush()
+            self.assertIn(b"depth 1;", process.stdout.readline())
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.stdout.read(), b"")
+            self.assertEqual(process.stderr.read(), b"fathom: interrupted\n")
+            self.assertEqual(process.wait(PATIENCE), 130)
+
+    def test_while_waiting_for_input(self):
+        self.interrupted(GOOD)
+
+    def test_while_computing(self):
+        self.interrupted(GOOD + LONG)
+
+    def test_ignored_stays_ignored(self):
+        """As in a shell's background job."""
+        with subprocess.Popen([EXECUTABLE, "depth", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN)) as process:
+            for _ in range(2):
+                process.stdin.write(GOOD.encode())
+                process.stdin.flush()
+                self.assertIn(b"depth 1;", process.stdout.readline())
+                process.send_signal(signal.SIGINT)
+            process.stdin.close()
+            self.assertEqual(process.wait(PATIENCE), 0)
+
+
+class Output(CliTest):
+    def test_a_reader_that_has_enough(self):
+        """As `| head -1` does: no message, no further work; also where the parent ignores SIGPIPE."""
+        for ignored in (False, True):
+            with subprocess.Popen([EXECUTABLE, "depth", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                  restore_signals=not ignored) as process:
+                process.stdin.write(GOOD.encode())
+                process.stdin.flush()
+                self.assertIn(b"depth 1;", process.stdout.readline())
+                process.stdout.close()
+                process.stdin.write(GOOD.encode())
+                process.stdin.flush()
+                self.assertEqual(process.stderr.read(), b"")
+                self.assertEqual(process.wait(PATIENCE), -signal.SIGPIPE)
+
+    def test_output_that_cannot_be_written(self):
+        for arguments in (["depth", A, B], ["depth", "--json", A, B], ["width", A], ["--help"], ["--version"]):
+            with open("/dev/full", "wb") as full:
+                code, _, err = self.run_cli(*arguments, stdout=full)
+            self.assertEqual((code, err), (3, "fathom: cannot write to standard output: No space left on device\n"))
+            done = subprocess.run(["sh", "-c", 'exec "$@" >&-', "sh", EXECUTABLE, *arguments], capture_output=True)
+            self.assertEqual((done.returncode, done.stderr), (3, b"fathom: cannot write to standard output: Bad file descriptor\n"))
+
+    def test_closed_stderr_and_stdin(self):
+        done = subprocess.run(["sh", "-c", 'exec "$@" 2>&- <&-', "sh", EXECUTABLE, "depth", A, B], capture_output=True)
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(done.stdout.startswith(b"penetrating\n"))
+        done = subprocess.run(["sh", "-c", 'exec "$@" 2>&-', "sh", EXECUTABLE, "depth", A, "missing"], capture_output=True)
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+        done = subprocess.run(["sh", "-c", 'exec "$@" <&-', "sh", EXECUTABLE, "depth", "-"], capture_output=True)
+        self.assertEqual((done.returncode, done.stdout), (2, b""))
+
+
+class Bar(CliTest):
+    def test_none_without_a_terminal(self):
+        self.assertEqual(self.run_cli("depth", A, B)[2], "")
+
+    def test_long_work_on_a_terminal(self):
+        """Shown, and wiped before the last words."""
+        path = self.file("long.jsonl", LONG)
+        code, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"% hull of all differences")
+        self.assertEqual(code, 130)
+        self.assertRegex(seen, rb"\r\x1b\[Kline 1 \[\.{30}\]   0% hull of all differences \d+ s")
+        self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
+
+
+if __name__ == "__main__":
+    unittest.main()
