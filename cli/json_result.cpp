@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/counts.hpp"
+#include "kernels/infinitesimal.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
@@ -68,7 +69,10 @@ Json counters_object(const Counters& counters) {
   Json& predicates = result["predicates"] = Json::object();
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
-    predicates[std::string(predicate_names[i])] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}};
+    Json decided = Json::object();
+    for (const auto& [packed, count] : tiers.decided) decided[Monomial::unpacked(packed).text()] = count;
+    predicates[std::string(predicate_names[i])] = {
+        {"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", std::move(decided)}};
   }
   return result;
 }

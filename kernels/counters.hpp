@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string_view>
 
 namespace fathom {
@@ -18,16 +19,20 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(Predicate
 struct TierCounts {
   std::uint64_t calls = 0;
   std::uint64_t exact = 0;  ///< the interval filter was unsure
-  std::uint64_t zero = 0;   ///< the exact sign was zero
+  std::uint64_t zero = 0;   ///< the exact sign was zero: coincidences on the input
+  /// How many of the zeros which monomial in the infinitesimals decided (Monomial::packed).
+  std::map<std::uint64_t, std::uint64_t> decided;
 };
 
 using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
+
+/// What was counted since `before` was read.
+PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& before);
 
 /// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
 struct Counters {
   std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
   std::uint64_t scans = 0;            ///< linear scans of the position test
-  std::uint64_t frames_tried = 0;     ///< chart frames until one met no exact zero
   std::uint64_t vertex_facet_pairs = 0;
   std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
   std::uint64_t crossings = 0;        ///< sum |A_i| |B_i|

@@ -2,6 +2,7 @@
 // The operands of the predicates: exact directions with the enclosures that the interval filter reads.
 #pragma once
 
+#include "kernels/perturbation.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -20,18 +21,20 @@ Enclosure enclose(const mpz_class& c, long shift);
 /// those below 2^-1022 after scaling get a neighbour on either side.
 Vec3<Enclosure> enclose(const Vector& v);
 
-/// An exact direction, not zero. Length carries no meaning.
+/// An exact direction, not zero, and what it is. Length carries no meaning.
 class Direction {
  public:
   Direction() = default;
-  explicit Direction(Vector exact) : exact_(std::move(exact)), enclosure_(enclose(exact_)) {}
+  explicit Direction(Vector exact, Role role = Role::fixed) : exact_(std::move(exact)), enclosure_(enclose(exact_)), role_(role) {}
 
   [[nodiscard]] const Vector& exact() const { return exact_; }
   [[nodiscard]] const Vec3<Enclosure>& enclosure() const { return enclosure_; }
+  [[nodiscard]] Role role() const { return role_; }
 
  private:
   Vector exact_;
   Vec3<Enclosure> enclosure_;
+  Role role_ = Role::fixed;
 };
 
 }  // namespace fathom

@@ -106,19 +106,14 @@ class CanonicalBuilder {
     return above_on_wall(charts_, query_of, q, stored_of_, s, charts_.walls[wall - 1]);
   }
 
-  // Ranks of the query's end among the sorted list: how many arcs lie strictly below it, and how many not above it.
-  std::pair<std::size_t, std::size_t> ranks(const Span& query, const std::vector<std::uint32_t>& list, Strip strip, bool at_left) const {
-    const auto above = [&](std::uint32_t stored) { return query_above(query, stored, strip, at_left); };
-    const auto strict = std::ranges::partition_point(list, [&](std::uint32_t s) { return above(s) > 0; });
-    auto closed = strict;
-    if (closed != list.end() && above(*closed) == 0) {
-      closed = std::partition_point(closed, list.end(), [&](std::uint32_t s) { return above(s) == 0; });
-    }
-    return {strict - list.begin(), closed - list.begin()};
+  // How many arcs of the sorted list lie below the query's end.
+  std::size_t rank(const Span& query, const std::vector<std::uint32_t>& list, Strip strip, bool at_left) const {
+    const auto above = [&](std::uint32_t stored) { return query_above(query, stored, strip, at_left) > 0; };
+    return static_cast<std::size_t>(std::ranges::partition_point(list, above) - list.begin());
   }
 
   // Sorts the node's list, and files each query under the canonical subsets of a balanced tree over it, in heap order, that make up
-  // the range it crosses: all arcs that are neither below it at both ends nor above it at both.
+  // the range it crosses: all arcs that are below it at one end and above it at the other.
   void answer(Strip strip, std::vector<std::uint32_t>& list, const std::vector<Span>& queries) {
     std::ranges::sort(list, [&](std::uint32_t e, std::uint32_t f) {
       return e != f && above_same_colour(charts_, stored_of_, stored_arc(f), stored_arc(e)) > 0;
@@ -126,10 +121,8 @@ class CanonicalBuilder {
     const std::size_t leaves = std::bit_ceil(list.size());
     filed_.clear();
     for (const Span& query : queries) {
-      const auto [left_strict, left_closed] = ranks(query, list, strip, true);
-      const auto [right_strict, right_closed] = ranks(query, list, strip, false);
-      std::size_t first = leaves + std::min(left_strict, right_strict), last = leaves + std::max(left_closed, right_closed);
-      for (; first < last; first /= 2, last /= 2) {
+      const auto [low, high] = std::minmax({rank(query, list, strip, true), rank(query, list, strip, false)});
+      for (std::size_t first = leaves + low, last = leaves + high; first < last; first /= 2, last /= 2) {
         if (first % 2 == 1) filed_.emplace_back(first++, query.arc);
         if (last % 2 == 1) filed_.emplace_back(--last, query.arc);
       }

@@ -5,8 +5,7 @@
 // Size    sum |A_i| + |B_i| = O((m + n) log^2(m + n)).                                         [AGHRS, (C5) and equation (1)]
 // Departs from the paper: the tree T_A stores A's arcs and takes B's as queries (the text swaps them once); both trees stand on one
 //         skeleton, the walls of both colours; T_A takes a query at the children of the nodes in whose open strip it has an end, T_B at
-//         those nodes themselves, so that a crossing is found once. Arcs that touch (an end on the other arc or on its great circle's
-//         wall) may be reported, once or more: ranges are closed.
+//         those nodes themselves, so that a crossing is found once. Crossings are those of the perturbed diagrams.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +34,7 @@ class CanonicalSubsets {
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   [[nodiscard]] CanonicalPair operator[](std::size_t i) const;
 
-  /// sum |A_i|, sum |B_i| and sum |A_i| |B_i|: in general position the last is the number of crossings.
+  /// sum |A_i|, sum |B_i| and sum |A_i| |B_i|: the last is the number of crossings.
   struct Sums {
     std::uint64_t a = 0, b = 0, product = 0;
   };
@@ -53,13 +52,11 @@ class CanonicalSubsets {
 
 CanonicalSubsets canonical_subsets(const Charts& charts);
 
-/// The naive twin: all pairs (edge of A, edge of B) whose arcs cross strictly, in their interiors and transversally, in the open
-/// hemisphere; ascending. Tests every pair.
+/// The naive twin: all pairs (edge of A, edge of B) whose perturbed arcs cross in the hemisphere; ascending. Tests every pair on the
+/// sphere, without the charts' walls and orders, under the charts' perturbation.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings_naive(const Charts& charts);
 
-/// C1: indices are edges, each at most once in a set. C2, C3 against the naive twin: no strict crossing is missing and none is reported
-/// twice, unless it lies on a wall; whatever else is reported touches (its arcs meet in the closed hemisphere) or is parallel.
-/// `general_position` also forbids the latter. O(m n).
-[[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts, bool general_position);
+/// C1: indices are edges, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once. O(m n).
+[[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts);
 
 }  // namespace fathom

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   the Gaussian diagrams of -A and of B, and a frame.
-// Output  the charts of one hemisphere: both diagrams projected centrally to a plane, where arcs are segments, rays and lines, and the
-//         walls through their endpoints.                                                       [AGHRS, section 2.2, "Computing F"]
+// Input   the Gaussian diagrams of -A and of B.
+// Output  the charts of one hemisphere: both diagrams, perturbed, projected centrally to a plane, where arcs are segments, rays and lines,
+//         and the walls through their endpoints.                                               [AGHRS, section 2.2, "Computing F"]
 // Departs from the paper: arcs are not cut at the equator. An arc that crosses it is a ray in either chart, because <v,z> = 0 puts the
 //         equator at x = -infinity and x = +infinity.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "kernels/direction.hpp"
@@ -22,8 +21,8 @@ struct Frame {
   Direction v, z;
 };
 
-/// The frame of the `attempt`-th try, a fixed sequence of integer frames; `lower` negates the pole and keeps v.
-Frame chart_frame(unsigned attempt, bool lower);
+/// v = (0,1,0) and z = (0,0,1), or (0,0,-1) for the lower hemisphere; tilted infinitesimally by the perturbation.
+Frame chart_frame(bool lower);
 
 /// Which body an arc or a node belongs to. Colour a is the diagram of -A.
 enum class Colour : std::uint8_t { a, b };
@@ -39,13 +38,14 @@ struct ChartArc {
   bool flipped;               ///< <circle,v> < 0: above and below change places
 };
 
-/// Charts of both colours over one frame.
+/// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of the other colour or on the equator,
+/// no arc on a vertical: whatever coincides on the input, the perturbation has separated.
 struct Charts {
+  Perturbation perturbation;
   Frame frame;
   std::array<const GaussianDiagram*, 2> diagrams;
   std::array<std::vector<ChartArc>, 2> arcs;
-  /// Walls: the distinct x-coordinates of the nodes of both colours in this hemisphere, from left to right, each named by one of its
-  /// nodes. The one skeleton of both segment trees.
+  /// Walls: the nodes of both colours in this hemisphere, from left to right. The one skeleton of both segment trees.
   struct Wall {
     Colour colour;
     std::uint32_t node;
@@ -64,19 +64,18 @@ struct Charts {
   [[nodiscard]] std::uint32_t vertex_below(Colour c, const ChartArc& arc) const;
 };
 
-/// Nothing when the frame meets an exact zero: a node on the equator, an arc on a vertical, or two different nodes on one vertical.
 /// The diagrams must outlive the charts. O((m + n) log(m + n)).
-std::optional<Charts> make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame);
+Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation = {});
 
-/// Questions of the combinatorial layer; each answer is a sign, and 0 means "on".
-/// 1: the node lies above the line of the arc.
+/// Questions of the combinatorial layer; each answer is 1 or -1, never 0.
+/// 1: the node lies above the line of the arc. Not for an end of the arc.
 int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc);
 /// 1: arc e lies above arc f on the wall.
 int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall);
 /// 1: arc e lies above arc f far to the left.
 int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f);
 /// 1: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
-/// cross, so the later of the left ends decides, or else the earlier of the right ends.        [degree 3, no wall needed]
+/// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
 int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
 
 /// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end. Linear.

@@ -11,30 +11,29 @@ int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
 }  // namespace
 
 int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc) {
-  return orientation(arc) * side_of_arc(charts.node(of_node, node), charts.circle(of_arc, arc));
+  return orientation(arc) * perturbed_side_of_arc(charts.perturbation, charts.node(of_node, node), charts.circle(of_arc, arc));
 }
 
 int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall) {
   return orientation(e) * orientation(f) *
-         order_on_vertical(charts.circle(of_e, e), charts.circle(of_f, f), charts.node(wall.colour, wall.node), charts.frame.v);
+         perturbed_order_on_vertical(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f),
+                                     charts.node(wall.colour, wall.node), charts.frame.v);
 }
 
 int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
-  return orientation(e) * orientation(f) * order_at_infinity(charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
+  return orientation(e) * orientation(f) * perturbed_order_at_infinity(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
 }
 
 int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
   const auto wall = [&](std::uint32_t node) { return charts.wall(colour, node); };
-  // A common end decides nothing; neither do two ends at infinity.
+  // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
   if (e.left != f.left) {
-    const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) >= wall(f.left));
-    const int side = later ? node_above_arc(charts, colour, e.left, colour, f) : -node_above_arc(charts, colour, f.left, colour, e);
-    if (side != 0) return side;
+    const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) > wall(f.left));
+    return later ? node_above_arc(charts, colour, e.left, colour, f) : -node_above_arc(charts, colour, f.left, colour, e);
   }
   if (e.right != f.right) {
-    const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) <= wall(f.right));
-    const int side = earlier ? node_above_arc(charts, colour, e.right, colour, f) : -node_above_arc(charts, colour, f.right, colour, e);
-    if (side != 0) return side;
+    const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
+    return earlier ? node_above_arc(charts, colour, e.right, colour, f) : -node_above_arc(charts, colour, f.right, colour, e);
   }
   // Half-circles of rank 2 meet in one node, run to the same infinity, and the order there is that of their slopes.
   const int far_left = above_far_left(charts, colour, e, colour, f);

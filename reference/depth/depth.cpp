@@ -82,14 +82,6 @@ class Penetration {
   Depth& result_;
 };
 
-PredicateCounts difference(const PredicateCounts& now, const PredicateCounts& before) {
-  PredicateCounts result;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    result[i] = {now[i].calls - before[i].calls, now[i].exact - before[i].exact, now[i].zero - before[i].zero};
-  }
-  return result;
-}
-
 }  // namespace
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
@@ -109,7 +101,7 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
     result.witness = Witness{combination(lattice, lattice.a, origin.a), combination(lattice, lattice.b, origin.b)};
   }
   if (result.status == Status::penetrating) Penetration(lattice, exponent, options, result).run();
-  result.counters.predicates = difference(predicate_counts(), before);
+  result.counters.predicates = predicate_counts() - before;
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernels/counters.hpp"
+#include "kernels/perturbation.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -73,6 +74,8 @@ struct Options {
   ClosestLines closest_lines = ClosestLines::naive;
   /// Called now and then with the stage's name and the share of it that is done, in [0, 1]. Return false to stop.
   std::function<bool(const std::string& stage, double share)> progress;
+  /// How coincidences are resolved. Results do not depend on it.
+  Perturbation perturbation;
   /// Run `validate` on every stage and throw std::logic_error on any broken law. Slow.
   bool validate = false;
 };

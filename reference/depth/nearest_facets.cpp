@@ -29,7 +29,7 @@ class Pipeline {
   }
 
   NearestPlanes run() {
-    const std::array<Charts, 2> hemispheres = charts();
+    const std::array<Charts, 2> hemispheres{charts(false), charts(true)};
     for (const Charts& charts : hemispheres) offer_vertex_facets(charts);
     for (std::size_t i = 0; i < 2; ++i) offer_crossing_edges(hemispheres[i], 0.5 * static_cast<double>(i));
     return std::move(nearest_);
@@ -40,21 +40,11 @@ class Pipeline {
     if (options_.progress && !options_.progress(stage, share)) throw Interrupted();
   }
 
-  // Turns the frame until no sign of either chart is exactly zero. One of the first few always does: each zero is a curve of frames.
-  std::array<Charts, 2> charts() {
-    for (unsigned attempt = 0;; ++attempt) {
-      progress("charts", 0);
-      ++counters_.frames_tried;
-      std::optional<Charts> upper = make_charts(of_minus_a_, of_b_, chart_frame(attempt, false));
-      if (!upper) continue;
-      std::optional<Charts> lower = make_charts(of_minus_a_, of_b_, chart_frame(attempt, true));
-      if (!lower) continue;
-      if (options_.validate) {
-        insist(validate(*upper));
-        insist(validate(*lower));
-      }
-      return {std::move(*upper), std::move(*lower)};
-    }
+  Charts charts(bool lower) const {
+    progress("charts", lower ? 0.5 : 0);
+    Charts charts = make_charts(of_minus_a_, of_b_, chart_frame(lower), options_.perturbation);
+    if (options_.validate) insist(validate(charts));
+    return charts;
   }
 
   void offer_vertex_facets(const Charts& charts) {
@@ -77,7 +67,7 @@ class Pipeline {
     progress("canonical subsets", share);
     const CanonicalSubsets subsets = canonical_subsets(charts);
     if (options_.validate) {
-      insist(validate(subsets, charts, false));
+      insist(validate(subsets, charts));
       insist(validate_separation(subsets, lines_a_, lines_b_, charts.frame.z.exact()));
     }
     const CanonicalSubsets::Sums sums = subsets.sums();

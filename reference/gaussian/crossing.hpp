@@ -13,6 +13,10 @@ namespace fathom {
 /// antipodal points of the great circles e meets.
 std::vector<int> strict_crossings(const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f);
 
+/// The same for the perturbed arcs, where every crossing is strict.
+std::vector<int> perturbed_crossings(const Perturbation& perturbation, const GaussianDiagram& of_e, const Arc& e,
+                                     const GaussianDiagram& of_f, const Arc& f);
+
 /// Whether the closed arc contains u, a direction on its great circle.
 bool contains(const GaussianDiagram& diagram, const Arc& arc, const Vector& u);
 

@@ -15,10 +15,13 @@ GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
   GaussianDiagram result;
   result.rank = polytope.rank;
   result.nodes.reserve(polytope.facets.size());
-  for (const Facet& facet : polytope.facets) result.nodes.emplace_back(reflected ? -facet.normal : facet.normal);
+  for (const Facet& facet : polytope.facets) {
+    result.nodes.emplace_back(reflected ? -facet.normal : facet.normal, reflected ? Role::node_of_a : Role::fixed);
+  }
   result.arcs.reserve(polytope.edges.size());
   for (const Edge& edge : polytope.edges) {
-    Arc arc{Direction(polytope.vertices[edge.to] - polytope.vertices[edge.from]), edge.left, edge.right, edge.to, edge.from};
+    Direction circle(polytope.vertices[edge.to] - polytope.vertices[edge.from], reflected ? Role::circle_of_a : Role::fixed);
+    Arc arc{std::move(circle), edge.left, edge.right, edge.to, edge.from};
     if (reflected) std::swap(arc.above, arc.below);
     result.arcs.push_back(std::move(arc));
   }

@@ -2,7 +2,6 @@
 #include "reference/vertex_facet/vertex_facet.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 #include "kernels/support.hpp"
@@ -19,12 +18,12 @@ class SweepLine {
   void insert(const ChartArc& arc) { status_.insert(&arc); }
   void erase(const ChartArc& arc) { status_.erase(&arc); }
 
-  /// The vertex of a face whose closure holds the node of the other colour; nothing when no arc crosses the sweep line.
-  [[nodiscard]] std::optional<std::uint32_t> face_of(std::uint32_t node) const {
+  /// The vertex whose face holds the node of the other colour.
+  [[nodiscard]] std::uint32_t face_of(std::uint32_t node) const {
     const auto upper = status_.lower_bound(Node{node});
     if (upper != status_.begin()) return charts_.vertex_above(colour_, **std::prev(upper));
     if (upper != status_.end()) return charts_.vertex_below(colour_, **upper);
-    return std::nullopt;
+    return 0;  // only the diagram of a single point leaves a vertical free
   }
 
  private:
@@ -66,15 +65,7 @@ std::vector<Event> events(const Charts& charts, Colour arcs_of) {
   return result;
 }
 
-// For a wall over which no arc passes: either all arcs there meet in one node, the node to locate coincides with it and lies in every face
-// around it; or there is no arc at all, as in the diagram of a point, whose only vertex is 0.
-std::uint32_t face_at_wall(const Charts& charts, Colour arcs_of, const Event& event) {
-  const std::vector<std::uint32_t>& arcs = event.ending.empty() ? event.beginning : event.ending;
-  return arcs.empty() ? 0 : charts.vertex_above(arcs_of, charts.arcs_of(arcs_of)[arcs.front()]);
-}
-
-// Between the ends and the beginnings the sweep line holds just the arcs that pass over the wall, so a node that coincides with a node of
-// the other colour falls into one of the faces around that node.
+// A wall belongs to one node of one colour, so at each there is either something to insert and erase, or a node to locate.
 void sweep(const Charts& charts, Colour arcs_of, std::vector<VertexFacetPair>& pairs) {
   const std::vector<ChartArc>& arcs = charts.arcs_of(arcs_of);
   SweepLine line(charts, arcs_of);
@@ -83,9 +74,7 @@ void sweep(const Charts& charts, Colour arcs_of, std::vector<VertexFacetPair>& p
   }
   for (const Event& event : events(charts, arcs_of)) {
     for (const std::uint32_t i : event.ending) line.erase(arcs[i]);
-    for (const std::uint32_t node : event.nodes) {
-      pairs.push_back({other(arcs_of), node, line.face_of(node).value_or(face_at_wall(charts, arcs_of, event))});
-    }
+    for (const std::uint32_t node : event.nodes) pairs.push_back({other(arcs_of), node, line.face_of(node)});
     for (const std::uint32_t i : event.beginning) line.insert(arcs[i]);
   }
 }

@@ -44,6 +44,23 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
   }
 }
 
+// Topology is perturbed, values never: nothing of the answer depends on how coincidences are resolved.
+TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Case input = GetParam().make(seed, 9);
+    const Depth depth = solve(input);
+    for (const Perturbation& perturbation : testing::perturbations()) {
+      Options options;
+      options.perturbation = perturbation;
+      options.validate = true;
+      const Depth other = solve(input, options);
+      EXPECT_EQ(answer(other), answer(depth)) << input.id;
+      EXPECT_EQ(other.optima, depth.optima) << input.id;
+      EXPECT_EQ(other.witness, depth.witness) << input.id;
+    }
+  }
+}
+
 TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 14);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/random.hpp"
 
 namespace fathom::testing {
 
@@ -34,7 +34,7 @@ struct Prepared {
   std::vector<Charts> charts;
 };
 
-inline std::unique_ptr<Prepared> prepare(const Case& input) {
+inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& perturbation = {}) {
   auto p = std::make_unique<Prepared>();
   p->lattice = common_lattice(input.a.points, input.b.points);
   p->exponent = std::max(binary_exponent(p->lattice.a), binary_exponent(p->lattice.b));
@@ -42,13 +42,7 @@ inline std::unique_ptr<Prepared> prepare(const Case& input) {
   p->b = convex_hull(p->lattice.b);
   p->minus_a = gaussian_diagram_of_reflection(p->a);
   p->of_b = gaussian_diagram(p->b);
-  for (unsigned attempt = 0; p->charts.size() < 2; ++attempt) {
-    p->charts.clear();
-    for (const bool lower : {false, true}) {
-      std::optional<Charts> charts = make_charts(p->minus_a, p->of_b, chart_frame(attempt, lower));
-      if (charts) p->charts.push_back(std::move(*charts));
-    }
-  }
+  for (const bool lower : {false, true}) p->charts.push_back(make_charts(p->minus_a, p->of_b, chart_frame(lower), perturbation));
   return p;
 }
 
@@ -61,5 +55,16 @@ inline std::vector<Case> cases_of_all_families(unsigned seeds, unsigned size) {
   return cases;
 }
 
+
+/// A few ways to resolve coincidences: any order of the infinitesimals, any signs. The first is the usual one.
+inline std::vector<Perturbation> perturbations() {
+  std::vector<Perturbation> result(4);
+  std::ranges::reverse(result[1].rank);
+  result[2].sign.fill(-1);
+  families::Random random(7);
+  for (std::size_t i = infinitesimals; i > 1; --i) std::swap(result[3].rank[i - 1], result[3].rank[random.next() % i]);
+  for (std::int8_t& sign : result[3].sign) sign = random.coin() ? 1 : -1;
+  return result;
+}
 
 }  // namespace fathom::testing

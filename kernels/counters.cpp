@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/counters.hpp"
+
+namespace fathom {
+
+PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& before) {
+  PredicateCounts result;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    result[i] = {now[i].calls - before[i].calls, now[i].exact - before[i].exact, now[i].zero - before[i].zero, {}};
+    for (const auto& [monomial, count] : now[i].decided) {
+      const auto old = before[i].decided.find(monomial);
+      const std::uint64_t since = count - (old == before[i].decided.end() ? 0 : old->second);
+      if (since > 0) result[i].decided.emplace(monomial, since);
+    }
+  }
+  return result;
+}
+
+}  // namespace fathom

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaussian diagrams against the definition: over the interior of an arc exactly its edge is extreme, beside it exactly its face's vertex.
+// And each mutation of a diagram is refused.
+#include "reference/gaussian/gaussian_diagram.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernels/support.hpp"
+#include "tests/support/vectors.hpp"
+
+namespace fathom {
+namespace {
+
+using namespace fathom::testing;
+
+struct Body {
+  std::string name;
+  Polytope polytope;
+};
+
+std::vector<Vector> corners(const std::vector<int>& coordinates) {
+  std::vector<Vector> points;
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  return points;
+}
+
+std::vector<Body> make_bodies() {
+  std::vector<Body> result;
+  const auto add = [&](const std::string& name, const std::vector<Vector>& points) { result.push_back({name, convex_hull(points)}); };
+  add("point", corners({1, 2, 3}));
+  add("segment", corners({1, 2, 3, 4, 6, 8}));
+  add("triangle", corners({0, 0, 0, 3, 0, 1, 0, 4, 1}));
+  add("square", corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}));
+  add("tetrahedron", corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  add("cube", corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
+  add("pyramid", corners({0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0, 1, 1, 1}));
+  add("prism", corners({0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 5, 2, 0, 5, 0, 3, 5}));
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 12; ++i) {
+    std::vector<Vector> points, flat;
+    const unsigned long size = i % 3 == 0 ? 2 : i % 3 == 1 ? 20 : 700;
+    const Vector u = random_direction(random, size), v = random_direction(random, size);
+    for (int k = 0; k < 15; ++k) {
+      points.push_back(random_vector(random, size));
+      flat.push_back(random_integer(random, 4) * u + random_integer(random, 4) * v);
+    }
+    add("random " + std::to_string(i), points);
+    add("random flat " + std::to_string(i), flat);
+  }
+  return result;
+}
+
+GaussianDiagram diagram_of(const Polytope& polytope, bool reflected) {
+  return reflected ? gaussian_diagram_of_reflection(polytope) : gaussian_diagram(polytope);
+}
+
+std::vector<Vector> points_of(const Polytope& polytope, bool reflected) {
+  std::vector<Vector> points = polytope.vertices;
+  if (reflected) {
+    for (Vector& p : points) p = -p;
+  }
+  return points;
+}
+
+/// Calls law(name, diagram, polytope, reflected) for all bodies and both diagrams.
+void for_all(const std::function<void(const GaussianDiagram&, const Polytope&, bool)>& law) {
+  static const std::vector<Body> bodies = make_bodies();
+  for (const Body& body : bodies) {
+    for (const bool reflected : {false, true}) {
+      SCOPED_TRACE(body.name + (reflected ? ", reflected" : ""));
+      law(diagram_of(body.polytope, reflected), body.polytope, reflected);
+    }
+  }
+}
+
+/// A direction in the interior of the arc.
+Vector middle(const GaussianDiagram& diagram, const Arc& arc) {
+  if (diagram.rank == 1) return cross(arc.circle.exact(), arc.circle.exact().x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  if (diagram.rank == 2) return cross(arc.circle.exact(), diagram.nodes[arc.from].exact());
+  return diagram.nodes[arc.from].exact() + diagram.nodes[arc.to].exact();
+}
+
+std::vector<std::uint32_t> sorted_pair(std::uint32_t i, std::uint32_t j) { return {std::min(i, j), std::max(i, j)}; }
+
+TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
+  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    const std::vector<Vector> points = points_of(polytope, reflected);
+    ASSERT_EQ(diagram.rank, polytope.rank);
+    ASSERT_EQ(diagram.arcs.size(), polytope.edges.size());
+    for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+      const Arc& arc = diagram.arcs[i];
+      const Vector u = middle(diagram, arc), d = arc.circle.exact();
+      EXPECT_EQ(extreme_points_naive(points, u), sorted_pair(arc.above, arc.below));
+      EXPECT_EQ(sorted_pair(polytope.edges[i].from, polytope.edges[i].to), sorted_pair(arc.above, arc.below));
+      // A little to either side. The step is small against every difference of products, which are integers.
+      mpz_class k = 1;
+      for (const Vector& p : points) k += 2 * abs(dot(p, d));
+      EXPECT_EQ(extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above});
+      EXPECT_EQ(extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below});
+    }
+  });
+}
+
+TEST(GaussianDiagram, NodesAreTheNormalsOfTheirFacets) {
+  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    const std::vector<Vector> points = points_of(polytope, reflected);
+    ASSERT_EQ(diagram.nodes.size(), polytope.facets.size());
+    for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
+      const Facet& facet = polytope.facets[i];
+      std::vector<std::uint32_t> corners(polytope.corners.begin() + facet.begin, polytope.corners.begin() + facet.end);
+      std::sort(corners.begin(), corners.end());
+      EXPECT_EQ(extreme_points_naive(points, diagram.nodes[i].exact()), corners);
+    }
+  });
+}
+
+TEST(GaussianDiagram, OfASquare) {
+  const Polytope square = convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}));
+  const GaussianDiagram d = gaussian_diagram(square);
+  ASSERT_EQ(d.nodes.size(), 2U);
+  ASSERT_EQ(d.arcs.size(), 4U);
+  EXPECT_EQ(d.nodes[0].exact(), -d.nodes[1].exact());
+  for (const Arc& arc : d.arcs) {
+    EXPECT_EQ(arc.from, 0U);
+    EXPECT_EQ(arc.to, 1U);
+  }
+}
+
+TEST(Validate, AcceptsEveryDiagram) {
+  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    const Report report = validate(diagram, polytope, reflected);
+    EXPECT_TRUE(report.ok()) << report.faults.front();
+  });
+}
+
+TEST(Validate, TellsADiagramFromThatOfTheReflection) {
+  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    EXPECT_EQ(validate(diagram, polytope, !reflected).ok(), polytope.rank == 0);
+  });
+}
+
+/// One way to spoil an arc; false if the diagram has no room for it.
+struct Mutation {
+  std::string name;
+  std::function<bool(GaussianDiagram&, std::size_t)> spoil;
+};
+
+std::vector<Mutation> mutations_of_arcs() {
+  return {
+      {"negated circle", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].circle = Direction(-d.arcs[i].circle.exact()), true; }},
+      {"above and below exchanged", [](GaussianDiagram& d, std::size_t i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
+      {"from and to exchanged", [](GaussianDiagram& d, std::size_t i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
+      {"above is below", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].above = d.arcs[i].below, true; }},
+      {"another arc's circle",
+       [](GaussianDiagram& d, std::size_t i) {
+         const Direction old = d.arcs[i].circle;
+         d.arcs[i].circle = d.arcs[(i + 1) % d.arcs.size()].circle;
+         return !same_direction(old.exact(), d.arcs[i].circle.exact());
+       }},
+      {"another node",
+       [](GaussianDiagram& d, std::size_t i) {
+         return d.rank > 1 && (d.arcs[i].from = static_cast<std::uint32_t>((d.arcs[i].from + 1) % d.nodes.size()), true);
+       }},
+      {"a node on a full circle, none on another",
+       [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].to = d.rank == 1 ? 0 : no_facet, true; }},
+      {"a vertex that is not there", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].above = 1000000, true; }},
+      {"the arc is missing",
+       [](GaussianDiagram& d, std::size_t i) { return d.arcs.erase(d.arcs.begin() + static_cast<std::ptrdiff_t>(i)), true; }},
+      {"the faces of a parallel edge of the same length",
+       [](GaussianDiagram& d, std::size_t i) {
+         for (const Arc& other : d.arcs) {
+           if (&other == &d.arcs[i] || !(other.circle.exact() == d.arcs[i].circle.exact())) continue;
+           return d.arcs[i].above = other.above, d.arcs[i].below = other.below, true;
+         }
+         return false;
+       }},
+  };
+}
+
+TEST(Validate, RefusesEveryMutationOfAnArc) {
+  for (const Mutation& mutation : mutations_of_arcs()) {
+    int tried = 0;
+    for_all([&](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+      for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+        GaussianDiagram spoiled = diagram;
+        if (!mutation.spoil(spoiled, i)) continue;
+        ++tried;
+        ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << mutation.name << ", arc " << i;
+      }
+    });
+    EXPECT_GT(tried, 0) << mutation.name;
+  }
+}
+
+TEST(Validate, RefusesEveryMutationOfANode) {
+  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
+      GaussianDiagram spoiled = diagram;
+      spoiled.nodes[i] = Direction(-diagram.nodes[i].exact());
+      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "negated node " << i;
+      spoiled = diagram;
+      std::swap(spoiled.nodes[i], spoiled.nodes[(i + 1) % diagram.nodes.size()]);
+      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "exchanged node " << i;
+      spoiled = diagram;
+      spoiled.nodes.pop_back();
+      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
+    }
+    GaussianDiagram spoiled = diagram;
+    ++spoiled.rank;
+    ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
+  });
+}
+
+}  // namespace
+}  // namespace fathom
