@@ -23,7 +23,7 @@ class Monomial {
   static constexpr unsigned largest_exponent = 31;
 
   constexpr Monomial() = default;
-  /// e_k to the power `exponent`, 1 <= k <= 12.
+  /// e_k to the power `exponent`, 1 <= k <= 12 and exponent <= 31: constants of the caller, not checked.
   constexpr explicit Monomial(unsigned k, unsigned exponent = 1) : packed_(std::uint64_t{exponent} << (bits * (k - 1))) {}
 
   [[nodiscard]] constexpr unsigned exponent(unsigned k) const { return packed_ >> (bits * (k - 1)) & largest_exponent; }

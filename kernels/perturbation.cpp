@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/perturbation.hpp"
 
+#include <algorithm>
+
 namespace fathom {
 namespace {
 
@@ -8,7 +10,7 @@ constexpr unsigned tilt_a = 9, tilt_b = 10, tilt_c = 11;
 
 using Matrix = std::array<Vec3<Infinitesimal>, 3>;  // rows
 
-// Multiplying by 0 and by 1 is left out: most entries are constants.
+// Products with 0 are left out: many components are.
 Infinitesimal scaled(const Infinitesimal& s, const mpz_class& by) { return by == 0 ? Infinitesimal() : s * Infinitesimal(by); }
 
 Vec3<Infinitesimal> times(const Matrix& m, const Vector& d) {
@@ -19,14 +21,14 @@ Vec3<Infinitesimal> times(const Matrix& m, const Vector& d) {
 }  // namespace
 
 bool Perturbation::concerns(Role role, unsigned level) const {
-  unsigned which = 0;
-  while (rank[which] != level) ++which;
+  const auto which = static_cast<unsigned>(std::ranges::find(rank, level) - rank.begin());
+  if (which == infinitesimals) return false;
   switch (role) {
     case Role::fixed: return false;
     case Role::node_of_a:
     case Role::circle_of_a: return which < tilt_a;
     case Role::vertical: return which == tilt_a || which == tilt_b;
-    case Role::pole: return which >= tilt_a;
+    case Role::pole: return which > tilt_a || (which == tilt_a && rank[tilt_c] < level);  // a enters as ac
   }
   return false;
 }

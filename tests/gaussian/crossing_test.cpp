@@ -177,6 +177,29 @@ TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
   EXPECT_GT(crossing, 400);
 }
 
+/// The same arc as one of -A, which the perturbation moves.
+Case as_of_a(const Case& c) {
+  Case result{{c.diagram.rank, {}, {c.arc()}}};
+  result.diagram.arcs.front().circle = Direction(c.arc().circle.exact(), Role::circle_of_a);
+  for (const Direction& n : c.diagram.nodes) result.diagram.nodes.emplace_back(n.exact(), Role::node_of_a);
+  return result;
+}
+
+TEST(PerturbedCrossings, KeepStrictOnesAndCloseNoGap) {
+  int resolved = 0;
+  for_all_pairs([&](const Case& e, const Case& f) {
+    const Case moved = as_of_a(e);
+    const std::vector<int> strict = strict_crossings(e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<int> perturbed = perturbed_crossings(Perturbation{}, moved.diagram, moved.arc(), f.diagram, f.arc());
+    RC_ASSERT(std::includes(perturbed.begin(), perturbed.end(), strict.begin(), strict.end()));
+    if (!perturbed.empty()) RC_ASSERT(touch(e.diagram, e.arc(), f.diagram, f.arc()));
+    const bool full = e.diagram.rank == 1 && f.diagram.rank == 1;
+    RC_ASSERT((full ? perturbed.size() == 2 : perturbed.size() <= 1));
+    resolved += strict.empty() && !perturbed.empty();
+  });
+  EXPECT_GT(resolved, 50);
+}
+
 TEST(Touch, IsACommonPointOfTheClosedArcs) {
   int touching = 0, apart = 0;
   for_all_pairs([&](const Case& e, const Case& f) {

@@ -198,7 +198,7 @@ TEST(Validate, RefusesEveryMutationOfAnArc) {
   }
 }
 
-TEST(Validate, RefusesEveryMutationOfANode) {
+TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
   for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
     for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
       GaussianDiagram spoiled = diagram;
@@ -212,6 +212,9 @@ TEST(Validate, RefusesEveryMutationOfANode) {
       ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
     }
     GaussianDiagram spoiled = diagram;
+    for (Arc& arc : spoiled.arcs) std::swap(arc.from, arc.to);
+    ASSERT_EQ(validate(spoiled, polytope, reflected).ok(), polytope.rank < 2) << "every arc reversed";
+    spoiled = diagram;
     ++spoiled.rank;
     ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
   });

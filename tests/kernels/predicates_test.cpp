@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <functional>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "kernels/filter.hpp"
 #include "tests/support/vectors.hpp"
@@ -219,14 +222,18 @@ TEST(Predicates, AreRightBelowTheNormalRange) {
 }
 
 /// What `calls` add to the counters of one predicate.
-TierCounts counted(Predicate id, const std::function<void()>& calls) {
+struct Counted {
+  std::uint64_t calls, exact, zero;
+};
+
+Counted counted(Predicate id, const std::function<void()>& calls) {
   const TierCounts& now = predicate_counts()[static_cast<std::size_t>(id)];
-  const TierCounts before = now;
+  const Counted before{now.calls, now.exact, now.zero};
   calls();
   return {now.calls - before.calls, now.exact - before.exact, now.zero - before.zero};
 }
 
-void expect_counts(const TierCounts& c, std::uint64_t calls, std::uint64_t exact, std::uint64_t zero) {
+void expect_counts(const Counted& c, std::uint64_t calls, std::uint64_t exact, std::uint64_t zero) {
   EXPECT_EQ(c.calls, calls);
   EXPECT_EQ(c.exact, exact);
   EXPECT_EQ(c.zero, zero);
@@ -238,7 +245,7 @@ TEST(Tiers, IntervalsDecideSmallIntegers) {
     const Vector a = *directions(Size::small), b = *directions(Size::small), c = *directions(Size::small), d = *directions(Size::small);
     const auto check = [](Predicate id, const std::function<int()>& call) {
       int sign = 0;
-      const TierCounts c = counted(id, [&] { sign = call(); });
+      const Counted c = counted(id, [&] { sign = call(); });
       RC_ASSERT(c.calls == 1U);
       RC_ASSERT(c.exact == 0U);
       RC_ASSERT(c.zero == (sign == 0 ? 1U : 0U));
@@ -256,7 +263,7 @@ TEST(Tiers, IntervalsDecideLargeIntegersInGeneralPosition) {
     std::mt19937_64 random(*rc::gen::inRange(0, 1 << 30));
     const Vector a = random_direction(random, 2000), b = random_direction(random, 2000), c = random_direction(random, 2000);
     RC_PRE(abs(XOrder{}(a, b, c)) > power_of_two(5970));
-    const TierCounts counts = counted(Predicate::x_order, [&] { xorder(a, b, c); });
+    const Counted counts = counted(Predicate::x_order, [&] { xorder(a, b, c); });
     RC_ASSERT(counts.calls == 1U && counts.exact == 0U && counts.zero == 0U);
   }));
 }
