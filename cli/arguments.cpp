@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/cases_arguments.hpp"
 #include "cli/help.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "reference/files/source.hpp"
@@ -50,12 +51,24 @@ std::string check_digits(const std::string& value) {
 struct Texts {
   std::string method = "auto", closest_lines;
   bool exact_decimals = false;
+  std::string wrong_cases;  ///< what does not go together in `cases`
 };
 
-void add_options(CLI::App& app, Request& request, Texts& texts) {
+void add_inputs(CLI::App& app, Request& request, Texts& texts) {
   // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
   for (const char* input : {"first", "second"})
     app.add_option_function<std::string>(input, [&request](const std::string& path) { request.inputs.push_back(path); });
+  app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
+}
+
+void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+  add_inputs(app, request, texts);
+  app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
+  app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
+}
+
+void add_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_option("--method", texts.method, "how: auto, exact, or naive (the hull of all vertex differences)\nauto is exact")
       ->check(one_of({"auto", "exact", "naive"}, {"certificate", "shallow"}))
       ->type_name("NAME");
@@ -63,7 +76,7 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->check(one_of({"naive"}, {"cutting", "sampled"}))
       ->type_name("NAME");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
-  app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
+  add_inputs(app, request, texts);
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/1");
 }
@@ -79,10 +92,10 @@ CLI::App& add_command(CLI::App& app, std::string name, std::string description, 
 /// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
 std::string wrong_words(int argc, const char* const* argv) {
   const std::string_view command = argv[1];
-  const bool known = command.starts_with('-') || command == "depth" || command == "width";
+  const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
   const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
-  if (absent) return fmt::format("the command '{}' is not part of this version (expected depth or width)", command);
-  if (!known) return fmt::format("unknown command {} (expected depth or width)", shown(command));
+  if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
+  if (!known) return fmt::format("unknown command {} (expected {})", shown(command), fmt::join(commands, ", "));
   for (int i = 2; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--") break;
@@ -108,13 +121,17 @@ bool is_mesh_name(const std::string& path) {
   return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
 }
 
+/// As the user typed it.
+std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
+
 /// What is wrong with the number of inputs, or nothing.
 std::string wrong_inputs(const Request& request) {
   const std::vector<std::string>& inputs = request.inputs;
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
   if (request.command == Command::width)
     return inputs.size() == 1 ? "" : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
-  const std::string expected = "depth expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
+  const std::string expected =
+      name(request.command) + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;
   if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
@@ -123,10 +140,13 @@ std::string wrong_inputs(const Request& request) {
 
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
-  const std::string command = request.command == Command::depth ? "depth" : "width";
-  if (const std::string fault = wrong_inputs(request); !fault.empty()) return refusal(fault, command);
+  const std::string command = name(request.command);
+  if (const std::string fault = request.command == Command::cases ? texts.wrong_cases : wrong_inputs(request); !fault.empty())
+    return refusal(fault, command);
   if (!texts.closest_lines.empty() && texts.method == "naive")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method naive", command);
+  if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
+  if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
   request.method = texts.method == "naive" ? Method::naive : Method::exact;
   return {std::move(request), "", fine};
@@ -147,22 +167,31 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       add_command(app, "depth", "Exact penetration depth of two bodies.", depth_examples, "fathom depth [OPTIONS] A B | CASES.jsonl | -");
   CLI::App& width = add_command(app, "width", "Exact width of one body.", width_examples, "fathom width [OPTIONS] A | CASES.jsonl | -");
   add_options(depth, request, texts);
+  CLI::App& study =
+      add_command(app, "study", "What is degenerate about two bodies.", study_examples, "fathom study [OPTIONS] A B | CASES.jsonl | -");
   add_options(width, request, texts);
+  add_study_options(study, request, texts);
+  CLI::App& cases = add_command(app, "cases", "Test cases by name, or from two meshes.", cases_examples,
+                                "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B");
+  add_cases_options(cases, request.cases);
+  add_inputs(cases, request, texts);
+  const CLI::App* const apps[] = {&depth, &width, &study, &cases};  // in the order of `commands`
+  const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 
   if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};
   if (const std::string fault = wrong_words(argc, argv); !fault.empty()) return refusal(fault);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* asked = depth.parsed() ? &depth : width.parsed() ? &width : &app;
-    return {std::nullopt, asked->help(), fine};
+    return {std::nullopt, (asked() == std::end(apps) ? &app : *asked())->help(), fine};
   } catch (const CLI::CallForVersion&) {
     return {std::nullopt, "fathom " FATHOM_VERSION, fine};
   } catch (const CLI::ParseError& error) {
-    return refusal(sentence(error), depth.parsed() ? "depth" : width.parsed() ? "width" : "");
+    return refusal(sentence(error), asked() == std::end(apps) ? "" : (*asked())->get_name());
   }
-  if (!depth.parsed() && !width.parsed()) return refusal("expected a command: depth or width");
-  request.command = width.parsed() ? Command::width : Command::depth;
+  if (asked() == std::end(apps)) return refusal(fmt::format("expected a command: {}", fmt::join(commands, ", ")));
+  request.command = static_cast<Command>(asked() - std::begin(apps));
+  if (request.command == Command::cases) texts.wrong_cases = wrong_cases(cases, request.cases, request.inputs);
   return completed(std::move(request), texts);
 }
 

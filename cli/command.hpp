@@ -14,6 +14,8 @@ namespace fathom::cli {
 /// These throw InputError, OutputError, Interrupted; anything else is a fault of ours.
 ExitCode run_depth(const Request& request);
 ExitCode run_width(const Request& request);
+ExitCode run_study(const Request& request);
+ExitCode run_cases(const Request& request);
 
 /// What a command computes for one case.
 using Solve = std::function<Depth(const Case&, const Options&)>;

@@ -14,6 +14,8 @@ inline constexpr std::string_view general_examples =
     "  fathom depth --json cases.jsonl          many pairs: one case per line in, one result per line out\n"
     "  program | fathom depth --json -          the same as a filter: each answer before the next case is read\n"
     "  fathom width a.off                       the exact width of one body\n"
+    "  fathom study a.off b.stl                 what is degenerate about two bodies, by name and in counts\n"
+    "  fathom cases --family near_ties          test cases by name, as input for the others\n"
     "  fathom depth --help                      every option of a command\n";
 
 inline constexpr std::string_view depth_examples =
@@ -35,6 +37,25 @@ inline constexpr std::string_view width_examples =
     "  fathom width --json cases.jsonl          for a stream: the width of body a of each case\n"
     "  program | fathom width --json -          the same from standard input\n";
 
+inline constexpr std::string_view study_examples =
+    "Examples\n"
+    "  fathom study a.off b.stl                 parallel edges, coincident normals, ties, zeros of the predicates: two tables\n"
+    "  fathom study --all a.off b.stl           with the features of every coincidence\n"
+    "  fathom study --json a.off b.stl          one JSON object\n"
+    "  fathom study --csv cases.jsonl           a stream: a header, then one row of counts per case\n"
+    "  program | fathom study --json -          the same from standard input, as JSON\n";
+
+inline constexpr std::string_view cases_examples =
+    "Examples\n"
+    "  fathom cases --list                      the families, with a line on each\n"
+    "  fathom cases --family near_ties --count 100 --seed 7\n"
+    "                                           one case per line, schema fathom/case/1; the same on every machine\n"
+    "  fathom cases --family random_sphere --count 10 --size 50 | fathom depth -\n"
+    "                                           generated and answered\n"
+    "  fathom cases --catalogue                 all named degenerate pairs\n"
+    "  fathom cases --from a.obj b.obj --pose-b \"0 -1 0 1/2; 1 0 0 0; 0 0 1 0\"\n"
+    "                                           two meshes as one case; B turned and moved\n";
+
 inline constexpr std::string_view footer =
     "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.\n"
     "Results go to standard output, everything else to standard error.\n"
@@ -42,8 +63,10 @@ inline constexpr std::string_view footer =
 
 inline std::string footer_text() { return std::string(footer); }
 
+/// The commands, in the order of the general help.
+inline constexpr std::string_view commands[] = {"depth", "width", "study", "cases"};
+
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"approx",  "ray",    "metric", "check",  "cases",
-                                                       "certify", "golden", "study",  "explain"};
+inline constexpr std::string_view absent_commands[] = {"approx", "ray", "metric", "check", "certify", "golden", "explain"};
 
 }  // namespace fathom::cli

@@ -17,6 +17,16 @@ ExitCode failed(const std::string& sentence, ExitCode code) {
   return code;
 }
 
+ExitCode run_command(const Request& request) {
+  switch (request.command) {
+    case Command::depth: return run_depth(request);
+    case Command::width: return run_width(request);
+    case Command::study: return run_study(request);
+    case Command::cases: return run_cases(request);
+  }
+  return internal_error;
+}
+
 ExitCode run(int argc, char** argv) {
   try {
     const Arguments arguments = parse_arguments(argc, argv);
@@ -25,7 +35,7 @@ ExitCode run(int argc, char** argv) {
       print(arguments.text);
       return fine;
     }
-    return arguments.request->command == Command::width ? run_width(*arguments.request) : run_depth(*arguments.request);
+    return run_command(*arguments.request);
   } catch (const fathom::InputError& error) {
     return failed(error.what(), bad_input);
   } catch (const fathom::Interrupted&) {

@@ -6,20 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "cli/cases_request.hpp"
 #include "kernels/number/parse.hpp"
 #include "reference/depth/depth.hpp"
 
 namespace fathom::cli {
 
-enum class Command { depth, width };
+enum class Command { depth, width, study, cases };
 
 struct Request {
   Command command = Command::depth;
-  std::vector<std::string> inputs;  ///< depth: two meshes or one stream; width: one mesh or one stream
+  std::vector<std::string> inputs;  ///< depth, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::exact;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
   bool json = false;
+  bool csv = false;  ///< study: rows of counts
+  bool all = false;  ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
+  CasesRequest cases;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };
 

@@ -90,15 +90,6 @@ void add_counters(std::vector<Row>& rows, const Counters& counters) {
   }
 }
 
-/// The id as it is, unless it would break the line or play tricks with a terminal.
-std::string safe(const std::string& id) {
-  for (const char c : id) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      return nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  }
-  return id;
-}
-
 }  // namespace
 
 std::string text_block(const Answer& answer, const Request& request) {
@@ -131,7 +122,15 @@ std::string text_line(const Answer& answer, const Request& request) {
   std::vector<Row> rows;
   if (request.counters) add_counters(rows, depth.counters);
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
-  return fmt::format("{}: {}", safe(answer.id), fmt::join(parts, "; "));
+  return fmt::format("{}: {}", safe_id(answer.id), fmt::join(parts, "; "));
+}
+
+std::string safe_id(const std::string& id) {
+  for (const char c : id) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      return nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  }
+  return id;
 }
 
 std::optional<std::string> hull_note(const Answer& answer, const Request& request) {

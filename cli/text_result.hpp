@@ -16,6 +16,9 @@ std::string text_block(const Answer& answer, const Request& request);
 /// One line, without its newline.
 std::string text_line(const Answer& answer, const Request& request);
 
+/// The id as it is, unless it would break the line or play tricks with a terminal.
+std::string safe_id(const std::string& id);
+
 /// "A: 3 of 11 points are not extreme; the convex hull is taken", for each body of which that is known and true; else nothing.
 std::optional<std::string> hull_note(const Answer& answer, const Request& request);
 

@@ -18,8 +18,8 @@ namespace fathom {
 /// infinitesimal stands in the highest bits. A lower number is a larger monomial; 0 is the monomial 1.
 class Monomial {
  public:
-  static constexpr unsigned variables = 12;      ///< e1, ..., e12
-  static constexpr unsigned bits = 5;            ///< each
+  static constexpr unsigned variables = 12;  ///< e1, ..., e12
+  static constexpr unsigned bits = 5;        ///< each
   static constexpr unsigned largest_exponent = 31;
 
   constexpr Monomial() = default;

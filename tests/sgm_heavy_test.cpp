@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other oracles.
+// The pipeline and its naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other oracles.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -34,11 +34,13 @@ TEST(GaussianMaps, RefuseFlatBodies) {
 
 class EveryFamily : public ::testing::TestWithParam<Family> {};
 
-TEST_P(EveryFamily, OverlayEqualsTheNaiveTwin) {
+TEST_P(EveryFamily, OverlayEqualsThePipelineAndItsTwin) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Case pair = GetParam().make(seed, 16);
     if (!both_solid(pair)) continue;
-    EXPECT_EQ(sgm_oracle(pair.a.points, pair.b.points), naive_answer(pair.a.points, pair.b.points)) << pair.id;
+    const OracleAnswer overlay = sgm_oracle(pair.a.points, pair.b.points);
+    EXPECT_EQ(overlay, naive_answer(pair.a.points, pair.b.points)) << pair.id;
+    EXPECT_EQ(overlay, answer_of(penetration_depth(pair.a.points, pair.b.points))) << pair.id;
   }
 }
 
@@ -47,7 +49,9 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily, ::testing::ValuesIn(families::f
 
 TEST(GaussianMaps, LargeRandomSpheres) {
   const Case pair = families::find_family("random_sphere")->make(1, 100);
-  EXPECT_EQ(sgm_oracle(pair.a.points, pair.b.points), naive_answer(pair.a.points, pair.b.points)) << pair.id;
+  const OracleAnswer overlay = sgm_oracle(pair.a.points, pair.b.points);
+  EXPECT_EQ(overlay, naive_answer(pair.a.points, pair.b.points)) << pair.id;
+  EXPECT_EQ(overlay, answer_of(penetration_depth(pair.a.points, pair.b.points))) << pair.id;
 }
 
 }  // namespace

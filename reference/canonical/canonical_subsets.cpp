@@ -35,10 +35,8 @@ std::vector<Span> spans_of(const Charts& charts, Colour colour, std::uint32_t pa
   result.reserve(arcs.size());
   for (std::uint32_t i = 0; i < arcs.size(); ++i) {
     const bool left = arcs[i].left != at_infinity, right = arcs[i].right != at_infinity;
-    result.push_back({i,
-                      {left ? charts.wall(colour, arcs[i].left) + 1 : 0, right ? charts.wall(colour, arcs[i].right) + 1 : padded},
-                      left,
-                      right});
+    result.push_back(
+        {i, {left ? charts.wall(colour, arcs[i].left) + 1 : 0, right ? charts.wall(colour, arcs[i].right) + 1 : padded}, left, right});
   }
   return result;
 }
@@ -155,8 +153,7 @@ class CanonicalBuilder {
 
 CanonicalPair CanonicalSubsets::operator[](std::size_t i) const {
   const Record& r = records_[i];
-  return {r.stored_of,
-          std::span(stored_).subspan(r.stored_begin, r.stored_end - r.stored_begin),
+  return {r.stored_of, std::span(stored_).subspan(r.stored_begin, r.stored_end - r.stored_begin),
           std::span(queries_).subspan(r.queries_begin, r.queries_end - r.queries_begin)};
 }
 

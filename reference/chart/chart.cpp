@@ -64,9 +64,7 @@ std::uint32_t Charts::vertex_below(Colour c, const ChartArc& arc) const {
   return arc.flipped ? whole.above : whole.below;
 }
 
-Frame chart_frame(bool lower) {
-  return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, lower ? -1 : 1}, Role::pole)};
-}
+Frame chart_frame(bool lower) { return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, lower ? -1 : 1}, Role::pole)}; }
 
 Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation) {
   Charts charts{perturbation, frame, {&minus_a, &b}, {}, {}, {}};
@@ -86,12 +84,15 @@ Report validate(const Charts& charts) {
                   "wall " + std::to_string(i) + " is not right of the one before");
   }
   for (const Colour c : both_colours) {
-    const auto here = [&](std::uint32_t node) { return perturbed_side_of_equator(charts.perturbation, charts.node(c, node), charts.frame.z) > 0; };
+    const auto here = [&](std::uint32_t node) {
+      return perturbed_side_of_equator(charts.perturbation, charts.node(c, node), charts.frame.z) > 0;
+    };
     for (const ChartArc& part : charts.arcs_of(c)) {
       const std::string name = "arc " + std::to_string(part.arc) + ": ";
       const Arc& arc = charts.diagram(c).arcs[part.arc];
       const auto [left, right] = part.flipped ? std::pair(arc.to, arc.from) : std::pair(arc.from, arc.to);
-      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped, name + "flipped against its circle");
+      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped,
+                    name + "flipped against its circle");
       report.expect(part.left == at_infinity ? left == no_facet || !here(left) : part.left == left && here(left), name + "left end");
       report.expect(part.right == at_infinity ? right == no_facet || !here(right) : part.right == right && here(right), name + "right end");
       if (part.left != at_infinity && part.right != at_infinity) {

@@ -21,7 +21,8 @@ int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour o
 }
 
 int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
-  return orientation(e) * orientation(f) * perturbed_order_at_infinity(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
+  return orientation(e) * orientation(f) *
+         perturbed_order_at_infinity(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
 }
 
 int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
@@ -35,7 +36,7 @@ int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, co
     const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
     return earlier ? node_above_arc(charts, colour, e.right, colour, f) : -node_above_arc(charts, colour, f.right, colour, e);
   }
-  // Half-circles of rank 2 meet in one node, run to the same infinity, and the order there is that of their slopes.
+  // Both run from one node to the same infinity, or from it to one node: the order there is that of their slopes.
   const int far_left = above_far_left(charts, colour, e, colour, f);
   return e.left == at_infinity ? far_left : -far_left;
 }

@@ -47,13 +47,13 @@ struct Witness {
 
 struct Depth {
   Status status = Status::disjoint;
-  mpq_class squared;               ///< depth^2, in lowest terms; 0 unless penetrating
-  std::vector<Optimum> optima;     ///< one per direction, sorted lexicographically on it; empty unless penetrating
-  std::optional<Vector> direction; ///< of the first optimum; else a primitive u with h(u) <= 0
-  Point translation;               ///< of the first optimum; else 0
-  std::optional<Contact> contact;  ///< of the first optimum
-  std::optional<Witness> witness;  ///< of the first optimum; a common point when touching
-  bool flat_a = false, flat_b = false;  ///< whether the body has no interior
+  mpq_class squared;                           ///< depth^2, in lowest terms; 0 unless penetrating
+  std::vector<Optimum> optima;                 ///< one per direction, sorted lexicographically on it; empty unless penetrating
+  std::optional<Vector> direction;             ///< of the first optimum; else a primitive u with h(u) <= 0
+  Point translation;                           ///< of the first optimum; else 0
+  std::optional<Contact> contact;              ///< of the first optimum
+  std::optional<Witness> witness;              ///< of the first optimum; a common point when touching
+  bool flat_a = false, flat_b = false;         ///< whether the body has no interior
   std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when disjoint (no hull was needed)
   Counters counters;
 };

@@ -51,7 +51,7 @@ int affine_rank(std::span<const Vector> points);
 /// Throws std::invalid_argument when `points` is empty or holds 2^31 points or more.           [proofs/polytope.md]
 Polytope convex_hull(std::span<const Vector> points);
 
-/// Checks every law of the types above, Euler's formula, and convexity at every edge and every vertex: so far in linear time, and
+/// Checks every law of the types above, Euler's formula, and convexity at every edge and every vertex: so far O(n log n), and
 /// enough for a convex polytope [proofs/polytope.md, lemma 4]. `thorough` checks also that no input point lies outside it, in
 /// O(facets * points). Safe on any value, however broken.
 [[nodiscard]] Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough = true);

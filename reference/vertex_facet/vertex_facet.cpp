@@ -101,8 +101,8 @@ Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts,
   }
   for (const VertexFacetPair& pair : pairs) {
     ++seen[static_cast<std::size_t>(pair.facet_of)][pair.facet];
-    const std::vector<std::uint32_t> extreme = extreme_points(vertices[static_cast<std::size_t>(other(pair.facet_of))],
-                                                              charts.node(pair.facet_of, pair.facet).exact());
+    const std::vector<std::uint32_t> extreme =
+        extreme_points(vertices[static_cast<std::size_t>(other(pair.facet_of))], charts.node(pair.facet_of, pair.facet).exact());
     report.expect(std::ranges::binary_search(extreme, pair.vertex),
                   "vertex " + std::to_string(pair.vertex) + " is not extreme in the direction of facet " + std::to_string(pair.facet));
   }

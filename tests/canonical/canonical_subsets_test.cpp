@@ -85,9 +85,9 @@ TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
   }
 }
 
-// Hand-made charts: the smallest case in which two segment trees with breakpoints of their own lose a crossing. Stored over [0,10], query
-// over [5,15], crossing at 7. One skeleton finds it, whatever other walls there are.
-TEST(CanonicalSubsets, OneSkeletonFindsTheSmallestLostCrossing) {
+// Hand-made charts: stored over [0,10], query over [5,15], crossing at 7, with further walls of either colour around it. One skeleton
+// finds it, whatever other walls there are; errata_test.cpp shows what two skeletons of their own lose.
+TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   const auto node = [](long x, long y) { return Direction(Vector{x, y, 1}); };
   const auto arc = [&](std::vector<Direction>& nodes, Direction from, Direction to) {
     const auto first = static_cast<std::uint32_t>(nodes.size());

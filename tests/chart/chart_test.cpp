@@ -107,7 +107,8 @@ TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
     for (const Charts& charts : p->charts) {
       for (const Colour c : {Colour::a, Colour::b}) {
         const auto covers = [&](const ChartArc& arc, std::uint32_t wall) {
-          return (arc.left == at_infinity || charts.wall(c, arc.left) < wall) && (arc.right == at_infinity || wall < charts.wall(c, arc.right));
+          return (arc.left == at_infinity || charts.wall(c, arc.left) < wall) &&
+                 (arc.right == at_infinity || wall < charts.wall(c, arc.right));
         };
         for (const ChartArc& e : charts.arcs_of(c)) {
           for (const ChartArc& f : charts.arcs_of(c)) {

@@ -13,7 +13,7 @@ class Help(CliTest):
         for arguments in (["--help"], ["-h"]):
             out = self.answer(*arguments)
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
-            for word in ("depth", "width", "--version", "Exit codes: 0 fine; 2 ", "130 interrupted"):
+            for word in ("depth", "width", "study", "cases", "--version", "Exit codes: 0 fine; 2 ", "130 interrupted"):
                 self.assertIn(word, out)
         for command in ("depth", "width"):
             out = self.answer(command, "--help")
@@ -38,12 +38,12 @@ class Misuse(CliTest):
         self.assertIn("expected a command", self.refused("--"))
 
     def test_unknown_words(self):
-        self.assertIn("unknown command 'dept' (expected depth or width)", self.refused("dept", A, B))
+        self.assertIn("unknown command 'dept' (expected depth, width, study, cases)", self.refused("dept", A, B))
         self.assertIn("--frobnicate", self.refused("depth", "--frobnicate", A, B))
         self.assertIn("--json", self.refused("--json", "depth", A, B))
 
     def test_what_comes_later_is_refused_by_name(self):
-        for command in ("approx", "ray", "metric", "check", "cases", "certify", "golden", "study", "explain"):
+        for command in ("approx", "ray", "metric", "check", "certify", "golden", "explain"):
             self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
         for command in ("depth", "width"):
             for method in ("certificate", "shallow"):
@@ -83,11 +83,13 @@ class Misuse(CliTest):
             self.assertNotIn("\x1b", self.refused(*arguments))
 
     def test_names_of_files_are_free(self):
-        for name in ("width", "depth", "[x]", "-x"):
+        for name in ("width", "depth", "ray", "[x]", "-x", "--certificate"):
             self.file(name, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
-            out = self.run_cli("width", "--", name, cwd=self.folder)
-            self.assertEqual(out[0], 0, out)
-            self.assertIn("width^2", out[1])
+            for words in [["--", name]] + [[name]] * (not name.startswith("-")):
+                with self.subTest(words=words):
+                    code, out, err = self.run_cli("width", *words, cwd=self.folder)
+                    self.assertEqual(code, 0, err)
+                    self.assertIn("width^2", out)
 
 
 if __name__ == "__main__":

@@ -162,6 +162,7 @@ class Text(CliTest):
     def test_long_numbers(self):
         out = self.answer("depth", CUBE, ICOSAHEDRON)
         result = self.result("depth", CUBE, ICOSAHEDRON)
+        self.assertIn(f"\ndepth        {result['depth']['value']!r}\n", out)
         self.assertIn(f"\ndepth^2      {result['depth']['squared']}\n", out)
         first = Fraction(result["translation"][0])
         self.assertIn(f"\ntranslation  ~({float(first):.9g}, ", out)

@@ -19,14 +19,15 @@ def on_sphere(count, seed):
     return [[x / sum(y * y for y in point) ** 0.5 for x in point] for point in points]
 
 
-# Far more than a second of work for the naive method, and little memory.
+# Far more than a second of work for the naive method, in little memory; a second or two; the former for the exact method.
 LONG = case(on_sphere(1000, 1), on_sphere(1000, 2))
+MIDDLE = case(on_sphere(400, 1), on_sphere(400, 2))
 
 
 def run_on_terminal(*arguments, stop_at=None):
-    """(exit code, what appeared on stderr, a terminal). SIGINT is sent once `stop_at` has appeared."""
+    """(exit code, stdout, what appeared on stderr, a terminal). SIGINT is sent once `stop_at` has appeared."""
     ours, theirs = pty.openpty()
-    with subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.DEVNULL, stderr=theirs) as process:
+    with subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.PIPE, stderr=theirs) as process:
         os.close(theirs)
         seen = b""
         while True:
@@ -41,7 +42,7 @@ def run_on_terminal(*arguments, stop_at=None):
                 process.send_signal(signal.SIGINT)
                 stop_at = None
         os.close(ours)
-        return process.wait(PATIENCE), seen
+        return process.wait(PATIENCE), process.stdout.read(), seen
 
 
 class Interrupts(CliTest):
@@ -111,14 +112,25 @@ class Output(CliTest):
 
 class Bar(CliTest):
     def test_none_without_a_terminal(self):
-        self.assertEqual(self.run_cli("depth", A, B)[2], "")
+        code, _, err = self.run_cli("depth", "--method", "naive", "-", stdin=MIDDLE)
+        self.assertEqual((code, err), (0, ""))
+
+    def test_none_for_short_work(self):
+        code, out, seen = run_on_terminal("depth", A, B)
+        self.assertEqual((code, seen), (0, b""))
+        self.assertTrue(out.startswith(b"penetrating\n"))
 
     def test_long_work_on_a_terminal(self):
-        """Shown, and wiped before the last words."""
+        """Shown, and wiped before the last words; whether the stage can be interrupted or not."""
         path = self.file("long.jsonl", LONG)
-        code, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"% hull of all differences")
-        self.assertEqual(code, 130)
+        code, out, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"% hull of all differences")
+        self.assertEqual((code, out), (130, b""))
         self.assertRegex(seen, rb"\r\x1b\[Kline 1 \[\.{30}\]   0% hull of all differences \d+ s")
+        self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
+
+        a, b = self.file("a.xyz", on_sphere(20000, 1)), self.file("b.xyz", on_sphere(20000, 2))
+        code, out, seen = run_on_terminal("depth", a, b, stop_at=b"% ")
+        self.assertEqual((code, out), (130, b""))
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 
 

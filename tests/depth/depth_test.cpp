@@ -13,15 +13,10 @@
 namespace fathom {
 namespace {
 
+using oracles::answer_of;
 using oracles::OracleAnswer;
 using testing::check;
 using testing::text;
-
-OracleAnswer answer(const Depth& depth) {
-  OracleAnswer result{depth.status, depth.squared, {}};
-  for (const Optimum& o : depth.optima) result.directions.push_back(o.direction);
-  return result;
-}
 
 Depth solve(const Case& input, const Options& options = {}) { return penetration_depth(input.a.points, input.b.points, options); }
 
@@ -36,7 +31,7 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const Case input = GetParam().make(seed, size);
       const Depth depth = solve(input, validated), twin = solve(input, naive);
-      EXPECT_EQ(answer(depth), answer(twin)) << input.id;
+      EXPECT_EQ(answer_of(depth), answer_of(twin)) << input.id;
       EXPECT_EQ(depth.optima, twin.optima) << input.id;
       const Report report = check(depth, input.a.points, input.b.points);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
@@ -54,7 +49,7 @@ TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
       options.perturbation = perturbation;
       options.validate = true;
       const Depth other = solve(input, options);
-      EXPECT_EQ(answer(other), answer(depth)) << input.id;
+      EXPECT_EQ(answer_of(other), answer_of(depth)) << input.id;
       EXPECT_EQ(other.optima, depth.optima) << input.id;
       EXPECT_EQ(other.witness, depth.witness) << input.id;
     }
@@ -68,7 +63,7 @@ TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
     if (depth.status != Status::penetrating) continue;
     const auto p = testing::prepare(input);
     const NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
-    const std::vector<Vector> directions = answer(depth).directions;
+    const std::vector<Vector> directions = answer_of(depth).directions;
     EXPECT_EQ(std::vector<Vector>(naive.directions().begin(), naive.directions().end()), directions) << input.id;
     EXPECT_EQ(std::vector<Vector>(scan.directions().begin(), scan.directions().end()), directions) << input.id;
   }
@@ -78,7 +73,7 @@ TEST_P(EveryFamily, EqualsTheIndependentOracles) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
     if (input.a.points.size() > 12 || input.b.points.size() > 12) continue;
-    const OracleAnswer mine = answer(solve(input));
+    const OracleAnswer mine = answer_of(solve(input));
     EXPECT_EQ(mine, oracles::cdd_oracle(input.a.points, input.b.points)) << input.id;
     if (input.a.points.size() * input.b.points.size() <= 80) {
       EXPECT_EQ(mine, oracles::brute_oracle(input.a.points, input.b.points)) << input.id;

@@ -67,8 +67,15 @@ TEST(Metamorphic, TranslatingBothChangesNothing) {
 }
 
 TEST(Metamorphic, SignedAxisPermutationsTurnTheDirections) {
-  const std::vector<Map> maps{[](const Point& p) { return Point{p.y, p.z, p.x}; }, [](const Point& p) { return Point{-p.x, p.z, p.y}; },
-                              [](const Point& p) { return Point{p.z, -p.y, -p.x}; }};
+  const std::vector<Map> maps{[](const Point& p) {
+                                return Point{p.y, p.z, p.x};
+                              },
+                              [](const Point& p) {
+                                return Point{-p.x, p.z, p.y};
+                              },
+                              [](const Point& p) {
+                                return Point{p.z, -p.y, -p.x};
+                              }};
   for (const Case& input : cases_of_all_families(1, 12)) {
     for (const Map& map : maps) expect_similar(input, map, map, 1, "signed permutation");
   }

@@ -3,6 +3,7 @@
 #include "reference/files/cases.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>

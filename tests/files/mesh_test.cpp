@@ -4,11 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "reference/files/source.hpp"
 

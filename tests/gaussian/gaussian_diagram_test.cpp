@@ -220,5 +220,31 @@ TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
   });
 }
 
+// The diagram of a polytope that is none follows its facets and edges faithfully, and is refused all the same.
+TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
+  const auto expect_refused = [](const std::string& what, const Polytope& broken) {
+    for (const bool reflected : {false, true}) EXPECT_FALSE(validate(diagram_of(broken, reflected), broken, reflected).ok()) << what;
+  };
+  const Polytope segment = convex_hull(corners({1, 2, 3, 4, 6, 8})), square = convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
+                 cube = convex_hull(corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
+  Polytope broken = segment;
+  broken.vertices[1] = broken.vertices[0];
+  expect_refused("a segment of length 0", broken);
+  broken = square;
+  broken.facets[1].normal = broken.facets[1].normal + Vector{0, 0, 3 * broken.facets[1].normal.z};
+  EXPECT_TRUE(validate(gaussian_diagram(broken), broken, false).ok()) << "lengths carry no meaning";
+  broken.facets[1].normal = broken.facets[0].normal;
+  expect_refused("both sides of a polygon face up", broken);
+  broken.facets[0].normal = broken.facets[0].normal + Vector{1, 0, 0};
+  broken.facets[1].normal = -broken.facets[0].normal;
+  expect_refused("a polygon whose normal is tilted", broken);
+  broken = cube;
+  broken.facets[2].normal = broken.facets[2].normal + Vector{0, 0, 1} + Vector{0, 1, 0} + Vector{1, 0, 0};
+  expect_refused("a tilted facet", broken);
+  broken = cube;
+  broken.vertices.push_back({2, 2, 2});
+  expect_refused("a vertex without edges", broken);
+}
+
 }  // namespace
 }  // namespace fathom

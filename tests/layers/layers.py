@@ -26,7 +26,7 @@ ORDER = [
     ["reference/width"],
     ["reference/approximate", "reference/certificate"],
     ["cmake"],  # the umbrella header
-    ["verify/check", "verify/families"],
+    ["verify/check", "verify/families", "verify/study"],
     ["cli"],
     ["tests"],
 ]

@@ -6,6 +6,12 @@
 
 namespace fathom::oracles {
 
+OracleAnswer answer_of(const Depth& depth) {
+  OracleAnswer answer{depth.status, depth.squared, {}};
+  for (const Optimum& optimum : depth.optima) answer.directions.push_back(optimum.direction);
+  return answer;
+}
+
 std::ostream& operator<<(std::ostream& out, const OracleAnswer& answer) {
   constexpr const char* names[] = {"penetrating", "touching", "disjoint"};
   out << names[static_cast<int>(answer.status)] << ", depth^2 " << answer.squared << ", directions";

@@ -21,6 +21,9 @@ struct OracleAnswer {
   friend bool operator==(const OracleAnswer&, const OracleAnswer&) = default;
 };
 
+/// What the pipeline answered, to compare.
+OracleAnswer answer_of(const Depth& depth);
+
 /// For the messages of failing tests.
 std::ostream& operator<<(std::ostream& out, const OracleAnswer& answer);
 

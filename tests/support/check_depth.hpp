@@ -60,12 +60,14 @@ inline Report check(const Depth& depth, std::span<const Point> a, std::span<cons
     report.expect(depth.squared == 0 && depth.optima.empty() && !depth.contact && depth.translation == Point{}, "nothing but zero");
     if (report.expect(depth.direction.has_value(), "no separating direction")) {
       const int sign = sgn(support(a, b, *depth.direction));
-      report.expect(!is_zero(*depth.direction) && (depth.status == Status::touching ? sign == 0 : sign < 0), "h of the separating direction");
+      report.expect(!is_zero(*depth.direction) && (depth.status == Status::touching ? sign == 0 : sign < 0),
+                    "h of the separating direction");
     }
     report.expect(depth.witness.has_value() == (depth.status == Status::touching), "a common point exactly when touching");
     if (depth.witness) {
       report.expect(depth.witness->a == depth.witness->b, "the common point is one point");
-      report.expect(in_hull(depth.witness->a, a, hull_a.input_ids) && in_hull(depth.witness->b, b, hull_b.input_ids), "common point in both");
+      report.expect(in_hull(depth.witness->a, a, hull_a.input_ids) && in_hull(depth.witness->b, b, hull_b.input_ids),
+                    "common point in both");
     }
     return report;
   }
@@ -81,7 +83,8 @@ inline Report check(const Depth& depth, std::span<const Point> a, std::span<cons
     report.expect(o.contact.kind == kind_of(o.contact.a.size(), o.contact.b.size()), "contact kind");
   }
   const Optimum& first = depth.optima.front();
-  report.expect(depth.direction == first.direction && depth.translation == first.translation && depth.contact == first.contact, "first optimum");
+  report.expect(depth.direction == first.direction && depth.translation == first.translation && depth.contact == first.contact,
+                "first optimum");
   if (report.expect(depth.witness.has_value(), "no witness")) {
     const Point& p = depth.witness->a;
     const Point& q = depth.witness->b;

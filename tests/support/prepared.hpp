@@ -55,7 +55,6 @@ inline std::vector<Case> cases_of_all_families(unsigned seeds, unsigned size) {
   return cases;
 }
 
-
 /// A few ways to resolve coincidences: any order of the infinitesimals, any signs. The first is the usual one.
 inline std::vector<Perturbation> perturbations() {
   std::vector<Perturbation> result(4);

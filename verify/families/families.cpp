@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "verify/families/broken.hpp"
 #include "verify/families/bundles.hpp"
 #include "verify/families/contacts.hpp"
 #include "verify/families/degenerate.hpp"
@@ -26,6 +27,11 @@ Bodies overlapping(Random& random, unsigned n) {
 template <int RankA, int RankB>
 Bodies flat(Random& random, unsigned n) {
   return flat(RankA, RankB, random, n);
+}
+
+template <Degradation Way>
+Bodies degraded(Random& random, unsigned n) {
+  return degraded(Way, random, n);
 }
 
 constexpr Family table[] = {
@@ -101,6 +107,44 @@ constexpr Family table[] = {
     {"solid_point", "a solid against a point, small half-integers", 6, flat<3, 0>},
     {"solid_segment", "a solid against a segment, small half-integers", 6, flat<3, 1>},
     {"solid_polygon", "a solid against a polygon, small half-integers", 6, flat<3, 2>},
+    // Broken on purpose.
+    {"catalogue", "entries of the catalogue of degenerate pairs, in random order; the size is ignored", 10, from_catalogue},
+    {"approaching", "entries of the catalogue, every point moved by about 2^-k; the size is ignored", 10, approaching_catalogue},
+    {"degraded_duplicate_points", "spheres of points; some points are given again", 10, degraded<Degradation::duplicate_points>},
+    {"degraded_collinear_points", "spheres of points; points inside edges", 10, degraded<Degradation::collinear_points>},
+    {"degraded_coplanar_points", "spheres of points; a facet with four corners or more, and a point inside it", 10,
+     degraded<Degradation::coplanar_points>},
+    {"degraded_shared_vertex", "spheres of points; a vertex of A is a vertex of B", 10, degraded<Degradation::shared_vertex>},
+    {"degraded_shared_edge_direction", "spheres of points; an edge of A is parallel to an edge of B", 10,
+     degraded<Degradation::shared_edge_direction>},
+    {"degraded_shared_facet_normal", "spheres of points; a facet of A and one of B have the same normal", 10,
+     degraded<Degradation::shared_facet_normal>},
+    {"degraded_opposite_facet_normals", "spheres of points; a facet of A and one of B have opposite normals", 10,
+     degraded<Degradation::opposite_facet_normals>},
+    {"degraded_coplanar_facets", "spheres of points; a facet of A and one of B lie in one plane, on the same side of it", 10,
+     degraded<Degradation::coplanar_facets>},
+    {"degraded_axis_aligned_facet", "spheres of points; each body has a facet across a coordinate axis", 10,
+     degraded<Degradation::axis_aligned_facet>},
+    {"degraded_normal_at_pole", "spheres of points; each body has a facet with the normal (0, 0, 1) or (0, 0, -1)", 10,
+     degraded<Degradation::normal_at_pole>},
+    {"degraded_normal_on_equator", "spheres of points; each body has a facet whose normal has z = 0", 10,
+     degraded<Degradation::normal_on_equator>},
+    {"degraded_arc_on_equator", "spheres of points; each body has an edge parallel to the z-axis", 10,
+     degraded<Degradation::arc_on_equator>},
+    {"degraded_vertical_edge", "spheres of points; each body has an edge with y = 0 in its direction: its arc stands upright in the chart",
+     10, degraded<Degradation::vertical_edge>},
+    {"degraded_nodes_on_one_vertical", "spheres of points; a node of each Gaussian diagram on one vertical of the chart", 10,
+     degraded<Degradation::nodes_on_one_vertical>},
+    {"degraded_normal_on_arc", "spheres of points; a node of -A in the middle of an arc of B", 10, degraded<Degradation::normal_on_arc>},
+    {"degraded_flattened_body", "spheres of points; A, B or both are projected into the plane of a facet", 10,
+     degraded<Degradation::flattened_body>},
+    {"degraded_identical_bodies", "spheres of points; B = A", 10, degraded<Degradation::identical_bodies>},
+    {"degraded_tie_by_reflection", "spheres of points; both bodies are symmetric about O: every optimum has an opposite one", 10,
+     degraded<Degradation::tie_by_reflection>},
+    {"degraded_touching_translation", "spheres of points; A is moved by its exact translation: the bodies touch", 10,
+     degraded<Degradation::touching_translation>},
+    {"degraded_snapped_to_lattice", "spheres of points; coordinates are rounded to a coarse grid", 10,
+     degraded<Degradation::snapped_to_lattice>},
 };
 
 /// FNV-1a; gives every family its own stream of random numbers.

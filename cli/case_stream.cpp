@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/case_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+
+namespace fathom::cli {
+namespace {
+
+class Stream {
+ public:
+  explicit Stream(const StreamWork& work) : work_(work) {}
+
+  void take(const CaseItem& item) {
+    const Working working;
+    ++cases_;
+    progress_.about(fmt::format("line {}", item.line));
+    if (!item.ok()) return report(item, item.error().what(), bad_input);
+    try {
+      work_.answer(item.value(), progress_);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const OutputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      report(item, fault_text(error), internal_error);
+    }
+  }
+
+  ExitCode finish() const {
+    if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
+    return code_;
+  }
+
+  [[nodiscard]] std::size_t cases() const { return cases_; }
+
+ private:
+  void report(const CaseItem& item, const std::string& sentence, ExitCode code) {
+    ++failed_;
+    code_ = std::max(code_, code);
+    progress_.clear();
+    work_.error_line ? print(work_.error_line(item, sentence)) : talk(sentence);
+  }
+
+  const StreamWork& work_;
+  Progress progress_;
+  std::size_t cases_ = 0, failed_ = 0;
+  ExitCode code_ = fine;
+};
+
+}  // namespace
+
+ExitCode for_each_case(const std::string& input, const StreamWork& work, std::size_t* cases) {
+  std::ios::sync_with_stdio(false);  // whole blocks at a time; a pipe still yields each line as it comes
+  CaseStream items = CaseStream::open(input, std::cin);
+  if (!work.header.empty()) print(work.header);
+  Stream stream(work);
+  while (const std::optional<CaseItem> item = items.next()) {
+    stream.take(*item);
+    if (interrupt_requested()) throw Interrupted();
+  }
+  if (cases != nullptr) *cases = stream.cases();
+  return stream.finish();
+}
+
+}  // namespace fathom::cli

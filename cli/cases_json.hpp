@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases as text: one line of schema fathom/case/1, with every coordinate exact for every reader.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/files/body.hpp"
+#include "reference/files/pose.hpp"
+
+namespace fathom::cli {
+
+/// A case to be written, with what stands beside its bodies. Empty fields are left out.
+struct CaseText {
+  std::string id;
+  const Body& a;
+  const Body& b;
+  std::optional<Pose> pose_a, pose_b;
+  std::vector<std::string> flags;
+  std::vector<std::pair<std::string, std::string>> source;  ///< keys and texts
+  std::string comment;
+};
+
+/// One line, without its newline. A coordinate is a JSON number if it is a binary64 number, in the shortest text that reads back as it;
+/// else a string: an integer or p/q. Pure ASCII.
+std::string case_json(const CaseText& text);
+
+}  // namespace fathom::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `fathom cases` was asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace fathom::cli {
+
+struct CasesRequest {
+  enum class What { family, catalogue, list, from };
+  What what = What::family;
+  std::string family;
+  std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
+  std::optional<unsigned> size;       ///< none: the family's usual size
+  std::optional<std::string> pose_a, pose_b;
+};
+
+}  // namespace fathom::cli

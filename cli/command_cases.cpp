@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom cases --family NAME | --catalogue | --list | --from A B
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "cli/cases_json.hpp"
+#include "cli/cases_pose.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "reference/files/mesh.hpp"
+#include "reference/files/source.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::size_t suggestions = 3, longest_name = 60;
+
+/// The least number of letters to insert, delete or replace.
+std::size_t edits(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
+    }
+  }
+  return row.back();
+}
+
+/// Names that hold `name` come first, then those with the fewest edits.
+std::vector<std::string_view> nearest_names(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const families::Family& family : families::families()) names.push_back(family.name);
+  const std::string_view typed = name.substr(0, longest_name);
+  const auto distance = [typed](std::string_view other) {
+    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : edits(typed, other);
+  };
+  std::ranges::stable_sort(names, {}, distance);
+  names.resize(std::min(names.size(), suggestions));
+  return names;
+}
+
+ExitCode print_family(const CasesRequest& request) {
+  const families::Family* family = families::find_family(request.family);
+  if (!family)
+    throw InputError("--family", 0,
+                     fmt::format("{} is unknown (nearest: {}; --list lists all)", shown(request.family),
+                                 fmt::join(nearest_names(request.family), ", ")));
+  const unsigned size = request.size.value_or(family->usual_size);
+  for (std::uint64_t i = 0; i < request.count; ++i) {
+    const std::uint64_t seed = request.seed + i;
+    const Case pair = family->make(seed, size);
+    print(case_json({pair.id,
+                     pair.a,
+                     pair.b,
+                     {},
+                     {},
+                     {},
+                     {{"family", request.family}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}},
+                     ""}));
+  }
+  return fine;
+}
+
+ExitCode print_catalogue() {
+  for (const families::CatalogueEntry& entry : families::catalogue())
+    print(case_json({entry.pair.id,
+                     entry.pair.a,
+                     entry.pair.b,
+                     {},
+                     {},
+                     {},
+                     {{"catalogue", std::string(entry.name)}},
+                     fmt::format("{}; not so: {}", entry.description, entry.breaks)}));
+  return fine;
+}
+
+ExitCode print_list() {
+  std::size_t column = 0;
+  for (const families::Family& family : families::families()) column = std::max(column, family.name.size());
+  for (const families::Family& family : families::families()) print(fmt::format("{:<{}}  {}", family.name, column, family.description));
+  return fine;
+}
+
+ExitCode print_meshes(const Request& request) {
+  const auto pose = [&](const std::optional<std::string>& text, const char* option) {
+    return text ? std::optional<Pose>(parse_pose(*text, option, request.decimals)) : std::nullopt;
+  };
+  const std::optional<Pose> pose_a = pose(request.cases.pose_a, "--pose-a"), pose_b = pose(request.cases.pose_b, "--pose-b");
+  const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
+  const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
+  print(case_json({path_a + " " + path_b, a, b, pose_a, pose_b, {}, {{"a", path_a}, {"b", path_b}}, ""}));
+  return fine;
+}
+
+}  // namespace
+
+ExitCode run_cases(const Request& request) {
+  switch (request.cases.what) {
+    case CasesRequest::What::family: return print_family(request.cases);
+    case CasesRequest::What::catalogue: return print_catalogue();
+    case CasesRequest::What::list: return print_list();
+    case CasesRequest::What::from: return print_meshes(request);
+  }
+  return internal_error;
+}
+
+}  // namespace fathom::cli

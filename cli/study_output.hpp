@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies for people (tables), for programs (JSON, schemas/study.schema.json) and for spreadsheets (CSV, RFC 4180 with "\n").
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "verify/study/study.hpp"
+
+namespace fathom::cli {
+
+/// Several lines, without the last newline. `all`: with every coincidence that the study lists.
+std::string study_block(const Study& study, bool all);
+
+/// One line, without its newline: what is not zero.
+std::string study_line(const std::string& id, const Study& study);
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string study_json(const std::string& id, const Study& study);
+/// What stands in a stream of studies for a case that has none.
+std::string study_json_error(const std::string& id, std::size_t line, const std::string& error);
+
+/// The names of the columns; a row of counts; a row with nothing but an error. Without their newlines.
+std::string study_csv_header();
+std::string study_csv_row(const std::string& id, const Study& study);
+std::string study_csv_error(const std::string& id, const std::string& error);
+
+}  // namespace fathom::cli

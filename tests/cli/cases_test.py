@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom cases: families, the catalogue, and two meshes become lines that every reader understands in the same way."""
+import fractions
+import json
+import subprocess
+import unittest
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest
+
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "case.schema.json").read_text()))
+A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
+
+
+class CasesTest(CliTest):
+    def cases(self, *arguments):
+        return [json.loads(line) for line in self.answer("cases", *arguments).splitlines()]
+
+    def families(self):
+        return [line.split()[0] for line in self.answer("cases", "--list").splitlines()]
+
+    def depths(self, lines):
+        return [json.loads(line) for line in self.answer("depth", "--json", "-", stdin=lines).splitlines()]
+
+
+class Families(CasesTest):
+    def test_list(self):
+        lines = self.answer("cases", "--list").splitlines()
+        self.assertGreater(len(lines), 60)
+        for line in lines:
+            self.assertRegex(line, r"^[a-z_]+  +\S")
+        self.assertTrue({"catalogue", "approaching", "degraded_shared_vertex", "random_ball"} <= set(self.families()))
+
+    def test_every_family_feeds_depth(self):
+        lines = "".join(self.answer("cases", "--family", family, "--count", 3, "--size", 7) for family in self.families())
+        cases, results = [json.loads(line) for line in lines.splitlines()], self.depths(lines)
+        self.assertEqual(len(cases), 3 * len(self.families()))
+        self.assertEqual([case["id"] for case in cases], [result["id"] for result in results])
+        self.assertEqual({"penetrating", "touching", "disjoint"}, {result["status"] for result in results})
+        naive = self.answer("depth", "--json", "--method", "naive", "-", stdin=lines).splitlines()
+        for case, result, twin in zip(cases, results, naive):
+            VALIDATOR.validate(case)
+            self.assertEqual(result["depth"], json.loads(twin)["depth"], case["id"])
+
+    def test_options(self):
+        several = self.cases("--family", "random_ball", "--count", 3, "--seed", 5, "--size", 6)
+        self.assertEqual([case["id"] for case in several], [f"random_ball-n6-s{seed}" for seed in (5, 6, 7)])
+        self.assertEqual(several[1:2], self.cases("--family", "random_ball", "--seed", 6, "--size", 6))
+        self.assertEqual(several[0]["source"], {"family": "random_ball", "size": "6", "seed": "5"})
+        self.assertEqual({len(case["a"]["vertices"]) for case in several}, {6})
+        self.assertEqual(self.cases("--family", "random_ball")[0]["id"], "random_ball-n20-s1")
+        largest = self.cases("--family", "random_ball", "--count", 2, "--seed", 2**64 - 1)
+        self.assertEqual([case["id"] for case in largest], [f"random_ball-n20-s{2**64 - 1}", "random_ball-n20-s0"])
+
+    def test_numbers_are_exact_for_every_reader(self):
+        """What a program in doubles reads is the coordinate itself: a number when it is one, a string when it is not."""
+        kinds = set()
+        for family in ("random_ball", "boxes_posed", "wild_coordinates", "catalogue"):
+            for case in self.cases("--family", family, "--count", 20):
+                for x in (x for body in "ab" for vertex in case[body]["vertices"] for x in vertex):
+                    kinds.add(type(x))
+                    if isinstance(x, str):
+                        exact = fractions.Fraction(x)
+                        self.assertTrue(abs(exact) > 1e308 or fractions.Fraction(float(exact)) != exact, x)
+        self.assertEqual(kinds, {int, float, str})
+
+    def test_text_of_numbers_is_short(self):
+        line = self.answer("cases", "--family", "catalogue", "--count", 40)
+        self.assertNotIn(".0,", line)
+        self.assertIn("0.25", self.answer("cases", "--catalogue"))
+        self.assertIn('"2/3"', self.answer("cases", "--catalogue"))
+
+    def test_endless_output_ends_with_its_reader(self):
+        with subprocess.Popen([EXECUTABLE, "cases", "--family", "point_point", "--count", "1000000000"], stdout=subprocess.PIPE) as process:
+            self.assertIn("point_point-n6-s1", process.stdout.readline().decode())
+            process.stdout.close()
+            self.assertNotEqual(process.wait(PATIENCE), 0)
+
+
+class Catalogue(CasesTest):
+    def test_all_entries(self):
+        lines = self.answer("cases", "--catalogue")
+        cases, results = [json.loads(line) for line in lines.splitlines()], self.depths(lines)
+        self.assertGreaterEqual(len(cases), 40)
+        self.assertEqual(len({case["id"] for case in cases}), len(cases))
+        found = {result["id"]: result for result in results}
+        for case in cases:
+            VALIDATOR.validate(case)
+            self.assertTrue(case["comment"])
+            if case["id"].startswith("touching_"):
+                self.assertEqual(found[case["id"]]["status"], "touching")
+        for kind in ("facet-vertex", "vertex-facet", "facet-edge", "edge-facet", "facet-facet", "edge-edge"):
+            self.assertEqual(found["contact_" + kind.replace("-", "_")]["contact"]["kind"], kind)
+        self.assertEqual(found["nearly_touching_deep"]["depth"]["squared"], f"1/{2**2000}")
+
+
+class FromMeshes(CasesTest):
+    def same_as_meshes(self, a, b, *options):
+        line = self.answer("cases", "--from", *options, a, b)
+        VALIDATOR.validate(json.loads(line))
+        self.assertEqual(line.count("\n"), 1)
+        streamed, direct = self.result("depth", "-", stdin=line), self.result("depth", *options, a, b)
+        self.assertEqual(streamed, direct)
+        return json.loads(line)
+
+    def test_equals_the_meshes(self):
+        case = self.same_as_meshes(A, B)
+        self.assertEqual(case["id"], f"{A} {B}")
+        for mesh in ("wedge.obj", "wedge_binary.stl", "wedge_little.ply", "wedge.xyz"):
+            self.same_as_meshes(DATA / mesh, A)
+        tenth = self.file("tenth.xyz", [[0.1, 0, 0], [1, 0, "1/3"], [0, 1, 0], [0, 0, 1], [-0.1, -0.3, -0.7]])
+        rounded, exact = self.same_as_meshes(tenth, A), self.same_as_meshes(tenth, A, "--exact-decimals")
+        self.assertEqual((rounded["a"]["vertices"][0][0], exact["a"]["vertices"][0][0]), (0.1, "1/10"))
+        self.assertEqual(rounded["a"]["vertices"][1], [1, 0, "1/3"])
+
+    def test_poses(self):
+        unit = self.file("unit.xyz", UNIT)
+        text, array = "0 -1 0 1/3; 1 0 0 0.5; 0 0 1 0", '[["0",-1,0,"1/3"],[1,0,0,0.5],[0,0,1,0]]'
+        for pose in (text, array, " " + array, text.replace(" 0;", "\t0 ;") + ";"):
+            case, = self.cases("--from", unit, unit, "--pose-b", pose)
+            self.assertNotIn("pose", case["a"])
+            self.assertEqual(case["b"]["pose"], [[0, -1, 0, "1/3"], [1, 0, 0, 0.5], [0, 0, 1, 0]])
+            self.assertEqual(case["b"]["vertices"], UNIT)
+            turned = self.file("turned.xyz", [[f"{1 - 3 * y}/3", f"{1 + 2 * x}/2", z] for x, y, z in UNIT])
+            posed, direct = self.result("depth", "-", stdin=json.dumps(case)), self.result("depth", unit, turned)
+            for field in ("depth", "optima", "witness", "contact"):
+                self.assertEqual(posed[field], direct[field])
+        tenth = "1 0 0 0.1; 0 1 0 0; 0 0 1 0"
+        self.assertEqual(self.cases("--from", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], 0.1)
+        self.assertEqual(self.cases("--from", "--exact-decimals", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], "1/10")
+
+    def test_bad_poses(self):
+        for pose in (" ", "1 0 0 0", "1 0 0; 0 1 0; 0 0 1", "[1,2,3]", "[[1,0,0,0],[0,1,0,0]]", "[[1,0,0,0],[0,1,0,0],[0,0,1,0]", "{}",
+                     "[[1,0,0,1e400],[0,1,0,0],[0,0,1,0]]", "1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"):
+            self.assertIn("--pose-a: expected three rows of four numbers", self.refused("cases", "--from", A, B, f"--pose-a={pose}"))
+        for pose in ("1 0 0 0; 0 1 0 x; 0 0 1 0", "1 0 0 0; 0 1 0 nan; 0 0 1 0", "[[1,0,0,0],[0,1,0,null],[0,0,1,0]]",
+                     "[[1,0,0,0],[0,1,0,[0]],[0,0,1,0]]", '[[1,0,0,0],[0,1,0,"1/0"],[0,0,1,0]]'):
+            self.assertIn("--pose-b: row 2, number 4: expected a number", self.refused("cases", "--from", A, B, "--pose-b", pose))
+
+    def test_bad_meshes(self):
+        self.assertIn("found none of this name", self.refused("cases", "--from", A, self.folder / "missing.off"))
+        self.assertIn("empty.off:", self.refused("cases", "--from", A, self.file("empty.off", "")))
+
+
+class Misuse(CasesTest):
+    def test_unknown_families(self):
+        err = self.refused("cases", "--family", "near_tie")
+        self.assertIn("--family: 'near_tie' is unknown (nearest: near_ties, near_tie_boxes, ", err)
+        self.assertIn("nearest: touching_edge_edge, ", self.refused("cases", "--family", "toching_edge_egde"))
+        self.assertNotIn("\x1b", self.refused("cases", "--family", "\x1b[2J"))
+        for name in ("", "x" * 5000, "RANDOM_BALL"):
+            self.assertIn("is unknown" if name else "--family", self.refused("cases", "--family", name))
+
+    def test_bad_numbers(self):
+        for option, low, high in (("--count", 1, 10**9), ("--seed", 0, 2**64 - 1), ("--size", 1, 10**6)):
+            for value in ("-1", "1.5", "many", "1e3", str(high + 1), str(low - 1), " 1", "+1", "0x2"):
+                self.assertIn(f"{option}: expected an integer from {low} to {high}", self.refused("cases", "--family", "cube", f"{option}={value}"))
+
+    def test_what_does_not_go_together(self):
+        one_of = "cases expects one of --family, --catalogue, --list and --from"
+        self.assertIn(one_of + ", found none", self.refused("cases"))
+        self.assertIn(one_of + ", found none", self.refused("cases", A, B))
+        self.assertIn(one_of + ", found several", self.refused("cases", "--list", "--catalogue"))
+        self.assertIn(one_of + ", found several", self.refused("cases", "--family", "near_ties", "--from", A, B))
+        for option in ("--count", "--seed", "--size"):
+            self.assertIn(f"{option} goes with --family", self.refused("cases", "--catalogue", option, 3))
+        self.assertIn("--pose-a goes with --from", self.refused("cases", "--list", "--pose-a", "x"))
+        self.assertIn("--exact-decimals goes with --from", self.refused("cases", "--list", "--exact-decimals"))
+        for inputs in ([], [A]):
+            self.assertIn(f"two meshes after --from and no input otherwise, found {len(inputs)} argument", self.refused("cases", "--from", *inputs))
+        self.assertIn("found 1 argument", self.refused("cases", "--list", A))
+        self.assertIn("not expected: ", self.refused("cases", "--from", A, B, A))
+
+    def test_help(self):
+        out = self.answer("cases", "--help")
+        self.assertTrue(out.startswith("Examples\n  fathom cases "), out)
+        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--from", "--pose-a", "--pose-b", "--exact-decimals"):
+            self.assertIn(f"\n  {option} ", out)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `fathom cases` prints, read back, is the generated case to the last digit: every family, and the catalogue.
+#include <gtest/gtest.h>
+#include <stdio.h>
+
+#include <memory>
+#include <string>
+
+#include "reference/files/cases.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
+
+namespace {
+
+using namespace fathom;
+using namespace fathom::families;
+
+std::vector<Case> printed(const std::string& options) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("'" FATHOM_EXECUTABLE "' cases " + options).c_str(), "r"), pclose);
+  std::vector<Case> result;
+  std::string line;
+  for (int c = fgetc(pipe.get()); c != EOF; c = fgetc(pipe.get())) {
+    if (c != '\n') {
+      line += static_cast<char>(c);
+      continue;
+    }
+    const CaseItem item = parse_case(line, options);
+    EXPECT_TRUE(item.ok()) << line;
+    if (item.ok()) result.push_back(item.value());
+    line.clear();
+  }
+  EXPECT_EQ(line, "");
+  return result;
+}
+
+void expect_same(const Case& read, const Case& made) {
+  EXPECT_EQ(read.id, made.id);
+  EXPECT_TRUE(read.a.points == made.a.points && read.b.points == made.b.points) << made.id;
+}
+
+TEST(CasesRoundTrip, EveryFamily) {
+  for (const Family& family : fathom::families::families()) {
+    const std::vector<Case> read = printed("--family " + std::string(family.name) + " --count 3 --seed 11");
+    ASSERT_EQ(read.size(), 3U) << family.name;
+    for (std::uint64_t i = 0; i < 3; ++i) expect_same(read[i], family.make(11 + i, family.usual_size));
+  }
+}
+
+TEST(CasesRoundTrip, TheCatalogue) {
+  const std::vector<Case> read = printed("--catalogue");
+  ASSERT_EQ(read.size(), catalogue().size());
+  for (std::size_t i = 0; i < read.size(); ++i) expect_same(read[i], catalogue()[i].pair);
+}
+
+}  // namespace

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Features of a body's hull, and exact linear maps that make one of them point where it should.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "verify/families/placement.hpp"
+
+namespace fathom::families {
+
+/// Edge directions, and outward facet normals. A polygon has both of its normals; which edge or facet stands where is no matter here.
+struct Features {
+  std::vector<Point> vertices;
+  std::vector<std::pair<Point, Point>> edges;  ///< ends
+  std::vector<Point> edge_directions;          ///< of each edge
+  std::vector<Point> normals;                  ///< of each facet
+  std::vector<std::vector<Point>> facets;      ///< corners of each facet
+  std::vector<std::pair<Point, Point>> arcs;   ///< the two normals beside each edge that has two facets
+};
+Features features(const Body& body);
+
+mpq_class inner(const Point& p, const Point& q);
+Point combined(const mpq_class& s, const Point& p, const mpq_class& t, const Point& q);  ///< s p + t q
+Point crossed(const Point& p, const Point& q);
+
+/// The linear map that takes the direction `from` to its projection on the line of `to`, and is the identity across `from`: edges with
+/// direction `from` become parallel to `to`. <from, to> must not be 0.
+Body edge_aligned(const Body& body, const Point& from, const Point& to);
+
+/// The linear map after which facets with the outward normal `from` have one along `to`, or against it if <from, to> < 0.
+/// <from, to> must not be 0.
+Body normal_aligned(const Body& body, const Point& from, const Point& to);
+
+/// The projection of p into the plane across `normal`; and on the line along `direction`.
+Point across(const Point& p, const Point& normal);
+Point along(const Point& p, const Point& direction);
+
+/// How well two directions agree: cos^2 of their angle with the sign of the cosine. Neither may be 0.
+mpq_class agreement(const Point& p, const Point& q);
+
+/// Where the agreement of a member of the one list and one of the other is largest; nothing if a list is empty or no agreement is positive.
+std::optional<std::pair<std::size_t, std::size_t>> best_agreement(const std::vector<Point>& p, const std::vector<Point>& q);
+
+}  // namespace fathom::families

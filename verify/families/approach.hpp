@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Almost degenerate pairs: a degenerate one that is left behind at the distance 2^-k.                            [design, section 8]
+#pragma once
+
+#include <cstdint>
+
+#include "reference/files/body.hpp"
+
+namespace fathom::families {
+
+/// Every point of both bodies moved by a displacement of its own: three random multiples of 2^-(k+20), each at most 2^-k in size. As k
+/// grows the pair tends to `degenerate`, while all coincidences are gone: parallel edges, coplanar points, ties, touching, flatness.
+/// Exact, and the same on every machine. The id is "<id>-k<k>-s<seed>".
+Case approach(const Case& degenerate, unsigned k, std::uint64_t seed);
+
+}  // namespace fathom::families

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Named degenerate pairs, fixed and small enough to be drawn by hand: one for each way in which bodies break general position, and one for
+// each way in which they meet. What is known of the answer by looking at the pair stands beside it.           [design, sections 8 and 10]
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "reference/depth/depth.hpp"
+#include "reference/files/body.hpp"
+
+namespace fathom::families {
+
+struct CatalogueEntry {
+  std::string_view name;         ///< letters, digits and underscores; also the id of `pair`
+  std::string_view breaks;       ///< the assumption that does not hold here, as a phrase: "no parallel edges"
+  std::string_view description;  ///< one line
+  Status status;
+  std::size_t optima;               ///< how many directions attain the depth; 0 unless penetrating
+  std::optional<ContactKind> kind;  ///< of every optimum; none where they differ or there is none
+  Case pair;
+};
+
+/// All entries, in groups: touching, contact kinds, shared features, the sphere of directions, input points, flat bodies, nearly degenerate.
+std::span<const CatalogueEntry> catalogue();
+
+/// Null when there is none of that name.
+const CatalogueEntry* find_catalogue_entry(std::string_view name);
+
+}  // namespace fathom::families

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// General position broken on purpose, in one named way at a time: any pair of bodies becomes a degenerate one that still looks like it.
+// Features are made to coincide by exact linear maps that stay as close to the identity as the bodies allow.      [design, section 8]
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "reference/files/body.hpp"
+
+namespace fathom::families {
+
+/// In the chart, z = (0, 0, 1) is the pole and v = (0, 1, 0) the vertical. The diagrams are those of B and of -A.
+enum class Degradation {
+  duplicate_points,        ///< some points are given again
+  collinear_points,        ///< each body gets points inside its edges
+  coplanar_points,         ///< each body gets a facet with four corners or more, and a point inside it
+  shared_vertex,           ///< a vertex of A is a vertex of B
+  shared_edge_direction,   ///< an edge of A is parallel to an edge of B
+  shared_facet_normal,     ///< a facet of A and one of B have the same outward normal
+  opposite_facet_normals,  ///< a facet of A and one of B have opposite normals: a common node of the two diagrams
+  coplanar_facets,         ///< a facet of A and one of B lie in one plane, on the same side of it
+  axis_aligned_facet,      ///< each body has a facet with a coordinate axis as its normal
+  normal_at_pole,          ///< each body has a facet with the normal z or -z
+  normal_on_equator,       ///< each body has a facet whose normal has z = 0
+  arc_on_equator,          ///< each body has an edge parallel to z
+  vertical_edge,           ///< each body has an edge with y = 0 in its direction: the arc's circle passes through the vertical v
+  nodes_on_one_vertical,   ///< a node of each diagram on one great circle through v
+  normal_on_arc,           ///< a node of -A in the middle of an arc of B
+  flattened_body,          ///< A, B or both are projected into the plane of one of their facets
+  identical_bodies,        ///< B = A
+  tie_by_reflection,       ///< both bodies are made symmetric about O: every optimum has an opposite one
+  touching_translation,    ///< A is moved by its exact translation: the bodies touch
+  snapped_to_lattice,      ///< coordinates are rounded to a grid of 4 to 16 steps across the pair
+};
+
+struct DegradationName {
+  Degradation way;
+  std::string_view name;         ///< letters and underscores, as above
+  std::string_view description;  ///< one line
+};
+
+/// All ways, in the order of the enumeration.
+std::span<const DegradationName> degradations();
+
+/// Null when there is none of that name.
+const DegradationName* find_degradation(std::string_view name);
+
+/// `generic` broken in that way: the same on every machine. Which features coincide depends on the seed where there is a choice. The id is
+/// "<id>-<name>". A body that lacks the feature in question, a point without an edge say, stays as it is. Empty bodies are not allowed.
+Case degrade(const Case& generic, Degradation way, std::uint64_t seed);
+
+}  // namespace fathom::families

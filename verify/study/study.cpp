@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/study/study.hpp"
+
+#include <algorithm>
+
+#include "kernels/filter.hpp"
+#include "kernels/support.hpp"
+#include "reference/canonical/canonical_subsets.hpp"
+#include "reference/chart/chart.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/vertex_facet/vertex_facet.hpp"
+#include "verify/study/findings.hpp"
+
+namespace fathom {
+namespace {
+
+BodySize size_of(const Polytope& body) { return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()}; }
+
+/// The predicates that the topology of a pair calls, whether or not the bodies overlap.
+PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiagram& b) {
+  const PredicateCounts before = predicate_counts();
+  for (const bool lower : {false, true}) {
+    const Charts charts = make_charts(minus_a, b, chart_frame(lower));
+    vertex_facet_pairs(charts);
+    canonical_subsets(charts);
+  }
+  return predicate_counts() - before;
+}
+
+/// The face of a body in direction u.
+Feature face(const Polytope& body, const Vector& u) {
+  Feature points;
+  for (const std::uint32_t v : extreme_points(PointCloud(body.vertices), u)) points.push_back(body.input_ids[v]);
+  std::ranges::sort(points);
+  return points;
+}
+
+void find_contacts(const Polytope& a, const Polytope& b, const Depth& depth, Findings& findings) {
+  if (depth.status == Status::touching && depth.direction) {
+    findings.add(Coincidence::touching_features, {{face(a, -*depth.direction)}, {face(b, *depth.direction)}});
+  }
+  if (depth.optima.size() < 2) return;
+  for (const Optimum& optimum : depth.optima) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
+}
+
+}  // namespace
+
+Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
+  const auto progress = [&](const char* stage, double share) {
+    if (options.progress && !options.progress(stage, share)) throw Interrupted();
+  };
+  Study result;
+  Options depth_options;
+  depth_options.progress = options.progress;
+  result.depth = penetration_depth(a, b, depth_options);
+  progress("hulls", 0);
+  const Lattice lattice = common_lattice(a, b);
+  const Polytope body_a = convex_hull(lattice.a), body_b = convex_hull(lattice.b);
+  result.a = size_of(body_a);
+  result.b = size_of(body_b);
+  progress("diagrams", 0);
+  const GaussianDiagram diagram_a = gaussian_diagram_of_reflection(body_a), diagram_b = gaussian_diagram(body_b);
+  result.predicates = result.depth.status == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
+
+  progress("coincidences", 0);
+  const Subject of_a{body_a, diagram_a}, of_b{body_b, diagram_b};
+  Findings findings(result, options.listed);
+  find_parallel_edges(of_a, of_b, findings);
+  find_common_normals(of_a, of_b, findings);
+  find_normals_on_arcs(of_a, of_b, findings, [&](double share) { progress("normals on arcs", share); });
+  find_equator_hits(of_a, of_b, findings);
+  find_verticals(of_a, of_b, findings);
+  find_contacts(body_a, body_b, result.depth, findings);
+  return result;
+}
+
+std::string monomial_name(std::uint64_t packed, const Perturbation& perturbation) {
+  constexpr std::array<std::string_view, infinitesimals> names{"E11", "E12", "E13", "E21", "E22", "E23",
+                                                               "E31", "E32", "E33", "a",   "b",   "c"};
+  const Monomial monomial = Monomial::unpacked(packed);
+  std::string result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const unsigned exponent = monomial.exponent(perturbation.rank[i]);
+    if (exponent == 0) continue;
+    if (!result.empty()) result += ' ';
+    result += names[i];
+    if (exponent > 1) result.append("^").append(std::to_string(exponent));
+  }
+  return result.empty() ? "1" : result;
+}
+
+}  // namespace fathom
