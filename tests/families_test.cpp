@@ -151,11 +151,12 @@ TEST(Families, CasesNeverChange) {
       {"random_ball", 1123440530497500322u},         {"random_lattice", 3993437288160012140u}, {"boxes_posed", 15774920730084928624u},
       {"prisms_posed", 4724086424335675478u},        {"crossed_fans", 9535316249083486565u},   {"near_ties", 7532345502325144697u},
       {"touching_edge_edge", 15236103143204360882u}, {"segment_polygon", 688436399412356945u}, {"wild_coordinates", 7486417950729874106u},
+      {"crossed_ties", 1298696010173432859u},        {"crossed_fillets", 971371957160753009u},
   };
   for (const auto& [name, value] : expected) EXPECT_EQ(hash(find_family(name)->make(1, 12)), value) << name;
   std::uint64_t all = 0;
   for (const Family& family : fathom::families::families()) all = all * 31 + hash(family.make(2, 10));
-  EXPECT_EQ(all, 11878135342556098872u) << "some family changed";
+  EXPECT_EQ(all, 4978933335687223701u) << "some family changed";
 }
 
 }  // namespace

@@ -6,39 +6,12 @@
 #include <vector>
 
 #include "verify/families/circle.hpp"
+#include "verify/families/fans.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {
 
 namespace {
-
-/// A point of a convex chain: abscissa and height, concave as a function of the abscissa.
-struct ChainPoint {
-  mpq_class along, height;
-};
-using Chain = std::vector<ChainPoint>;
-
-/// The chain in the yz-plane, closed by (+-side, 0, -below). Every edge of the chain is an edge of the hull as long as the chain lies
-/// above the two points, and its arc reaches as far across the plane as slope below / side.
-Body fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
-  Body body;
-  for (const ChainPoint& p : chain) body.points.push_back({0, p.along, p.height});
-  body.points.push_back({side, 0, mpq_class(-below)});
-  body.points.push_back({mpq_class(-side), 0, mpq_class(-below)});
-  return body;
-}
-
-/// A's fan: the same in the xz-plane, upside down, so that it is -A that has its chain on top.
-Body opposing_fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
-  Body body = fan(chain, side, below);
-  for (Point& p : body.points) p = {p.y, p.x, mpq_class(-p.z)};
-  return body;
-}
-
-/// B's fan moved so that the highest point of P, where both chains have height 0, is at `top`.
-Bodies crossed(const Chain& a, const Chain& b, const mpq_class& side, const mpq_class& below, const Point& top) {
-  return {opposing_fan(a, side, below), translated(fan(b, side, below), top)};
-}
 
 unsigned at_least(unsigned least, unsigned n) { return std::max(least, n); }
 
@@ -74,6 +47,22 @@ Chain random_parabola_chain(Random& random, unsigned n) {
   return chain;
 }
 
+/// The fan over the parabola z = -y^2, its chain bent sideways to x = y^3 / 16: points at random, one in each of n equal parts.
+Body twisted_fan(Random& random, unsigned n) {
+  constexpr long bits = 26, fine = 50;
+  Chain chain;
+  for (const mpz_class& t : spread_slopes(random, n, 1)) {
+    const mpq_class along = times_power_of_two(mpq_class(mpz_class(t >> (slope_bits - bits))), -bits);
+    chain.push_back({along, mpq_class(-along * along)});
+  }
+  Body body = fan(chain, 2, 8);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const mpz_class t = times_power_of_two(chain[i].along, bits).get_num();
+    body.points[i].x = times_power_of_two(mpq_class(mpz_class((t * t * t) >> (3 * bits + 4 - fine))), -fine);
+  }
+  return body;
+}
+
 /// n - 2 points a fixed step apart on the circle, symmetric about the top, of half width pi / 202 (about 1/64); then one point on each side,
 /// on the prolongation of what would be the next edge, at the half width 2: nothing but the patch comes near O.
 Chain patch_chain(unsigned n) {
@@ -90,6 +79,24 @@ Chain patch_chain(unsigned n) {
   for (std::int64_t i = 0; i < inner; ++i) chain.push_back(point(i));
   chain.push_back(prolonged(inner - 1, inner));
   return chain;
+}
+
+/// The prism over n points of the unit circle: eight at equal angles, so that no large part of the circle is missing, the others at random.
+/// With n < 8 all are at equal angles.
+Body random_prism(Random& random, unsigned n, const mpq_class& half_height) {
+  constexpr std::int64_t turn = std::int64_t{1} << 24;
+  constexpr long bits = 50;
+  std::set<std::int64_t> angles;
+  const std::int64_t even = std::min<std::int64_t>(n, 8);
+  for (std::int64_t i = 0; i < even; ++i) angles.insert(i * turn / even);
+  while (angles.size() < n) angles.insert(random.between(0, turn - 1));
+  Body body;
+  for (const std::int64_t k : angles) {
+    const CirclePoint p = circle_point(static_cast<std::uint64_t>(k), turn, bits);
+    const mpq_class x = times_power_of_two(p.cosine, -bits), y = times_power_of_two(p.sine, -bits);
+    for (const int sign : {-1, 1}) body.points.push_back({x, y, mpq_class(sign * half_height)});
+  }
+  return body;
 }
 
 /// A point of the band around the unit circle in the xy-plane.
@@ -125,6 +132,13 @@ Bodies crossed_random_parabolas(Random& random, unsigned n) {
   return crossed(a, b, 2, 8, {0, 0, 1});
 }
 
+Bodies crossed_twists(Random& random, unsigned n) {
+  const Body a = twisted_fan(random, at_least(2, n)), b = twisted_fan(random, at_least(2, n));
+  Bodies bodies{{}, translated(b, {0, 0, 1})};
+  for (const Point& p : a.points) bodies.a.points.push_back({p.y, p.x, mpq_class(-p.z)});
+  return bodies;
+}
+
 Bodies crossed_patch(Random&, unsigned n) {
   const Chain chain = patch_chain(at_least(4, n));
   return crossed(chain, chain, 2, 4, {0, 0, 1});
@@ -138,6 +152,18 @@ Bodies crossed_prisms(Random& random, unsigned n) {
   // In direction (1,1,1) both rims together reach about (1.71, 1.71, 1.41); O goes about 1/4 below that point of P.
   const Point jitter = random_shift(random, 1);
   const Point shift{mpq_class(jitter.x / 16 - ratio(25, 16)), mpq_class(jitter.y / 16 - ratio(25, 16)),
+                    mpq_class(jitter.z / 16 - ratio(5, 4))};
+  bodies.b = translated(bodies.b, shift);
+  return bodies;
+}
+
+Bodies crossed_random_prisms(Random& random, unsigned n) {
+  const mpq_class height_a = ratio(random.between(8, 32), 16), height_b = ratio(random.between(8, 32), 16);
+  Bodies bodies;
+  for (const Point& p : random_prism(random, at_least(3, n), height_a).points) bodies.a.points.push_back({p.x, p.z, p.y});
+  for (const Point& p : random_prism(random, at_least(3, n), height_b).points) bodies.b.points.push_back({p.z, p.x, p.y});
+  const Point jitter = random_shift(random, 1);
+  const Point shift{mpq_class(jitter.x / 16 - height_b - ratio(9, 16)), mpq_class(jitter.y / 16 - height_a - ratio(9, 16)),
                     mpq_class(jitter.z / 16 - ratio(5, 4))};
   bodies.b = translated(bodies.b, shift);
   return bodies;

@@ -8,7 +8,9 @@
 #include "verify/families/bundles.hpp"
 #include "verify/families/contacts.hpp"
 #include "verify/families/degenerate.hpp"
+#include "verify/families/fillets.hpp"
 #include "verify/families/random_bodies.hpp"
+#include "verify/families/tie_patches.hpp"
 
 namespace fathom::families {
 
@@ -53,9 +55,19 @@ constexpr Family table[] = {
     {"crossed_parabolas", "crossed fans on a paraboloid: the minimum runs along a circle, with exact ties; the seed is ignored", 50,
      crossed_parabolas},
     {"crossed_random_parabolas", "crossed fans on a paraboloid at random places: near ties along a circle", 50, crossed_random_parabolas},
+    {"crossed_twists", "crossed fans over twisted cubics: no three edges of a bundle across one axis, and two regions compete", 50,
+     crossed_twists},
     {"crossed_patch", "crossed fans over a small patch of a sphere: n^2 near ties; the seed is ignored", 50, crossed_patch},
     {"crossed_prisms", "the rims of two prisms across each other", 50, crossed_prisms},
+    {"crossed_random_prisms", "the rims of two prisms across each other, with corners and heights at random", 50, crossed_random_prisms},
     {"crossed_bands", "thin bands around two circles across each other", 50, crossed_bands},
+    {"crossed_ties", "crossed fans over a fixed patch: n^2 distances that agree to 1.2e-7", 50, crossed_ties},
+    {"crossed_shrinking_ties", "crossed fans over a patch of width n^-1/2: n^2 distances that agree to 1/(32 n^2)", 50,
+     crossed_shrinking_ties},
+    {"crossed_vanishing_ties", "crossed fans over a patch of width 1/n: n^2 distances that agree to about 1/(8 n^4)", 50,
+     crossed_vanishing_ties},
+    {"crossed_fillets", "bent bars with rounded edges across each other: two regions compete, and tie within about 2^-16", 50,
+     crossed_fillets},
     // Ties.
     {"exact_ties", "a symmetric solid against itself: many optima", 12, exact_ties},
     {"near_ties", "a symmetric solid against itself, moved by about 2^-k: optima that nearly tie", 12, near_ties},
