@@ -16,4 +16,14 @@ PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& bef
   return result;
 }
 
+PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more) {
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i].calls += more[i].calls;
+    sum[i].exact += more[i].exact;
+    sum[i].zero += more[i].zero;
+    for (const auto& [monomial, count] : more[i].decided) sum[i].decided[monomial] += count;
+  }
+  return sum;
+}
+
 }  // namespace fathom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the tiers meet: interval arithmetic first; exact integers when the interval holds zero; infinitesimals only when the exact sign
-// is zero.                                                                                     [design, section 3]
+// Where the tiers meet: doubles with a proved bound on the error, then intervals; exact integers when the interval holds zero; infinitesimals
+// only when the exact sign is zero.                                                             [design, section 3; proofs/kernels.md]
 #pragma once
 
 #include "kernels/counters.hpp"
@@ -25,7 +25,10 @@ int perturbed_side_of_arc(const Perturbation& p, const Direction& n, const Direc
 int perturbed_order_on_vertical(const Perturbation& p, const Direction& d1, const Direction& d2, const Direction& n, const Direction& v);
 int perturbed_order_at_infinity(const Perturbation& p, const Direction& d1, const Direction& d2, const Direction& z);
 
-/// The calls made by this thread so far.
+/// Counts calls that another filter has settled.
+void count_calls(Predicate id, std::uint64_t calls);
+
+/// The calls made by this thread until now: further calls show when it is read again.
 PredicateCounts& predicate_counts();
 
 }  // namespace fathom

@@ -33,6 +33,10 @@ bool Perturbation::concerns(Role role, unsigned level) const {
   return false;
 }
 
+Vector Perturbation::tilt_of_vertical(unsigned level) const {
+  return rank[tilt_a] == level ? Vector{sign[tilt_a], 0, 0} : Vector{0, 0, sign[tilt_b]};
+}
+
 Vec3<Infinitesimal> Perturbation::moved(const Vector& d, Role role, unsigned level) const {
   const auto e = [&](unsigned i) { return rank[i] <= level ? Infinitesimal(Monomial(rank[i]), sign[i]) : Infinitesimal(); };
   switch (role) {

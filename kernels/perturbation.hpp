@@ -33,6 +33,8 @@ struct Perturbation {
 
   /// The direction `d`, moved, where only e1, ..., e_level are not 0.
   [[nodiscard]] Vec3<Infinitesimal> moved(const Vector& d, Role role, unsigned level) const;
+  /// The vector t for which e_level enters the moved vertical as e_level t: only if e_level concerns it.
+  [[nodiscard]] Vector tilt_of_vertical(unsigned level) const;
   /// Whether e_level moves directions of this role.
   [[nodiscard]] bool concerns(Role role, unsigned level) const;
 };

@@ -4,41 +4,49 @@
 #include "reference/canonical/canonical_subsets.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
+
+#include "kernels/filter.hpp"
+#include "kernels/images.hpp"
+#include "reference/canonical/filing.hpp"
 
 namespace fathom {
 namespace {
 
-struct Strip {
-  std::uint32_t first, last;
-};
-
-// An arc with the elementary strips it spans, and the walls of its ends, strictly inside which strips a query has to look.
-struct Span {
-  std::uint32_t arc;  // index in the chart
+struct Stored {
+  std::uint32_t arc;  // index in the chart: arcs are in height order
   Strip strips;
-  bool left_bounded, right_bounded;
-
-  [[nodiscard]] bool spans(Strip s) const { return strips.first <= s.first && s.last <= strips.last; }
-  [[nodiscard]] bool overlaps(Strip s) const { return strips.first < s.last && s.first < strips.last; }
-  [[nodiscard]] bool ends_inside(Strip s) const {
-    return (left_bounded && s.first < strips.first && strips.first < s.last) ||
-           (right_bounded && s.first < strips.last && strips.last < s.last);
-  }
 };
 
-// Strips of a colour's arcs. An unbounded end reaches to the end of the padded range, so that only the root spans a full line.
-std::vector<Span> spans_of(const Charts& charts, Colour colour, std::uint32_t padded) {
-  std::vector<Span> result;
-  const std::vector<ChartArc>& arcs = charts.arcs_of(colour);
-  result.reserve(arcs.size());
-  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
-    const bool left = arcs[i].left != at_infinity, right = arcs[i].right != at_infinity;
-    result.push_back(
-        {i, {left ? charts.wall(colour, arcs[i].left) + 1 : 0, right ? charts.wall(colour, arcs[i].right) + 1 : padded}, left, right});
+// What is known of a query's height over one abscissa: stored arcs over it with an index below `above` pass below the query, those with
+// an index from `below` on pass above it. The rest has to be asked.
+struct Reach {
+  std::uint32_t above = 0, below = UINT32_MAX;
+};
+
+// A query with its reach at the left and at the right end of its part in the strip.
+struct Query {
+  std::uint32_t arc;
+  Strip strips;
+  Reach left, right;
+};
+
+// As std::partition_point; the steps are logarithmic in the distance from the hint.
+template <class Iterator, class Test>
+Iterator partition_point_near(Iterator first, Iterator last, Iterator hint, const Test& test) {
+  std::ptrdiff_t step = 1;
+  if (hint != last && test(*hint)) {
+    for (first = hint + 1; step <= last - first; step *= 2) {
+      if (!test(first[step - 1])) return std::partition_point(first, first + (step - 1), test);
+      first += step;
+    }
+    return std::partition_point(first, last, test);
   }
-  return result;
+  for (last = hint; step <= last - first; step *= 2) {
+    if (test(*(last - step))) return std::partition_point(last - step + 1, last, test);
+    last -= step;
+  }
+  return std::partition_point(first, last, test);
 }
 
 }  // namespace
@@ -46,114 +54,180 @@ std::vector<Span> spans_of(const Charts& charts, Colour colour, std::uint32_t pa
 // Builds T_A or T_B of one hemisphere and answers its queries.
 class CanonicalBuilder {
  public:
-  CanonicalBuilder(const Charts& charts, Colour stored_of, CanonicalSubsets& out)
-      : charts_(charts), stored_of_(stored_of), out_(out), padded_(std::bit_ceil(static_cast<std::uint32_t>(charts.walls.size() + 1))) {}
+  CanonicalBuilder(const Charts& charts, Colour stored_of, CanonicalSubsets& out, const std::function<bool(double)>& keep_going)
+      : charts_(charts),
+        stored_of_(stored_of),
+        root_{0, static_cast<std::uint32_t>(charts.walls.size() + 1)},
+        filing_(charts, stored_of),
+        out_(out),
+        keep_going_(keep_going) {}
 
   void run() {
-    const Strip root{0, padded_};
-    const std::vector<Span> queries = spans_of(charts_, other(stored_of_), padded_);
-    descend(root, spans_of(charts_, stored_of_, padded_), stored_of_ == Colour::a ? queries : inside(queries, root));
+    std::vector<Query> queries = all_queries();
+    if (stored_of_ == Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
+    std::vector<Stored> partial;
+    list_.clear();
+    for (std::uint32_t i = 0; i < charts_.arcs_of(stored_of_).size(); ++i) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
+    if (!list_.empty()) {
+      for (Query& q : queries) ask(root_, q.arc, q.left, q.right);
+      file();
+    }
+    std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
+    descend(root_, std::move(partial), std::move(queries));
+    count_calls(Predicate::order_on_vertical, probed_);
   }
 
  private:
-  // `queries` are those that query this node. T_A: they end inside the parent (at the root: any, for ends at infinity count there).
-  // T_B: they end inside the node. Depth is the binary logarithm of the number of walls.
-  void descend(Strip strip, const std::vector<Span>& stored, const std::vector<Span>& queries) {
-    std::vector<Span> partial;
-    std::vector<std::uint32_t> list;
-    for (const Span& span : stored) {
-      if (span.spans(strip)) {
-        list.push_back(span.arc);
-      } else {
-        partial.push_back(span);
-      }
-    }
-    if (!list.empty() && !queries.empty()) answer(strip, list, queries);
-    if (partial.empty() || strip.last - strip.first == 1) return;
-    const std::vector<Span> below = inside(queries, strip);
-    if (below.empty()) return;
-    const std::uint32_t middle = std::midpoint(strip.first, strip.last);
-    for (const Strip child : {Strip{strip.first, middle}, Strip{middle, strip.last}}) {
-      std::vector<Span> child_stored, child_queries;
-      std::ranges::copy_if(partial, std::back_inserter(child_stored), [&](const Span& s) { return s.overlaps(child); });
-      std::ranges::copy_if(below, std::back_inserter(child_queries),
-                           [&](const Span& s) { return stored_of_ == Colour::a ? s.overlaps(child) : s.ends_inside(child); });
-      if (!child_stored.empty() && !child_queries.empty()) descend(child, child_stored, child_queries);
-    }
-  }
+  using Iterator = std::vector<std::uint32_t>::const_iterator;
 
-  static std::vector<Span> inside(const std::vector<Span>& queries, Strip strip) {
-    std::vector<Span> result;
-    std::ranges::copy_if(queries, std::back_inserter(result), [&](const Span& s) { return s.ends_inside(strip); });
+  // The ends of a query are located among the stored arcs.
+  std::vector<Query> all_queries() const {
+    const Colour colour = other(stored_of_);
+    const std::vector<ChartArc>& arcs = charts_.arcs_of(colour);
+    std::vector<Query> result;
+    result.reserve(arcs.size());
+    for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+      result.push_back(
+          {i, strips_of(charts_, colour, i), {arcs[i].left_height, arcs[i].left_height}, {arcs[i].right_height, arcs[i].right_height}});
+    }
     return result;
   }
 
-  const ChartArc& stored_arc(std::uint32_t i) const { return charts_.arcs_of(stored_of_)[i]; }
-
-  // Sign of (query above stored arc) at the left, or at the right, end of the query's part in the strip.
-  int query_above(const Span& query, std::uint32_t stored, Strip strip, bool at_left) const {
-    const Colour query_of = other(stored_of_);
-    const ChartArc& q = charts_.arcs_of(query_of)[query.arc];
-    const ChartArc& s = stored_arc(stored);
-    if (at_left ? strip.first < query.strips.first : query.strips.last < strip.last) {
-      return node_above_arc(charts_, query_of, at_left ? q.left : q.right, stored_of_, s);
+  void sort_in(const Stored& stored, Strip strip, std::vector<Stored>& partial) {
+    if (strip.within(stored.strips)) {
+      list_.push_back(stored.arc);
+    } else if (stored.strips.overlaps(strip)) {
+      partial.push_back(stored);
     }
-    const std::uint32_t wall = at_left ? strip.first : strip.last;
-    if (wall == 0) return above_far_left(charts_, query_of, q, stored_of_, s);
-    if (wall > charts_.walls.size()) return -above_far_left(charts_, query_of, q, stored_of_, s);
-    return above_on_wall(charts_, query_of, q, stored_of_, s, charts_.walls[wall - 1]);
   }
 
-  // How many arcs of the sorted list lie below the query's end.
-  std::size_t rank(const Span& query, const std::vector<std::uint32_t>& list, Strip strip, bool at_left) const {
-    const auto above = [&](std::uint32_t stored) { return query_above(query, stored, strip, at_left) > 0; };
-    return static_cast<std::size_t>(std::ranges::partition_point(list, above) - list.begin());
-  }
-
-  // Sorts the node's list, and files each query under the canonical subsets of a balanced tree over it, in heap order, that make up
-  // the range it crosses: all arcs that are below it at one end and above it at the other.
-  void answer(Strip strip, std::vector<std::uint32_t>& list, const std::vector<Span>& queries) {
-    std::ranges::sort(list, [&](std::uint32_t e, std::uint32_t f) {
-      return e != f && above_same_colour(charts_, stored_of_, stored_arc(f), stored_arc(e)) > 0;
-    });
-    const std::size_t leaves = std::bit_ceil(list.size());
-    filed_.clear();
-    for (const Span& query : queries) {
-      const auto [low, high] = std::minmax({rank(query, list, strip, true), rank(query, list, strip, false)});
-      for (std::size_t first = leaves + low, last = leaves + high; first < last; first /= 2, last /= 2) {
-        if (first % 2 == 1) filed_.emplace_back(first++, query.arc);
-        if (last % 2 == 1) filed_.emplace_back(--last, query.arc);
+  // `stored` overlap the strip and do not span it; `queries` end inside it. T_A: these query both children, if they overlap them. T_B:
+  // they query the children that they end inside. Depth is the binary logarithm of the number of walls.
+  void descend(Strip strip, std::vector<Stored> stored, std::vector<Query> queries) {
+    if (stored.empty() || queries.empty() || strip.last - strip.first == 1 || !going_on(strip)) return;
+    const std::uint32_t middle = std::midpoint(strip.first, strip.last);
+    const std::array<Strip, 2> children{{{strip.first, middle}, {middle, strip.last}}};
+    std::vector<Reach> at_middle(queries.size());
+    std::array<std::vector<Stored>, 2> partial;
+    for (const std::size_t side : {0, 1}) {
+      list_.clear();
+      for (const Stored& s : stored) sort_in(s, children[side], partial[side]);
+      if (list_.empty()) continue;
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        Query& q = queries[i];
+        if (!(stored_of_ == Colour::a ? q.strips.overlaps(children[side]) : q.strips.ends_inside(children[side]))) continue;
+        ask(children[side], q.arc, side == 0 || q.strips.first >= middle ? q.left : at_middle[i],
+            side == 1 || q.strips.last <= middle ? q.right : at_middle[i]);
+      }
+      file();
+    }
+    std::array<std::vector<Query>, 2> inside;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const Query& q = queries[i];
+      if (q.strips.ends_inside(children[0])) {
+        inside[0].push_back({q.arc, q.strips, q.left, q.strips.last <= middle ? q.right : at_middle[i]});
+      }
+      if (q.strips.ends_inside(children[1])) {
+        inside[1].push_back({q.arc, q.strips, q.strips.first >= middle ? q.left : at_middle[i], q.right});
       }
     }
-    if (!filed_.empty()) report(list, leaves);
+    stored = {};
+    queries = {};
+    at_middle = {};
+    for (const std::size_t side : {0, 1}) descend(children[side], std::move(partial[side]), std::move(inside[side]));
   }
 
-  // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset that some query returned.
-  void report(const std::vector<std::uint32_t>& list, std::size_t leaves) {
-    const std::uint64_t base = out_.stored_.size();
-    for (const std::uint32_t arc : list) out_.stored_.push_back(stored_arc(arc).arc);
-    std::ranges::sort(filed_);
-    const std::vector<ChartArc>& query_arcs = charts_.arcs_of(other(stored_of_));
-    for (std::size_t i = 0; i < filed_.size();) {
-      const std::size_t heap = filed_[i].first;
-      const std::uint64_t begin = out_.queries_.size();
-      for (; i < filed_.size() && filed_[i].first == heap; ++i) out_.queries_.push_back(query_arcs[filed_[i].second].arc);
-      const std::size_t width = leaves / std::bit_floor(heap);
-      const std::size_t first = (heap - std::bit_floor(heap)) * width;
-      out_.records_.push_back({stored_of_, base + first, base + std::min(first + width, list.size()), begin, out_.queries_.size()});
+  bool going_on(Strip strip) {
+    if (stopped_ || !keep_going_ || ++nodes_ % 256 != 0) return !stopped_;
+    const double share = static_cast<double>(strip.first) / root_.last;
+    stopped_ = !keep_going_((share + (stored_of_ == Colour::a ? 0 : 1)) / 2);
+    return !stopped_;
+  }
+
+  // Calls search(test) with a test of stored arcs, whether the query passes above them on wall `wall`. Never at infinity: there a query ends.
+  template <class Search>
+  auto with_test(std::uint32_t query, std::uint32_t wall, Search search) {
+    const Colour query_of = other(stored_of_);
+    const ChartArc& q = charts_.arcs_of(query_of)[query];
+    const std::vector<ChartArc>& stored = charts_.arcs_of(stored_of_);
+    const std::vector<Vec3<double>>& circles = charts_.circles_of(stored_of_);
+    const Charts::Wall& w = charts_.walls[wall - 1];
+    const VerticalProbe probe(charts_.circles_of(query_of)[query], image(charts_.node(w.colour, w.node)), image(charts_.frame.v));
+    return search([&](std::uint32_t s) {
+      if (const int sign = probe.sign(circles[s])) {
+        ++probed_;
+        return sign > 0;
+      }
+      return above_on_wall(charts_, query_of, q, stored_of_, stored[s], w) > 0;
+    });
+  }
+
+  // The part of the node's list whose order relative to the query at a reach is not settled.
+  struct Gap {
+    Iterator first, last;
+    [[nodiscard]] auto size() const { return last - first; }
+  };
+
+  Gap gap(const Reach& reach, Iterator from) const {
+    const Iterator first = std::lower_bound(from, list_.cend(), reach.above);
+    return {first, std::lower_bound(first, list_.cend(), reach.below)};
+  }
+
+  // Where the list passes from below to above the query on a wall. Only a gap asks predicates, and the reach learns from the answers.
+  Iterator rank(std::uint32_t query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
+    if (gap.size() == 0) return gap.first;
+    hint = std::clamp(hint, gap.first, gap.last);
+    const Iterator found = with_test(query, wall, [&](const auto& test) { return partition_point_near(gap.first, gap.last, hint, test); });
+    if (found != gap.first) reach.above = *std::prev(found) + 1;
+    if (found != gap.last) reach.below = *found;
+    return found;
+  }
+
+  // The query crosses all arcs that are below it at one end of its part in the strip and above it at the other. Most cross none, and
+  // where the one end lies is a good guess for the other.
+  void ask(Strip strip, std::uint32_t query, Reach& left, Reach& right) {
+    const Iterator from = std::ranges::lower_bound(std::as_const(list_), std::min(left.above, right.above));
+    if (from == list_.cend() || *from >= std::max(left.below, right.below)) return;
+    const Gap left_gap = gap(left, from), right_gap = gap(right, from);
+    Iterator at_left, at_right;
+    if (left_gap.size() < right_gap.size()) {
+      at_left = rank(query, strip.first, left, left_gap, left_gap.first);
+      at_right = rank(query, strip.last, right, right_gap, at_left);
+    } else {
+      at_right = rank(query, strip.last, right, right_gap, right_gap.first);
+      at_left = rank(query, strip.first, left, left_gap, at_right);
     }
+    const auto index = [&](Iterator p) { return static_cast<std::size_t>(p - list_.cbegin()); };
+    const auto [low, high] = std::minmax(at_left, at_right);
+    filing_.file(list_.size(), index(low), index(high), at_left < at_right, query);
+  }
+
+  // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset and sense of crossing.
+  void file() {
+    if (filing_.empty()) return;
+    const std::uint64_t base = out_.stored_.size();
+    for (const std::uint32_t arc : list_) out_.stored_.push_back(charts_.arcs_of(stored_of_)[arc].arc);
+    filing_.take(list_.size(), [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
+      const std::uint64_t begin = out_.queries_.size();
+      for (const Filing::Entry& e : entries) out_.queries_.push_back(charts_.arcs_of(other(stored_of_))[e.query].arc);
+      out_.records_.push_back({stored_of_, rising, base + first, base + last, begin, out_.queries_.size()});
+    });
   }
 
   const Charts& charts_;
   Colour stored_of_;
+  Strip root_;
+  std::vector<std::uint32_t> list_;  // arcs stored at the node at hand, in height order
+  Filing filing_;
   CanonicalSubsets& out_;
-  std::uint32_t padded_;
-  std::vector<std::pair<std::size_t, std::uint32_t>> filed_;
+  const std::function<bool(double)>& keep_going_;
+  std::uint64_t nodes_ = 0, probed_ = 0;
+  bool stopped_ = false;
 };
 
 CanonicalPair CanonicalSubsets::operator[](std::size_t i) const {
   const Record& r = records_[i];
-  return {r.stored_of, std::span(stored_).subspan(r.stored_begin, r.stored_end - r.stored_begin),
+  return {r.stored_of, r.rising, std::span(stored_).subspan(r.stored_begin, r.stored_end - r.stored_begin),
           std::span(queries_).subspan(r.queries_begin, r.queries_end - r.queries_begin)};
 }
 
@@ -168,10 +242,10 @@ CanonicalSubsets::Sums CanonicalSubsets::sums() const {
   return sums;
 }
 
-CanonicalSubsets canonical_subsets(const Charts& charts) {
+CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going) {
   CanonicalSubsets result;
-  CanonicalBuilder(charts, Colour::a, result).run();
-  CanonicalBuilder(charts, Colour::b, result).run();
+  CanonicalBuilder(charts, Colour::a, result, keep_going).run();
+  CanonicalBuilder(charts, Colour::b, result, keep_going).run();
   return result;
 }
 

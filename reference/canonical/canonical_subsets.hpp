@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,10 +19,13 @@
 
 namespace fathom {
 
-/// One (A_i, B_i): `stored` is a canonical subset, contiguous in height order, of a node of T_A or T_B; `queries` are the edges of the
-/// other body for which the node's query returned it.
+/// One (A_i, B_i): `stored` is a canonical subset of a node of T_A or T_B, in height order from the lowest arc to the highest; `queries` are
+/// edges of the other body for which the node's query returned it, and whose arcs cross the stored ones in one sense. All stored arcs
+/// span one strip, in which each query meets all of them. Queries that cross a stored arc further left come first: the order is the
+/// same along every stored arc, so the crossings form a grid.                                     [proofs/canonical_subsets.md]
 struct CanonicalPair {
   Colour stored_of;
+  bool rising;  ///< going right, the query arcs cross from below the stored ones to above them
   std::span<const std::uint32_t> stored, queries;
 
   [[nodiscard]] std::span<const std::uint32_t> edges_of_a() const { return stored_of == Colour::a ? stored : queries; }
@@ -44,19 +48,22 @@ class CanonicalSubsets {
   friend class CanonicalBuilder;
   struct Record {
     Colour stored_of;
+    bool rising;
     std::uint64_t stored_begin, stored_end, queries_begin, queries_end;
   };
   std::vector<std::uint32_t> stored_, queries_;
   std::vector<Record> records_;
 };
 
-CanonicalSubsets canonical_subsets(const Charts& charts);
+/// `keep_going` is called now and then with the share done; if it returns false, the rest is left out.
+CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going = {});
 
 /// The naive twin: all pairs (edge of A, edge of B) whose perturbed arcs cross in the hemisphere; ascending. Tests every pair on the
 /// sphere, without the charts' walls and orders, under the charts' perturbation.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings_naive(const Charts& charts);
 
-/// C1: indices are edges, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once. O(m n).
+/// C1: indices are edges, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once. The grid:
+/// every pair crosses in the sense stated, stored arcs are in height order, and queries in their order along every stored arc. O(m n).
 [[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts);
 
 }  // namespace fathom

@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include "kernels/filter.hpp"
+#include "reference/chart/height_order.hpp"
+#include "reference/chart/locate.hpp"
+#include "reference/chart/walls.hpp"
 
 namespace fathom {
 namespace {
@@ -23,32 +26,26 @@ void find_nodes(Charts& charts, Colour c) {
 void find_arcs(Charts& charts, Colour c) {
   const GaussianDiagram& diagram = charts.diagram(c);
   const std::vector<std::uint32_t>& wall_of = charts.wall_of[static_cast<std::size_t>(c)];
+  std::vector<bool>& flipped_of = charts.flipped_of[static_cast<std::size_t>(c)];
+  flipped_of.assign(diagram.arcs.size(), false);
   const auto end = [&](std::uint32_t node) { return node != no_facet && wall_of[node] != at_infinity ? node : at_infinity; };
   for (std::uint32_t i = 0; i < diagram.arcs.size(); ++i) {
     const Arc& arc = diagram.arcs[i];
-    const bool flipped = perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) < 0;
-    const ChartArc part = flipped ? ChartArc{i, end(arc.to), end(arc.from), true} : ChartArc{i, end(arc.from), end(arc.to), false};
+    const std::uint32_t from = end(arc.from), to = end(arc.to);
     // An arc of rank 2 or 3 with no end here lies in the other hemisphere: it is no longer than pi.
-    const bool here = diagram.rank == 1 || part.left != at_infinity || part.right != at_infinity;
-    if (here) charts.arcs[static_cast<std::size_t>(c)].push_back(part);
+    if (diagram.rank > 1 && from == at_infinity && to == at_infinity) continue;
+    const bool flipped = perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) < 0;
+    charts.arcs[static_cast<std::size_t>(c)].push_back(flipped ? ChartArc{i, to, from, true, 0, 0} : ChartArc{i, from, to, false, 0, 0});
+    flipped_of[i] = flipped;
   }
 }
 
-void raise_walls(Charts& charts) {
-  for (const Colour c : both_colours) {
-    const std::vector<std::uint32_t>& wall_of = charts.wall_of[static_cast<std::size_t>(c)];
-    for (std::uint32_t i = 0; i < wall_of.size(); ++i) {
-      if (wall_of[i] != at_infinity) charts.walls.push_back({c, i});
-    }
-  }
-  const auto direction = [&](const Charts::Wall& w) -> const Direction& { return charts.node(w.colour, w.node); };
-  std::ranges::sort(charts.walls, [&](const Charts::Wall& s, const Charts::Wall& t) {
-    const bool same = s.colour == t.colour && s.node == t.node;
-    return !same && perturbed_x_order(charts.perturbation, direction(s), direction(t), charts.frame.v) > 0;
-  });
-  for (std::uint32_t i = 0; i < charts.walls.size(); ++i) {
-    const Charts::Wall wall = charts.walls[i];
-    charts.wall_of[static_cast<std::size_t>(wall.colour)][wall.node] = i;
+void draw_circles(Charts& charts, Colour c) {
+  std::vector<Vec3<double>>& circles = charts.circles[static_cast<std::size_t>(c)];
+  circles.reserve(charts.arcs_of(c).size());
+  for (const ChartArc& arc : charts.arcs_of(c)) {
+    const Vec3<double> d = image(charts.circle(c, arc));
+    circles.push_back(arc.flipped ? -d : d);
   }
 }
 
@@ -67,14 +64,38 @@ std::uint32_t Charts::vertex_below(Colour c, const ChartArc& arc) const {
 Frame chart_frame(bool lower) { return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, lower ? -1 : 1}, Role::pole)}; }
 
 Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation) {
-  Charts charts{perturbation, frame, {&minus_a, &b}, {}, {}, {}};
+  Charts charts{perturbation, frame, {&minus_a, &b}, {}, {}, {}, {}, {}, {}};
   for (const Colour c : both_colours) {
     find_nodes(charts, c);
     find_arcs(charts, c);
+    sort_by_height(charts, c);
+    draw_circles(charts, c);
   }
   raise_walls(charts);
+  for (const Colour c : both_colours) locate_nodes(charts, c);
+  locate_ends(charts);
   return charts;
 }
+
+namespace {
+
+// At each face, the arcs below it come before those above it.
+bool in_height_order(const Charts& charts, Colour c) {
+  std::vector<std::uint32_t> last_below;  // of each face, one more than the greatest index
+  const std::vector<ChartArc>& arcs = charts.arcs_of(c);
+  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+    const std::uint32_t face = charts.vertex_above(c, arcs[i]);
+    if (face >= last_below.size()) last_below.resize(face + 1, 0);
+    last_below[face] = i + 1;
+  }
+  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+    const std::uint32_t face = charts.vertex_below(c, arcs[i]);
+    if (face < last_below.size() && last_below[face] > i) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 Report validate(const Charts& charts) {
   Report report;
@@ -87,11 +108,13 @@ Report validate(const Charts& charts) {
     const auto here = [&](std::uint32_t node) {
       return perturbed_side_of_equator(charts.perturbation, charts.node(c, node), charts.frame.z) > 0;
     };
+    report.expect(in_height_order(charts, c), "the arcs are not in height order");
     for (const ChartArc& part : charts.arcs_of(c)) {
       const std::string name = "arc " + std::to_string(part.arc) + ": ";
       const Arc& arc = charts.diagram(c).arcs[part.arc];
       const auto [left, right] = part.flipped ? std::pair(arc.to, arc.from) : std::pair(arc.from, arc.to);
-      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped,
+      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped &&
+                        part.flipped == charts.flipped(c, part.arc),
                     name + "flipped against its circle");
       report.expect(part.left == at_infinity ? left == no_facet || !here(left) : part.left == left && here(left), name + "left end");
       report.expect(part.right == at_infinity ? right == no_facet || !here(right) : part.right == right && here(right), name + "right end");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernels/direction.hpp"
+#include "kernels/images.hpp"
 #include "kernels/report.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
@@ -36,6 +37,17 @@ struct ChartArc {
   std::uint32_t arc;          ///< index in the diagram: the edge
   std::uint32_t left, right;  ///< node, or at_infinity
   bool flipped;               ///< <circle,v> < 0: above and below change places
+  /// Of each end: of the other colour's arcs over its abscissa, or over the same infinity, those with an index below this height pass
+  /// below the end, all others above.
+  std::uint32_t left_height = 0, right_height = 0;
+};
+
+/// Where a node lies among the arcs of the other colour.
+struct Place {
+  /// Of the arcs over the node, those with an index below `height` pass below it, all others above.
+  std::uint32_t height = 0;
+  /// The vertex whose face holds the node.
+  std::uint32_t face = 0;
 };
 
 /// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of the other colour or on the equator,
@@ -44,7 +56,10 @@ struct Charts {
   Perturbation perturbation;
   Frame frame;
   std::array<const GaussianDiagram*, 2> diagrams;
+  /// In height order: where two arcs of one colour overlap in an x-interval, the higher one has the greater index.
   std::array<std::vector<ChartArc>, 2> arcs;
+  /// Of each chart arc the image of its circle, oriented upward: what searches read.
+  std::array<std::vector<Vec3<double>>, 2> circles;
   /// Walls: the nodes of both colours in this hemisphere, from left to right. The one skeleton of both segment trees.
   struct Wall {
     Colour colour;
@@ -53,10 +68,17 @@ struct Charts {
   std::vector<Wall> walls;
   /// Of each node of the diagram the index of its wall, or at_infinity when it lies in the other hemisphere.
   std::array<std::vector<std::uint32_t>, 2> wall_of;
+  /// Of each node of the diagram, if it lies in this hemisphere, its place in the other diagram.
+  std::array<std::vector<Place>, 2> place_of;
+  /// Of each arc of the diagram whether its chart arc is flipped; only of those that have one.
+  std::array<std::vector<bool>, 2> flipped_of;
 
   [[nodiscard]] const GaussianDiagram& diagram(Colour c) const { return *diagrams[static_cast<std::size_t>(c)]; }
   [[nodiscard]] const std::vector<ChartArc>& arcs_of(Colour c) const { return arcs[static_cast<std::size_t>(c)]; }
+  [[nodiscard]] const std::vector<Vec3<double>>& circles_of(Colour c) const { return circles[static_cast<std::size_t>(c)]; }
   [[nodiscard]] std::uint32_t wall(Colour c, std::uint32_t node) const { return wall_of[static_cast<std::size_t>(c)][node]; }
+  [[nodiscard]] const Place& place(Colour c, std::uint32_t node) const { return place_of[static_cast<std::size_t>(c)][node]; }
+  [[nodiscard]] bool flipped(Colour c, std::uint32_t arc) const { return flipped_of[static_cast<std::size_t>(c)][arc]; }
   [[nodiscard]] const Direction& node(Colour c, std::uint32_t i) const { return diagram(c).nodes[i]; }
   [[nodiscard]] const Direction& circle(Colour c, const ChartArc& arc) const { return diagram(c).arcs[arc.arc].circle; }
   /// The vertex whose face lies right above, or right below, the arc in this chart.
@@ -64,7 +86,7 @@ struct Charts {
   [[nodiscard]] std::uint32_t vertex_below(Colour c, const ChartArc& arc) const;
 };
 
-/// The diagrams must outlive the charts. O((m + n) log(m + n)).
+/// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
 Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation = {});
 
 /// Questions of the combinatorial layer; each answer is 1 or -1, never 0.
@@ -78,7 +100,8 @@ int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour 
 /// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
 int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
 
-/// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end. Linear.
+/// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end, and at each face that the arcs below it
+/// come before those above it: then the arcs are in height order [proofs/chart.md]. Linear. Places are checked by vertex_facet.
 [[nodiscard]] Report validate(const Charts& charts);
 
 }  // namespace fathom

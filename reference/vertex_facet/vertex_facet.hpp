@@ -2,7 +2,7 @@
 // Input   the charts of one hemisphere.
 // Output  for each node of one colour a face of the other that contains it: for each facet normal of one body an extreme vertex of the
 //         other. With both hemispheres these are all facets of P of kind vertex-facet.         [AGHRS, PENETRATION-DEPTH, step 1]
-// Time    O((m + n) log(m + n)): a plane sweep that keeps the arcs on the sweep line in a balanced tree.
+// Time    linear: the charts hold the place of each node, found by a plane sweep in O((m + n) log(m + n)).
 #pragma once
 
 #include <cstdint>

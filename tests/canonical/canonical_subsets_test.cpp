@@ -97,7 +97,7 @@ TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
     Direction circle(cross(from.exact(), to.exact()));
     nodes.push_back(std::move(from));
     nodes.push_back(std::move(to));
-    return Arc{std::move(circle), first, first + 1, 1, 0};
+    return Arc{std::move(circle), first, first + 1, first + 2, first};  // of the faces only the order from bottom to top matters
   };
   GaussianDiagram a, b;
   a.rank = b.rank = 3;
@@ -109,6 +109,51 @@ TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   EXPECT_EQ(crossings_naive(charts), (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0}}));
   const Report report = validate(canonical_subsets(charts), charts);
   EXPECT_TRUE(report.ok()) << text(report);
+}
+
+// The order of crossings and their sense, broken on purpose: a copy of the charts that says otherwise.
+TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
+  const auto p = prepare(families::find_family("crossed_fans")->make(1, 12));
+  const Charts& charts = p->charts[0];
+  const CanonicalSubsets subsets = canonical_subsets(charts);
+  ASSERT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
+  // Orientations of all arcs of one colour reversed: senses and orders no longer fit.
+  Charts turned = charts;
+  for (ChartArc& arc : turned.arcs[1]) arc.flipped = !arc.flipped;
+  const Report report = validate(subsets, turned);
+  const auto says = [&](const char* words) {
+    return std::ranges::any_of(report.faults, [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("in the other sense"));
+  EXPECT_TRUE(says("not in the order in which they cross"));
+  EXPECT_TRUE(says("not in height order"));
+}
+
+// Both senses occur, and each query set is split by them.
+TEST(CanonicalSubsets, BothSensesOccur) {
+  std::array<std::size_t, 2> pairs{};
+  const auto p = prepare(families::find_family("random_sphere")->make(1, 60));
+  for (const Charts& charts : p->charts) {
+    const CanonicalSubsets subsets = canonical_subsets(charts);
+    for (std::size_t i = 0; i < subsets.size(); ++i) ++pairs[subsets[i].rising ? 1 : 0];
+  }
+  EXPECT_GT(pairs[0], 10U);
+  EXPECT_GT(pairs[1], 10U);
+}
+
+// Progress rises to 1 at most, and a refusal ends the work.
+TEST(CanonicalSubsets, StopsWhenTold) {
+  const auto p = prepare(families::find_family("random_sphere")->make(1, 2000));
+  std::vector<double> shares;
+  const CanonicalSubsets all = canonical_subsets(p->charts[0], [&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  EXPECT_GT(shares.size(), 5U);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_TRUE(shares.front() >= 0 && shares.back() <= 1);
+  const CanonicalSubsets some = canonical_subsets(p->charts[0], [](double share) { return share < 0.25; });
+  EXPECT_LT(some.size(), all.size());
 }
 
 TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {

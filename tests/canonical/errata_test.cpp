@@ -66,7 +66,8 @@ struct Segment {
   int x1, y1, x2, y2;
 };
 
-/// A diagram whose arcs project to these segments of the plane z = 1.
+/// A diagram whose arcs project to these segments of the plane z = 1. Of two that lie above one another the higher one has the higher y1;
+/// the faces between them are numbered in that order.
 GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
   GaussianDiagram diagram;
   diagram.rank = 3;
@@ -75,7 +76,8 @@ GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
     const Vector left{s.x1, s.y1, 1}, right{s.x2, s.y2, 1};
     diagram.nodes.emplace_back(left);
     diagram.nodes.emplace_back(right);
-    diagram.arcs.push_back({Direction(cross(left, right)), from, from + 1, 1, 0});
+    const auto lower = static_cast<std::uint32_t>(std::ranges::count_if(segments, [&](const Segment& t) { return t.y1 < s.y1; }));
+    diagram.arcs.push_back({Direction(cross(left, right)), from, from + 1, lower + 1, lower});
   }
   return diagram;
 }

@@ -127,6 +127,77 @@ TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
   EXPECT_GT(compared, 10000U);
 }
 
+// The list of arcs against the naive twin: all pairs that overlap.
+TEST(Chart, ArcsAreListedInHeightOrder) {
+  std::size_t compared = 0;
+  for (const Case& input : cases_of_all_families(3, 12)) {
+    for (const Perturbation& perturbation : testing::perturbations()) {
+      const auto p = prepare(input, perturbation);
+      for (const Charts& charts : p->charts) {
+        for (const Colour c : {Colour::a, Colour::b}) {
+          // Walls count from 1 here: 0 is at infinity on the left.
+          const auto left = [&](const ChartArc& arc) { return arc.left == at_infinity ? 0 : charts.wall(c, arc.left) + 1; };
+          const auto right = [&](const ChartArc& arc) { return arc.right == at_infinity ? at_infinity : charts.wall(c, arc.right) + 1; };
+          const std::vector<ChartArc>& arcs = charts.arcs_of(c);
+          for (std::size_t i = 0; i < arcs.size(); ++i) {
+            EXPECT_EQ(charts.flipped(c, arcs[i].arc), arcs[i].flipped);
+            for (std::size_t j = i + 1; j < arcs.size(); ++j) {
+              if (std::max(left(arcs[i]), left(arcs[j])) >= std::min(right(arcs[i]), right(arcs[j]))) continue;
+              EXPECT_GT(above_same_colour(charts, c, arcs[j], arcs[i]), 0) << input.id << " arcs " << i << ", " << j;
+              ++compared;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 100000U);
+}
+
+TEST(Chart, ValidateCatchesABrokenHeightOrder) {
+  for (const char* family : {"random_sphere", "crossed_fans", "boxes_aligned"}) {
+    auto p = prepare(families::find_family(family)->make(1, 12));
+    for (Charts& charts : p->charts) {
+      for (std::vector<ChartArc>& arcs : charts.arcs) {
+        if (arcs.size() < 2) continue;
+        std::ranges::reverse(arcs);
+        EXPECT_FALSE(validate(charts).ok()) << family;
+        std::ranges::reverse(arcs);
+      }
+    }
+  }
+}
+
+TEST(Chart, ArcsThatLieAboveEachOtherInACircleAreRefused) {
+  const auto p = prepare(families::find_family("random_sphere")->make(1, 12));
+  GaussianDiagram broken = p->of_b;
+  std::swap(broken.arcs[0].above, broken.arcs[0].below);
+  const auto charts = [&](bool lower) { return make_charts(p->minus_a, broken, chart_frame(lower)); };
+  EXPECT_THROW((charts(false), charts(true)), std::logic_error);
+}
+
+// The place of a node against every arc over its abscissa.
+TEST(Chart, PlacesAgreeWithEveryArcOverTheNode) {
+  std::size_t compared = 0;
+  for (const Case& input : cases_of_all_families(3, 12)) {
+    const auto p = prepare(input);
+    for (const Charts& charts : p->charts) {
+      for (const Charts::Wall& wall : charts.walls) {
+        const Colour c = other(wall.colour);
+        const std::uint32_t at = charts.wall(wall.colour, wall.node);
+        const std::vector<ChartArc>& arcs = charts.arcs_of(c);
+        for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+          if (arcs[i].left != at_infinity && charts.wall(c, arcs[i].left) > at) continue;
+          if (arcs[i].right != at_infinity && charts.wall(c, arcs[i].right) < at) continue;
+          EXPECT_EQ(i<charts.place(wall.colour, wall.node).height, node_above_arc(charts, wall.colour, wall.node, c, arcs[i])> 0);
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 20000U);
+}
+
 // Where exact heights on the input differ, the perturbed order is theirs.
 TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
   std::size_t compared = 0;

@@ -227,10 +227,10 @@ struct Counted {
 };
 
 Counted counted(Predicate id, const std::function<void()>& calls) {
-  const TierCounts& now = predicate_counts()[static_cast<std::size_t>(id)];
-  const Counted before{now.calls, now.exact, now.zero};
+  const PredicateCounts before = predicate_counts();
   calls();
-  return {now.calls - before.calls, now.exact - before.exact, now.zero - before.zero};
+  const TierCounts made = (predicate_counts() - before)[static_cast<std::size_t>(id)];
+  return {made.calls, made.exact, made.zero};
 }
 
 void expect_counts(const Counted& c, std::uint64_t calls, std::uint64_t exact, std::uint64_t zero) {

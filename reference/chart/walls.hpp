@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walls through the nodes of both colours, sorted. For make_charts alone.
+#pragma once
+
+#include "reference/chart/chart.hpp"
+
+namespace fathom {
+
+/// Fills in the walls, and in wall_of their indices, for the nodes that wall_of marks with anything but at_infinity. Sorted exactly, in
+/// O(N log N); where abscissae are well apart, one predicate a wall.
+void raise_walls(Charts& charts);
+
+}  // namespace fathom
