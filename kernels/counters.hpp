@@ -28,6 +28,7 @@ using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicat
 
 /// What was counted since `before` was read.
 PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& before);
+PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more);
 
 /// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
 struct Counters {
@@ -38,6 +39,15 @@ struct Counters {
   std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|
   std::uint64_t pairs_evaluated = 0;                        ///< pairs of lines whose distance was looked at
   std::uint64_t pairs_exact = 0;                            ///< of these, compared in exact arithmetic
+  std::uint64_t grids_cut = 0;                              ///< canonical pairs that were cut; all others were scanned or cleared whole
+  std::uint64_t cells = 0;                                  ///< cells of cuttings
+  std::uint64_t block_tests = 0;                            ///< blocks (cell x run, or cell x line) put to the vertex test
+  std::uint64_t vertex_clears = 0;                          ///< of these, cleared by it
+  std::uint64_t frame_tests = 0, frame_clears = 0;          ///< blocks put to the frame test, and cleared by it
+  std::uint64_t quota_checks = 0;                           ///< conflict lists that were counted
+  std::uint64_t quota_refinements = 0;                      ///< of these, over the quota: the cell was refined
+  std::uint64_t few_cells = 0;                              ///< of these, over the quota, but the cell too small to be refined
+  std::uint64_t seed = 0;                                   ///< of the closest lines' random order
   PredicateCounts predicates{};
 };
 

@@ -8,16 +8,13 @@
 #include <utility>
 
 #include "kernels/direction.hpp"
+#include "kernels/line_error.hpp"
 
 namespace fathom {
 namespace {
 
-// Error bounds, absolute, for images within 2^-53 of values of size at most 1 (points, directions, nodes). They hold in every rounding
-// mode, and are derived, like each step below, in proofs/closest_lines.md.
-constexpr double unit = 0x1p-52;
-constexpr double height_error = 96 * unit;           // of <p - q, d x e>
-constexpr double squared_length_error = 112 * unit;  // of |d x e|^2
-constexpr double side_error = 16 * unit;             // of <n, d>
+// Each step below is justified in proofs/closest_lines.md.
+using line_error::unit;
 
 double middle(const Enclosure& e) { return e.low / 2 + e.high / 2; }
 
@@ -72,8 +69,8 @@ struct Farther {
     const Lane wy = d.z * ex - d.x * ez;
     const Lane wz = d.x * ey - d.y * ex;
     const Lane height = (p.x - load<Lane>(many.px, j)) * wx + (p.y - load<Lane>(many.py, j)) * wy + (p.z - load<Lane>(many.pz, j)) * wz;
-    const Lane least = larger<Lane>(larger<Lane>(height, -height) - height_error, Lane{});
-    return least * least - bound * (wx * wx + wy * wy + wz * wz + squared_length_error);
+    const Lane least = larger<Lane>(larger<Lane>(height, -height) - line_error::height, Lane{});
+    return least * least - bound * (wx * wx + wy * wy + wz * wz + line_error::squared_length);
   }
 };
 
@@ -85,7 +82,7 @@ struct OnOneSide {
   Lane margin(const ArcImages& many, std::size_t j) const {
     const Lane from = d.x * load<Lane>(many.fx, j) + d.y * load<Lane>(many.fy, j) + d.z * load<Lane>(many.fz, j);
     const Lane to = d.x * load<Lane>(many.tx, j) + d.y * load<Lane>(many.ty, j) + d.z * load<Lane>(many.tz, j);
-    return larger<Lane>(smaller<Lane>(from, to), smaller<Lane>(-from, -to)) - side_error;
+    return larger<Lane>(smaller<Lane>(from, to), smaller<Lane>(-from, -to)) - line_error::side;
   }
 };
 
@@ -100,18 +97,18 @@ double not_crossing(const LineImages& lines, const ArcImages& arcs, std::size_t 
   const auto [many_from, many_to] = side(many_arcs, j, lines, one);
   const double least = smaller(smaller(from, -to), smaller(-many_from, many_to));
   const double most = larger(larger(from, -to), larger(-many_from, many_to));
-  return smaller(most, -least) - side_error;
+  return smaller(most, -least) - line_error::side;
 }
 
-// Replaces `unsure` by the indices j < count whose margin is not positive. Most blocks have none, and end with one comparison.
+// Replaces `unsure` by the indices j in [first, last) whose margin is not positive. Most blocks have none, and end with one comparison.
 template <class Test, class Many>
-void collect(const Test& test, const Many& many, std::size_t count, std::vector<std::uint32_t>& unsure) {
+void collect(const Test& test, const Many& many, std::size_t first, std::size_t last, std::vector<std::uint32_t>& unsure) {
   constexpr std::size_t block = 64;
   unsure.clear();
   double margin[block];
   std::uint32_t found[block];
-  for (std::size_t begin = 0; begin < count; begin += block) {
-    const std::size_t n = std::min(block, count - begin);
+  for (std::size_t begin = first; begin < last; begin += block) {
+    const std::size_t n = std::min(block, last - begin);
     Lanes least = {1, 1};
     std::size_t k = 0;
     for (; k + lanes <= n; k += lanes) {
@@ -145,6 +142,12 @@ void LineImages::push_back(const Vector& point, const Vector& direction) {
   dz.push_back(d.z);
 }
 
+void LineImages::reverse(std::size_t i) {
+  dx[i] = -dx[i];
+  dy[i] = -dy[i];
+  dz[i] = -dz[i];
+}
+
 void LineImages::gather(const LineImages& all, std::span<const std::uint32_t> chosen) {
   exponent_ = all.exponent_;
   const auto pick = [&](const std::vector<double>& from, std::vector<double>& to) {
@@ -170,7 +173,12 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
 }
 
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure) {
-  collect(Farther(lines, one, bound), many, many.size(), unsure);
+  not_farther(lines, one, many, 0, many.size(), bound, unsure);
+}
+
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, std::size_t first, std::size_t last, double bound,
+                 std::vector<std::uint32_t>& unsure) {
+  collect(Farther(lines, one, bound), many, first, last, unsure);
 }
 
 void ArcImages::push_back(const Vector& from, const Vector& to) {
@@ -187,7 +195,7 @@ void crossing_and_not_farther(const LineImages& lines, const ArcImages& arcs, st
                               const ArcImages& many_arcs, double bound, std::vector<std::uint32_t>& unsure) {
   const Farther farther(lines, one, bound);
   // Short arcs seldom meet the great circle: this test comes first, over all, and the two that cost more over the rest.
-  collect(OnOneSide{farther.d}, many_arcs, many.size(), unsure);
+  collect(OnOneSide{farther.d}, many_arcs, 0, many.size(), unsure);
   std::erase_if(unsure, [&](std::uint32_t j) {
     return farther.margin<double>(many, j) > 0 || not_crossing(lines, arcs, one, many, many_arcs, j) > 0;
   });

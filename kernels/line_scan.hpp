@@ -22,6 +22,8 @@ class LineImages {
   void push_back(const Vector& point, const Vector& direction);
   /// Makes this the images of the chosen lines.
   void gather(const LineImages& all, std::span<const std::uint32_t> chosen);
+  /// Turns the direction of line i round.
+  void reverse(std::size_t i);
 
   [[nodiscard]] std::size_t size() const { return px.size(); }
   [[nodiscard]] long exponent() const { return exponent_; }
@@ -40,6 +42,10 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
 /// to exceed `bound` strictly (parallel lines among them). `bound` is a squared distance in images, >= 0, +infinity allowed. Both sets must
 /// have the same exponent.
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure);
+
+/// The same among the lines [first, last) of `many` only.
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, std::size_t first, std::size_t last, double bound,
+                 std::vector<std::uint32_t>& unsure);
 
 /// Images of arcs: the nodes at both ends, scaled like directions.
 class ArcImages {

@@ -14,6 +14,7 @@
 #include "kernels/counters.hpp"
 #include "kernels/perturbation.hpp"
 #include "kernels/vector.hpp"
+#include "reference/lines/engines.hpp"
 
 namespace fathom {
 
@@ -61,9 +62,6 @@ struct Depth {
 /// exact: AGHRS section 2. naive: the convex hull of all vertex differences, its independent twin.
 enum class Method { exact, naive };
 
-/// How the closest lines of a canonical pair are found.
-enum class ClosestLines { naive };
-
 /// Thrown when the progress callback asked to stop.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
@@ -71,7 +69,9 @@ struct Interrupted : std::runtime_error {
 
 struct Options {
   Method method = Method::exact;
-  ClosestLines closest_lines = ClosestLines::naive;
+  ClosestLines closest_lines = ClosestLines::cutting;
+  /// Of the closest lines' random order. Results do not depend on it, only counters do.
+  std::uint64_t seed = 1;
   /// Called now and then with the stage's name and the share of it that is done, in [0, 1]. Return false to stop.
   std::function<bool(const std::string& stage, double share)> progress;
   /// How coincidences are resolved. Results do not depend on it.

@@ -1,84 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/lines/closest_lines.hpp"
 
-#include <limits>
+#include <algorithm>
+
+#include "reference/lines/cutting.hpp"
+#include "reference/lines/sampled.hpp"
 
 namespace fathom {
 namespace {
 
-// The scan of one canonical pair, with buffers that live as long as the whole family's.
-class PairScan {
- public:
-  PairScan(const EdgeLines& a, const EdgeLines& b, NearestPlanes& nearest, Counters& counters)
-      : a_(a), b_(b), nearest_(nearest), counters_(counters) {
-    tighten();
-  }
+// Up to so many pairs are scanned without more ado; up to so many, if the vertex test does not clear them all; the others are cut.
+constexpr std::uint64_t tiny = 64, small = 2048;
+// Of each large pair, the crossings of about so many rows with as many columns are looked at first.
+constexpr std::size_t stride_lines = 32;
 
-  void scan(const CanonicalPair& pair) {
-    const std::span<const std::uint32_t> of_a = pair.edges_of_a(), of_b = pair.edges_of_b();
-    counters_.pairs_evaluated += static_cast<std::uint64_t>(of_a.size()) * of_b.size();
-    // The longer side runs in the inner loop.
-    if (of_a.size() <= of_b.size()) {
-      block_.gather(b_.images(), of_b);
-      for (const std::uint32_t e : of_a) {
-        not_farther(a_.images(), e, block_, bound_, unsure_);
-        for (const std::uint32_t k : unsure_) decide(e, of_b[k]);
-      }
-    } else {
-      block_.gather(a_.images(), of_a);
-      for (const std::uint32_t f : of_b) {
-        not_farther(b_.images(), f, block_, bound_, unsure_);
-        for (const std::uint32_t k : unsure_) decide(of_a[k], f);
+// Every k-th edge, for about stride_lines of them.
+std::vector<std::uint32_t> strided(std::span<const std::uint32_t> edges, std::mt19937_64& random) {
+  const std::size_t step = std::max<std::size_t>(1, edges.size() / stride_lines);
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t i = random() % step; i < edges.size(); i += step) chosen.push_back(edges[i]);
+  return chosen;
+}
+
+// One global best over all canonical pairs: small pairs first, then the large ones, promising ones first.
+class Family {
+ public:
+  Family(const CanonicalSubsets& subsets, const Charts& charts, const EdgeLines& a, const EdgeLines& b, LineSearch& search,
+         ClosestLines engine)
+      : subsets_(subsets), charts_(charts), a_(a), b_(b), search_(search), engine_(engine) {}
+
+  bool run() {
+    if (!search_.proceed(0)) return false;
+    std::uint64_t lines = 0;
+    for (std::size_t i = 0; i < subsets_.size(); ++i) lines += lines_of(i);
+    std::uint64_t done = 0;
+    const auto proceed = [&](std::size_t i) {
+      done += lines_of(i);
+      return i % 64 != 0 || search_.proceed(static_cast<double>(done) / static_cast<double>(lines));
+    };
+    std::vector<Promise> large;
+    for (std::size_t i = 0; i < subsets_.size(); ++i) {
+      if (search_.stopped()) return false;
+      if (!start(i)) {
+        if (!proceed(i)) return false;
+      } else if (!clears(i)) {
+        large.push_back({promise(i), i});
       }
     }
+    std::ranges::sort(large, {}, [](const Promise& p) { return std::pair(p.squared, p.pair); });
+    for (const Promise& p : large) {
+      if (!clears(p.pair)) cut(p.pair);
+      if (search_.stopped() || !proceed(p.pair)) return false;
+    }
+    return true;
   }
 
  private:
-  void decide(std::uint32_t e, std::uint32_t f) {
-    ++counters_.pairs_exact;
-    if (offer_edges(a_, e, b_, f, nearest_)) tighten();
+  struct Promise {
+    double squared;
+    std::size_t pair;
+  };
+
+  std::uint64_t lines_of(std::size_t i) const { return subsets_[i].stored.size() + subsets_[i].queries.size(); }
+
+  Grid grid(std::size_t i) const { return Grid(subsets_[i], charts_, a_, b_); }
+
+  bool clears(std::size_t i) { return vertex_clears(grid(i), search_.nearest(), search_.bound()); }
+
+  // Deals with a pair that is small; tells whether it is large.
+  bool start(std::size_t i) {
+    const CanonicalPair pair = subsets_[i];
+    const std::uint64_t pairs = static_cast<std::uint64_t>(pair.stored.size()) * pair.queries.size();
+    if (pairs > small) return true;
+    if (pairs <= tiny || !clears(i)) search_.scan(pair.edges_of_a(), pair.edges_of_b());
+    return false;
   }
 
-  void tighten() {
-    bound_ = nearest_.empty() ? std::numeric_limits<double>::infinity()
-                              : image_bound(nearest_.numerator(), nearest_.denominator(), a_.images().exponent());
+  // Looks at a part of the pair, and estimates how near its nearest crossing is.
+  double promise(std::size_t i) {
+    const CanonicalPair pair = subsets_[i];
+    const std::vector<std::uint32_t> of_a = strided(pair.edges_of_a(), search_.random()),
+                                     of_b = strided(pair.edges_of_b(), search_.random());
+    search_.scan(of_a, of_b);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t e : of_a) {
+      for (const std::uint32_t f : of_b) least = std::min(least, estimated_squared_distance(a_.images(), e, b_.images(), f));
+    }
+    return least;
   }
 
+  void cut(std::size_t i) {
+    const Grid g = grid(i);
+    if (engine_ == ClosestLines::cutting) {
+      closest_by_cutting(g, search_);
+    } else {
+      closest_by_sampling(g, search_);
+    }
+  }
+
+  const CanonicalSubsets& subsets_;
+  const Charts& charts_;
   const EdgeLines& a_;
   const EdgeLines& b_;
-  NearestPlanes& nearest_;
-  Counters& counters_;
-  LineImages block_;
-  std::vector<std::uint32_t> unsure_;
-  double bound_ = 0;
+  LineSearch& search_;
+  ClosestLines engine_;
 };
+
+bool scan_all(const CanonicalSubsets& subsets, LineSearch& search) {
+  for (std::size_t i = 0; i < subsets.size(); ++i) {
+    if (i % 1024 == 0 && !search.proceed(static_cast<double>(i) / static_cast<double>(subsets.size()))) return false;
+    search.scan(subsets[i].edges_of_a(), subsets[i].edges_of_b());
+    if (search.stopped()) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
-EdgeLines::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent) {
-  for (std::uint32_t i = 0; i < size(); ++i) images_.push_back(point(i), direction(i));
-}
-
-Vector EdgeLines::direction(std::uint32_t edge) const {
-  const Edge& e = polytope_->edges[edge];
-  return polytope_->vertices[e.to] - polytope_->vertices[e.from];
-}
-
-bool offer_edges(const EdgeLines& a, std::uint32_t of_a, const EdgeLines& b, std::uint32_t of_b, NearestPlanes& nearest) {
-  const Vector w = cross(a.direction(of_a), b.direction(of_b));
-  if (is_zero(w)) return false;
-  const mpz_class height = dot(b.point(of_b) - a.point(of_a), w);
-  return height > 0 ? nearest.offer(w, height) : nearest.offer(-w, mpz_class(-height));
-}
-
-bool closest_lines(const CanonicalSubsets& subsets, const EdgeLines& a, const EdgeLines& b, NearestPlanes& nearest, Counters& counters,
-                   const std::function<bool(double)>& keep_going) {
-  PairScan scan(a, b, nearest, counters);
-  for (std::size_t i = 0; i < subsets.size(); ++i) {
-    if (keep_going && i % 1024 == 0 && !keep_going(static_cast<double>(i) / static_cast<double>(subsets.size()))) return false;
-    scan.scan(subsets[i]);
-  }
-  return true;
+bool closest_lines(const CanonicalSubsets& subsets, const Charts& charts, const EdgeLines& a, const EdgeLines& b, NearestPlanes& nearest,
+                   Counters& counters, const ClosestLinesOptions& options) {
+  LineSearch search(a, b, nearest, counters, options.keep_going, options.seed);
+  if (options.engine == ClosestLines::naive) return scan_all(subsets, search);
+  return Family(subsets, charts, a, b, search, options.engine).run();
 }
 
 Report validate_separation(const CanonicalSubsets& subsets, const EdgeLines& a, const EdgeLines& b, const Vector& z) {

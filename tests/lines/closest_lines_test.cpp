@@ -30,7 +30,7 @@ TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
       const CanonicalSubsets subsets = canonical_subsets(charts);
       NearestPlanes filtered, exact;
       Counters counters;
-      ASSERT_TRUE(closest_lines(subsets, a, b, filtered, counters));
+      ASSERT_TRUE(closest_lines(subsets, charts, a, b, filtered, counters, {.engine = ClosestLines::naive}));
       for (std::size_t i = 0; i < subsets.size(); ++i) {
         for (const std::uint32_t e : subsets[i].edges_of_a()) {
           for (const std::uint32_t f : subsets[i].edges_of_b()) offer_edges(a, e, b, f, exact);
@@ -94,14 +94,17 @@ TEST(ClosestLines, StopsWhenAsked) {
   const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
   NearestPlanes nearest;
   Counters counters;
-  EXPECT_FALSE(closest_lines(canonical_subsets(p->charts[0]), a, b, nearest, counters, [](double) { return false; }));
+  EXPECT_FALSE(
+      closest_lines(canonical_subsets(p->charts[0]), p->charts[0], a, b, nearest, counters, {.keep_going = [](double) { return false; }}));
   EXPECT_TRUE(nearest.empty());
 }
 
 // In general position exact arithmetic is rare: it decides improvements and near ties only.
 TEST(ClosestLines, FilterLeavesFewPairs) {
   const Case input = families::find_family("crossed_fans")->make(1, 300);
-  const Depth depth = penetration_depth(input.a.points, input.b.points);
+  Options options;
+  options.closest_lines = ClosestLines::naive;
+  const Depth depth = penetration_depth(input.a.points, input.b.points, options);
   EXPECT_GE(depth.counters.pairs_evaluated, 80000U);
   EXPECT_LE(depth.counters.pairs_exact, depth.counters.pairs_evaluated / 10);
 }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/lines/cutting.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace fathom {
+namespace {
+
+using Node = CellTree::Node;
+
+// A frame test costs as much as some hundred pairs; and where it seldom clears, it is tried on few blocks only.
+constexpr std::uint64_t worth_a_frame = 1024;
+
+int level(Node k) { return std::bit_width(k); }
+
+// One cutting in the making.
+class Cutter {
+ public:
+  Cutter(Blocks& blocks, Side side, const CuttingSize& size, LineSearch& search)
+      : blocks_(blocks), side_(side), size_(size), search_(search) {}
+
+  std::vector<Cell> cut(Node cell, const std::vector<Node>& list) {
+    quota_ = lines_of(list) / size_.r;
+    if (own().size(cell) <= size_.few) return {Cell{cell, list, lines_of(list), false}};
+    halve(cell, list);
+    return std::move(cells_);
+  }
+
+ private:
+  CellTree& own() { return blocks_.tree(side_); }
+  CellTree& opposite() { return blocks_.tree(other(side_)); }
+
+  std::uint64_t lines_of(const std::vector<Node>& list) {
+    std::uint64_t lines = 0;
+    for (const Node run : list) lines += opposite().size(run);
+    return lines;
+  }
+
+  // Recursion as deep as the tree: logarithmic.
+  void halve(Node cell, const std::vector<Node>& list) {
+    std::array<Node, 2> halves{2 * cell, 2 * cell + 1};
+    if (nearest_estimate(halves[1], list) < nearest_estimate(halves[0], list)) std::swap(halves[0], halves[1]);
+    for (const Node half : halves) {
+      if (search_.stopped()) return;
+      Cell part{half, filter(half, list)};
+      part.lines = lines_of(part.conflicts);
+      part.quota_reached = part.lines <= quota_;
+      ++search_.counters().cells;
+      ++search_.counters().quota_checks;
+      if (part.conflicts.empty()) continue;
+      if (part.quota_reached || own().size(half) <= size_.few) {
+        search_.counters().few_cells += !part.quota_reached;
+        cells_.push_back(std::move(part));
+      } else {
+        ++search_.counters().quota_refinements;
+        halve(half, part.conflicts);
+      }
+    }
+  }
+
+  // The runs of the list, no coarser than the cell, that are not cleared.
+  std::vector<Node> filter(Node cell, const std::vector<Node>& list) {
+    std::vector<Node> kept, pending(list.rbegin(), list.rend());
+    while (!pending.empty()) {
+      const Node run = pending.back();
+      pending.pop_back();
+      if (blocks_.clears(side_, cell, run, search_)) continue;
+      if (level(run) < level(cell) && opposite().size(run) > size_.few) {
+        pending.push_back(2 * run + 1);
+        pending.push_back(2 * run);
+      } else {
+        kept.push_back(run);
+      }
+    }
+    return kept;
+  }
+
+  double nearest_estimate(Node cell, const std::vector<Node>& list) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Node run : list) least = std::min(least, blocks_.estimate(side_, cell, run));
+    return least;
+  }
+
+  Blocks& blocks_;
+  Side side_;
+  const CuttingSize& size_;
+  LineSearch& search_;
+  std::uint64_t quota_ = 0;
+  std::vector<Cell> cells_;
+};
+
+// The search over one grid: cut, swap the roles, cut, ..., scan.
+class Engine {
+ public:
+  Engine(const Grid& grid, LineSearch& search, const CuttingSize& size) : blocks_(grid), search_(search), size_(size) {}
+
+  void run() { solve(Side::rows, CellTree::root, {CellTree::root}); }
+
+ private:
+  // Recursion as deep as both trees.
+  void solve(Side side, Node cell, const std::vector<Node>& list) {
+    std::uint64_t lines = 0, longest = blocks_.tree(side).size(cell);
+    const std::uint64_t across = longest;
+    for (const Node run : list) {
+      const std::uint64_t along = blocks_.tree(other(side)).size(run);
+      lines += along;
+      longest = std::max(longest, along);
+    }
+    if (across * lines <= size_.base || longest <= size_.few) {
+      for (const Node run : list) scan(side, cell, run);
+      return;
+    }
+    std::vector<Cell> cells = cut(blocks_, side, cell, list, size_, search_);
+    // The nearest cell comes first; the order of the others is random, so that improvements of the best are few.
+    if (cells.size() > 2) std::shuffle(cells.begin() + 1, cells.end(), search_.random());
+    const std::uint64_t known = search_.improvements();
+    for (const Cell& part : cells) {
+      for (const Node run : part.conflicts) {
+        if (search_.stopped()) return;
+        // Can it still beat the best?
+        if (search_.improvements() != known && blocks_.clears(side, part.cell, run, search_)) continue;
+        solve(other(side), run, {part.cell});
+      }
+    }
+  }
+
+  void scan(Side side, Node cell, Node run) {
+    const Node row = side == Side::rows ? cell : run, column = side == Side::rows ? run : cell;
+    const Clearing& c = blocks_.clearing();
+    search_.scan(c.grid(), c.rows(), blocks_.tree(Side::rows).lines(row), c.columns(), blocks_.tree(Side::columns).run(column));
+  }
+
+  Blocks blocks_;
+  LineSearch& search_;
+  const CuttingSize& size_;
+};
+
+}  // namespace
+
+bool Blocks::clears(Side side, Node cell, Node opposite, LineSearch& search) {
+  const Node row = side == Side::rows ? cell : opposite, column = side == Side::rows ? opposite : cell;
+  const Clearing::Lines rows = tree(Side::rows).lines(row), columns = tree(Side::columns).lines(column);
+  Counters& counters = search.counters();
+  ++counters.block_tests;
+  search.work(16);
+  if (clearing_.vertex_clears(rows, columns, search.nearest(), search.bound())) {
+    ++counters.vertex_clears;
+    return true;
+  }
+  return rows.size() * columns.size() >= worth_a_frame && frames_clear(row, column, search);
+}
+
+bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
+  const bool promising = 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0;
+  if (!promising) return false;
+  ++frames_tried_;
+  ++search.counters().frame_tests;
+  CellTree &rows = tree(Side::rows), &columns = tree(Side::columns);
+  const double bound = search.bound().above;
+  const bool clear =
+      frames_beyond(rows.sketch(row), columns.sketch(column), bound) && frames_beyond(rows.frame(row), columns.frame(column), bound);
+  frames_held_ += clear;
+  search.counters().frame_clears += clear;
+  return clear;
+}
+
+double Blocks::estimate(Side side, Node cell, Node opposite) {
+  const Node row = side == Side::rows ? cell : opposite, column = side == Side::rows ? opposite : cell;
+  return clearing_.estimate(tree(Side::rows).lines(row), tree(Side::columns).lines(column));
+}
+
+std::vector<Cell> cut(Blocks& blocks, Side side, Node cell, const std::vector<Node>& list, const CuttingSize& size, LineSearch& search) {
+  return Cutter(blocks, side, size, search).cut(cell, list);
+}
+
+void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size) {
+  ++search.counters().grids_cut;
+  Engine(grid, search, size).run();
+}
+
+}  // namespace fathom

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a grid, and the nearest planes so far.
+// Output  those planes and all of the grid's that are as near or nearer.                                        [design, section 5]
+// How     a cutting of one chain: runs of it (cells), each with the runs of the other chain that it may approach (its conflict list), at
+//         most a share 1/r of what there was; then each conflicting run is cut against the cell, with the roles swapped; a naive scan
+//         ends it. Cells follow the order of the grid, and a block is dropped only if it is strictly farther than the best so far.
+// Not     the paper's: no bound on the number of cells is proved. What is kept and what is measured: proofs/cutting.md.
+#pragma once
+
+#include "reference/lines/cell_tree.hpp"
+#include "reference/lines/clearing.hpp"
+#include "reference/lines/line_search.hpp"
+
+namespace fathom {
+
+/// Whose lines are cut into cells; the other chain's make the conflict lists.
+enum class Side : std::uint8_t { rows, columns };
+
+constexpr Side other(Side s) { return s == Side::rows ? Side::columns : Side::rows; }
+
+/// A grid with the cells of both chains.
+class Blocks {
+ public:
+  explicit Blocks(const Grid& grid) : clearing_(grid), trees_{CellTree(clearing_.rows()), CellTree(clearing_.columns())} {}
+  Blocks(const Blocks&) = delete;  // the trees refer to the images
+  Blocks& operator=(const Blocks&) = delete;
+
+  [[nodiscard]] const Clearing& clearing() const { return clearing_; }
+  [[nodiscard]] CellTree& tree(Side s) { return trees_[static_cast<std::size_t>(s)]; }
+
+  /// Whether every pair of the block is proved to be strictly farther than the search's best: by the vertex test, or by the frame test
+  /// where it may pay.
+  bool clears(Side side, CellTree::Node cell, CellTree::Node opposite, LineSearch& search);
+  [[nodiscard]] double estimate(Side side, CellTree::Node cell, CellTree::Node opposite);
+
+ private:
+  bool frames_clear(CellTree::Node row, CellTree::Node column, LineSearch& search);
+
+  Clearing clearing_;
+  std::array<CellTree, 2> trees_;
+  std::uint64_t frames_tried_ = 0, frames_held_ = 0;
+};
+
+/// A cell of a cutting, with its conflict list.
+struct Cell {
+  CellTree::Node cell;
+  std::vector<CellTree::Node> conflicts;
+  std::uint64_t lines = 0;     ///< number of lines in the conflict list
+  bool quota_reached = false;  ///< lines <= quota; otherwise the cell is too small to be refined
+};
+
+/// How finely a cutting is made.
+struct CuttingSize {
+  std::uint64_t r = 4;        ///< the conflict list of a cell holds at most a share 1/r of the lines
+  std::uint64_t few = 16;     ///< cells of so few lines are not refined
+  std::uint64_t base = 1024;  ///< so few pairs are scanned
+};
+
+/// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves, filters the lists, counts, refines while over the quota.
+/// Cells with an empty list are left out. Together with what was cleared strictly, the blocks cell x conflicts hold all pairs.
+/// Nearer halves come first.
+std::vector<Cell> cut(Blocks& blocks, Side side, CellTree::Node cell, const std::vector<CellTree::Node>& list, const CuttingSize& size,
+                      LineSearch& search);
+
+/// The engine on one grid.
+void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size = {});
+
+}  // namespace fathom

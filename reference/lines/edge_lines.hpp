@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines that carry a body's edges, and the planes that two of them span.                    [AGHRS, Lemma 2.2]
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/line_scan.hpp"
+#include "kernels/nearest.hpp"
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom {
+
+/// The lines through a polytope's edges, exact and as images. Line i carries edge i. The polytope must outlive it.
+class EdgeLines {
+ public:
+  /// `exponent` bounds the coordinates of both bodies: |c| <= 2^exponent.
+  EdgeLines(const Polytope& polytope, long exponent);
+
+  [[nodiscard]] std::size_t size() const { return polytope_->edges.size(); }
+  [[nodiscard]] const Vector& point(std::uint32_t edge) const { return polytope_->vertices[polytope_->edges[edge].from]; }
+  [[nodiscard]] Vector direction(std::uint32_t edge) const;
+  [[nodiscard]] const LineImages& images() const { return images_; }
+
+ private:
+  const Polytope* polytope_;
+  LineImages images_;
+};
+
+/// Offers the plane that is parallel to edge `of_a` of A and edge `of_b` of B, oriented away from O, in exact arithmetic. Parallel edges
+/// span no plane and are skipped. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2.
+/// Returns whether it is among the nearest now.
+bool offer_edges(const EdgeLines& a, std::uint32_t of_a, const EdgeLines& b, std::uint32_t of_b, NearestPlanes& nearest);
+
+}  // namespace fathom

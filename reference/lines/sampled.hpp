@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sampled cutting: the same answer as cutting.hpp, in the paper's own shape.                [AGHRS, section 2.2; design, section 5]
+// How     a random sample of r log2(r + 1) lines of one chain guides how the other is cut into cells: a cell is halved while some line
+//         of the sample may approach it. Then its whole conflict list is counted, line by line; over the quota |L|/r it is refined.
+//         Roles swap, subproblems come in random order, a naive scan ends it.
+// Why     for study, and as a cross-check. The sample is not what makes it fast: the lists are, which are counted anyway.
+#pragma once
+
+#include "reference/lines/clearing.hpp"
+#include "reference/lines/line_search.hpp"
+
+namespace fathom {
+
+struct SampledSize {
+  std::uint64_t r = 8;
+  std::uint64_t base = 2048;  ///< so few pairs are scanned
+};
+
+void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size = {});
+
+}  // namespace fathom

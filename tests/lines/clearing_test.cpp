@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The block tests against exact distances: what is cleared holds nothing as near as the bound.
+#include "reference/lines/clearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/grids.hpp"
+#include "tests/support/line_scenes.hpp"
+
+namespace fathom {
+namespace {
+
+using namespace fathom::testing;
+using Lines = std::vector<std::uint32_t>;
+
+// Some ascending positions of 0, ..., n - 1: a run, or every now and then any subset.
+Lines some_lines(Random& random, std::size_t n) {
+  std::size_t first = random() % n, last = random() % n;
+  if (first > last) std::swap(first, last);
+  Lines lines;
+  const bool holes = random() % 8 == 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    if (!holes || random() % 2 == 0) lines.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (lines.empty()) lines.push_back(static_cast<std::uint32_t>(first));
+  return lines;
+}
+
+// Blocks shrink as fast as the search's do, or most would be too large to be cleared.
+Lines small_lines(Random& random, std::size_t n) {
+  const std::size_t size = 1 + random() % std::min<std::size_t>(n, 6), first = random() % (n - size + 1);
+  Lines lines(size);
+  std::iota(lines.begin(), lines.end(), static_cast<std::uint32_t>(first));
+  return lines;
+}
+
+struct Audit {
+  std::uint64_t blocks = 0, vertex = 0, frame = 0;
+};
+
+// Random blocks of one grid, thresholds from 1e-1 to 1e-12 above its least distance, each block under both tests.
+void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std::string& where) {
+  const GridDistances distances(grid);
+  if (distances.empty()) return;
+  const Clearing clearing(grid);
+  for (int k = 1; k <= 12; ++k) {
+    mpz_class ten;
+    mpz_ui_pow_ui(ten.get_mpz_t(), 10, static_cast<unsigned long>(k));
+    const mpq_class above = distances.least() * mpq_class(ten + 1, ten);
+    const NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : above);
+    const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.lines_a().images().exponent());
+    const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
+    for (int n = 0; n < blocks / 12; ++n) {
+      const Rounding mode(rounding_modes[n % 4]);
+      const Lines rows = n % 3 ? small_lines(random, grid.rows()) : some_lines(random, grid.rows());
+      const Lines columns = n % 3 ? small_lines(random, grid.columns()) : some_lines(random, grid.columns());
+      std::uint32_t least = UINT32_MAX;
+      for (const std::uint32_t i : rows) {
+        for (const std::uint32_t j : columns) least = std::min(least, distances.rank(i, j));
+      }
+      const bool vertex = clearing.vertex_clears(rows, columns, nearest, bound);
+      const bool frame = frames_beyond(line_frame(clearing.rows(), rows), line_frame(clearing.columns(), columns), bound.above);
+      ++sums.blocks;
+      sums.vertex += vertex;
+      sums.frame += frame;
+      ASSERT_TRUE(!vertex || least >= pivot) << where << ": the vertex test cleared a nearer pair";
+      ASSERT_TRUE(!frame || least >= pivot) << where << ": the frame test cleared a nearer pair";
+    }
+  }
+}
+
+TEST(Clearing, NeverClearsANearerPair) {
+  Random random(5);
+  Audit sums;
+  constexpr const char* names[] = {"crossed_fans",           "crossed_parabolas", "crossed_random_parabolas",
+                                   "crossed_twists",         "crossed_prisms",    "crossed_random_prisms",
+                                   "crossed_bands",          "crossed_ties",      "crossed_shrinking_ties",
+                                   "crossed_vanishing_ties", "crossed_fillets",   "crossed_patch"};
+  for (const char* name : names) {
+    const families::Family* family = families::find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    int audited = 0;
+    for (unsigned seed = 1; audited < 3 && seed <= 6; ++seed) {
+      PreparedGrids(family->make(seed, 40)).for_each([&](const Grid& grid, const Charts&) {
+        if (audited >= 3 || grid.rows() * grid.columns() < 64) return;
+        ++audited;
+        audit(grid, 36000, random, sums, name);
+      });
+    }
+  }
+  RecordProperty("blocks", std::to_string(sums.blocks));
+  EXPECT_GE(sums.blocks, 1000000U);
+  EXPECT_GE(sums.vertex, sums.blocks / 10);
+  EXPECT_GE(sums.frame, sums.blocks / 10);
+  std::printf("%llu blocks, %llu cleared by the vertex test, %llu by the frame test\n", static_cast<unsigned long long>(sums.blocks),
+              static_cast<unsigned long long>(sums.vertex), static_cast<unsigned long long>(sums.frame));
+}
+
+// On small integers many distances tie, lines are parallel, and corners vanish.
+TEST(Clearing, NeverClearsATie) {
+  Random random(6);
+  Audit sums;
+  for (const char* name : {"lattice", "random_lattice", "boxes", "crossed_parabolas", "platonic"}) {
+    const families::Family* family = families::find_family(name);
+    if (family == nullptr) continue;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      PreparedGrids(family->make(seed, 20)).for_each([&](const Grid& grid, const Charts&) {
+        if (grid.rows() * grid.columns() > 1) audit(grid, 120, random, sums, name);
+      });
+    }
+  }
+  EXPECT_GE(sums.blocks, 10000U);
+  EXPECT_GE(sums.vertex, 100U);
+}
+
+// The whole pair, without images of its chains, as with them.
+TEST(Clearing, WholePairIsTheBlockOfAll) {
+  std::size_t clear = 0, kept = 0;
+  for (const Case& input : cases_of_all_families(1, 24)) {
+    PreparedGrids(input).for_each([&](const Grid& grid, const Charts&) {
+      const GridDistances distances(grid);
+      if (distances.empty()) return;
+      const Clearing clearing(grid);
+      for (const int k : {1, 2, 4}) {
+        const NearestPlanes nearest = plane_at(distances.least() / k);
+        const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.lines_a().images().exponent());
+        const bool whole = vertex_clears(grid, nearest, bound);
+        EXPECT_EQ(whole, clearing.vertex_clears(all_indices(grid.rows()), all_indices(grid.columns()), nearest, bound)) << input.id;
+        ++(whole ? clear : kept);
+      }
+    });
+  }
+  EXPECT_GE(clear, 100U);
+  EXPECT_GE(kept, 100U);
+}
+
+}  // namespace
+}  // namespace fathom
