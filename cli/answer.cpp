@@ -8,6 +8,8 @@ namespace fathom::cli {
 Answer answer_to(const Case& single, const Request& request, const Solve& solve, Progress& progress) {
   Options options;
   options.method = request.method;
+  options.closest_lines = request.closest_lines;
+  options.seed = request.seed;
   options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   Answer answer{single.id, solve(single, options), single.a.points.size(), single.b.points.size()};
   progress.clear();

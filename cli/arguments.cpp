@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <memory>
 
 #include "cli/cases_arguments.hpp"
@@ -47,9 +48,16 @@ std::string check_digits(const std::string& value) {
   return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, shown(value));
 }
 
+std::string check_seed(const std::string& value) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), seed);
+  if (!value.empty() && error == std::errc() && end == value.data() + value.size()) return "";
+  return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", shown(value));
+}
+
 /// What the options say, before it is known whether they go together.
 struct Texts {
-  std::string method = "auto", closest_lines;
+  std::string method = "auto", closest_lines, seed = "1";
   bool exact_decimals = false;
   std::string wrong_cases;  ///< what does not go together in `cases`
 };
@@ -72,9 +80,13 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_option("--method", texts.method, "how: auto, exact, or naive (the hull of all vertex differences)\nauto is exact")
       ->check(one_of({"auto", "exact", "naive"}, {"certificate", "shallow"}))
       ->type_name("NAME");
-  app.add_option("--closest-lines", texts.closest_lines, "engine inside the exact method: naive")
-      ->check(one_of({"naive"}, {"cutting", "sampled"}))
+  app.add_option("--closest-lines", texts.closest_lines,
+                 "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
+      ->check(one_of({"cutting", "sampled", "naive"}, {}))
       ->type_name("NAME");
+  app.add_option("--seed", texts.seed, "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
+      ->check(check_seed)
+      ->type_name("N");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
   add_inputs(app, request, texts);
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
@@ -149,6 +161,9 @@ Arguments completed(Request request, const Texts& texts) {
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
   request.method = texts.method == "naive" ? Method::naive : Method::exact;
+  if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
+  if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
+  std::from_chars(texts.seed.data(), texts.seed.data() + texts.seed.size(), request.seed);
   return {std::move(request), "", fine};
 }
 

@@ -26,6 +26,16 @@ void for_each_count(const Counters& counters, F f) {
   f("crossings", counters.crossings);
   f("pairs_evaluated", counters.pairs_evaluated);
   f("pairs_exact", counters.pairs_exact);
+  f("grids_cut", counters.grids_cut);
+  f("cells", counters.cells);
+  f("block_tests", counters.block_tests);
+  f("vertex_clears", counters.vertex_clears);
+  f("frame_tests", counters.frame_tests);
+  f("frame_clears", counters.frame_clears);
+  f("quota_checks", counters.quota_checks);
+  f("quota_refinements", counters.quota_refinements);
+  f("few_cells", counters.few_cells);
+  f("seed", counters.seed);
 }
 
 }  // namespace fathom::cli

@@ -18,6 +18,8 @@ struct Request {
   Command command = Command::depth;
   std::vector<std::string> inputs;  ///< depth, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::exact;
+  ClosestLines closest_lines = ClosestLines::cutting;
+  std::uint64_t seed = 1;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
   bool json = false;
   bool csv = false;  ///< study: rows of counts

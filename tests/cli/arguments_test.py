@@ -48,14 +48,13 @@ class Misuse(CliTest):
         for command in ("depth", "width"):
             for method in ("certificate", "shallow"):
                 self.assertIn(f"--method: '{method}' is not part of this version", self.refused(command, "--method", method, A, B))
-            for engine in ("cutting", "sampled"):
-                self.assertIn(f"--closest-lines: '{engine}' is not part of this version",
-                              self.refused(command, "--closest-lines", engine, A, B))
         for arguments in (["--certificate", "x.cert"], ["--certificate=x.cert"], ["--certificate"]):
             self.assertIn("--certificate is not part of this version", self.refused("depth", A, B, *arguments))
 
     def test_values_of_options(self):
         self.assertIn("--method: 'fast' is unknown (expected auto, exact, naive)", self.refused("depth", "--method", "fast", A, B))
+        for seed in ("-1", "1.5", "x", "18446744073709551616"):
+            self.assertIn("--seed: expected an integer from 0 to 2^64 - 1", self.refused("depth", f"--seed={seed}", A, B))
         self.assertIn("--closest-lines: 'fast' is unknown", self.refused("depth", "--closest-lines", "fast", A, B))
         for digits in ("0", "00", "-1", "1.5", "1e3", "many", "", "1000001", "99999999999999999999"):
             self.assertIn("expected an integer from 1 to 1000000", self.refused("depth", f"--digits={digits}", A, B) if digits

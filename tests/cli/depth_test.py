@@ -113,7 +113,8 @@ class Options(CliTest):
         naive = self.result("depth", "--method", "naive", CUBE, ICOSAHEDRON)
         self.assertEqual((exact.pop("method"), naive.pop("method")), ("exact", "naive"))
         self.assertEqual(exact, naive)
-        for arguments in (["--method", "auto"], ["--method=exact"], ["--closest-lines", "naive"],
+        for arguments in (["--method", "auto"], ["--method=exact"], ["--closest-lines", "naive"], ["--closest-lines", "cutting"],
+                          ["--closest-lines", "sampled"], ["--seed", "7"],
                           ["--closest-lines", "naive", "--method", "exact"]):
             again = self.result("depth", *arguments, CUBE, ICOSAHEDRON)
             self.assertEqual(again.pop("method"), "exact")
