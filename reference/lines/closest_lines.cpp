@@ -9,8 +9,8 @@
 namespace fathom {
 namespace {
 
-// Up to so many pairs are scanned without more ado; up to so many, if the vertex test does not clear them all; the others are cut.
-constexpr std::uint64_t tiny = 64, small = 2048;
+// Up to so many pairs are scanned without asking the vertex test first.
+constexpr std::uint64_t tiny = 64;
 // Of each large pair, the crossings of about so many rows with as many columns are looked at first.
 constexpr std::size_t stride_lines = 32;
 
@@ -26,8 +26,8 @@ std::vector<std::uint32_t> strided(std::span<const std::uint32_t> edges, std::mt
 class Family {
  public:
   Family(const CanonicalSubsets& subsets, const Charts& charts, const EdgeLines& a, const EdgeLines& b, LineSearch& search,
-         ClosestLines engine)
-      : subsets_(subsets), charts_(charts), a_(a), b_(b), search_(search), engine_(engine) {}
+         const ClosestLinesOptions& options)
+      : subsets_(subsets), charts_(charts), a_(a), b_(b), search_(search), options_(options) {}
 
   bool run() {
     if (!search_.proceed(0)) return false;
@@ -71,7 +71,7 @@ class Family {
   bool start(std::size_t i) {
     const CanonicalPair pair = subsets_[i];
     const std::uint64_t pairs = static_cast<std::uint64_t>(pair.stored.size()) * pair.queries.size();
-    if (pairs > small) return true;
+    if (pairs > options_.scanned) return true;
     if (pairs <= tiny || !clears(i)) search_.scan(pair.edges_of_a(), pair.edges_of_b());
     return false;
   }
@@ -91,10 +91,10 @@ class Family {
 
   void cut(std::size_t i) {
     const Grid g = grid(i);
-    if (engine_ == ClosestLines::cutting) {
-      closest_by_cutting(g, search_);
+    if (options_.engine == ClosestLines::cutting) {
+      closest_by_cutting(g, search_, options_.cutting_size);
     } else {
-      closest_by_sampling(g, search_);
+      closest_by_sampling(g, search_, options_.sampled_size);
     }
   }
 
@@ -103,7 +103,7 @@ class Family {
   const EdgeLines& a_;
   const EdgeLines& b_;
   LineSearch& search_;
-  ClosestLines engine_;
+  const ClosestLinesOptions& options_;
 };
 
 bool scan_all(const CanonicalSubsets& subsets, LineSearch& search) {
@@ -121,7 +121,7 @@ bool closest_lines(const CanonicalSubsets& subsets, const Charts& charts, const 
                    Counters& counters, const ClosestLinesOptions& options) {
   LineSearch search(a, b, nearest, counters, options.keep_going, options.seed);
   if (options.engine == ClosestLines::naive) return scan_all(subsets, search);
-  return Family(subsets, charts, a, b, search, options.engine).run();
+  return Family(subsets, charts, a, b, search, options).run();
 }
 
 Report validate_separation(const CanonicalSubsets& subsets, const EdgeLines& a, const EdgeLines& b, const Vector& z) {

@@ -21,6 +21,10 @@ struct ClosestLinesOptions {
   std::uint64_t seed = 1;
   /// Called now and then with the share done, in [0, 1]; false stops early.
   std::function<bool(double)> keep_going = {};
+  /// Canonical pairs of so few crossings are scanned, unless they are cleared as a whole.
+  std::uint64_t scanned = 2048;
+  CuttingSize cutting_size = {};
+  SampledSize sampled_size = {};
 };
 
 /// Offers the nearest planes of all canonical pairs to `nearest`, which holds one global best; what it already holds helps. Returns false if

@@ -9,6 +9,7 @@
 
 #include "reference/lines/cell_tree.hpp"
 #include "reference/lines/clearing.hpp"
+#include "reference/lines/engines.hpp"
 #include "reference/lines/line_search.hpp"
 
 namespace fathom {
@@ -47,13 +48,6 @@ struct Cell {
   std::vector<CellTree::Node> conflicts;
   std::uint64_t lines = 0;     ///< number of lines in the conflict list
   bool quota_reached = false;  ///< lines <= quota; otherwise the cell is too small to be refined
-};
-
-/// How finely a cutting is made.
-struct CuttingSize {
-  std::uint64_t r = 4;        ///< the conflict list of a cell holds at most a share 1/r of the lines
-  std::uint64_t few = 16;     ///< cells of so few lines are not refined
-  std::uint64_t base = 1024;  ///< so few pairs are scanned
 };
 
 /// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves, filters the lists, counts, refines while over the quota.

@@ -12,4 +12,17 @@ enum class ClosestLines : std::uint8_t {
   naive,    ///< every pair, through a double filter
 };
 
+/// How finely the cutting engine cuts. Only the work depends on it.
+struct CuttingSize {
+  std::uint64_t r = 4;        ///< the conflict list of a cell holds at most a share 1/r of the lines
+  std::uint64_t few = 16;     ///< cells of so few lines are not refined
+  std::uint64_t base = 1024;  ///< so few pairs are scanned
+};
+
+/// The same for the sampled cutting; its cells are not refined below max(8, n / r^3) of n lines.
+struct SampledSize {
+  std::uint64_t r = 8;
+  std::uint64_t base = 2048;
+};
+
 }  // namespace fathom

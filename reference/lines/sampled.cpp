@@ -11,6 +11,9 @@ namespace {
 
 using Lines = std::vector<std::uint32_t>;
 
+// Cells of so few lines are never refined.
+constexpr std::size_t always_few = 8;
+
 class Engine {
  public:
   Engine(const Grid& grid, LineSearch& search, const SampledSize& size) : clearing_(grid), search_(search), size_(size) {}
@@ -30,7 +33,7 @@ class Engine {
 
   // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the quota or by `few`.
   void solve(bool rows, const Lines& lines, const Lines& list) {
-    if (lines.size() * list.size() <= size_.base) {
+    if (lines.size() * list.size() <= size_.base || std::max(lines.size(), list.size()) <= always_few) {
       scan(rows ? lines : list, rows ? list : lines);
       return;
     }
@@ -47,7 +50,7 @@ class Engine {
 
   std::vector<Cell> cut(bool rows, const Lines& lines, const Lines& list) {
     const Lines sample = sample_of(list);
-    const std::size_t few = std::max<std::size_t>(8, lines.size() / (size_.r * size_.r * size_.r)), quota = list.size() / size_.r;
+    const std::size_t few = std::max(always_few, lines.size() / (size_.r * size_.r * size_.r)), quota = list.size() / size_.r;
     Counters& counters = search_.counters();
     std::vector<Cell> done, pending;
     pending.push_back(cell(rows, lines, list));

@@ -7,14 +7,10 @@
 #pragma once
 
 #include "reference/lines/clearing.hpp"
+#include "reference/lines/engines.hpp"
 #include "reference/lines/line_search.hpp"
 
 namespace fathom {
-
-struct SampledSize {
-  std::uint64_t r = 8;
-  std::uint64_t base = 2048;  ///< so few pairs are scanned
-};
 
 void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size = {});
 

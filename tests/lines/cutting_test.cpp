@@ -68,6 +68,7 @@ TEST(Engines, AgreeOnTwoThousandCanonicalPairs) {
 
 // Whole families of canonical pairs with one global best, as the pipeline runs them: every family, every catalogue entry.
 TEST(Engines, AgreeOnFamiliesAndCatalogue) {
+  std::size_t cut = 0;
   std::vector<Case> cases = cases_of_all_families(1, 48);
   for (const families::CatalogueEntry& entry : families::catalogue()) cases.push_back(entry.pair);
   for (const Case& input : cases) {
@@ -75,14 +76,18 @@ TEST(Engines, AgreeOnFamiliesAndCatalogue) {
     NearestPlanes found[3];
     for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
       Counters counters;
+      // Whatever is not cleared as a whole is cut, and into small cells.
+      const ClosestLinesOptions options{.engine = engine, .scanned = 8, .cutting_size = {4, 2, 8}, .sampled_size = {4, 8}};
+      NearestPlanes& nearest = found[static_cast<std::size_t>(engine)];
       for (std::size_t h = 0; h < 2; ++h) {
-        ASSERT_TRUE(closest_lines(grids.subsets[h], grids.prepared->charts[h], *grids.a, *grids.b, found[static_cast<std::size_t>(engine)],
-                                  counters, {.engine = engine}));
+        ASSERT_TRUE(closest_lines(grids.subsets[h], grids.prepared->charts[h], *grids.a, *grids.b, nearest, counters, options));
       }
+      cut += counters.grids_cut;
     }
     expect_equal(found[0], found[2], input.id + ", cutting");
     expect_equal(found[1], found[2], input.id + ", sampled");
   }
+  EXPECT_GT(cut, 100U);
 }
 
 TEST(Engines, ResultsDoNotDependOnTheSeed) {
