@@ -4,6 +4,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fathom {
 namespace {
@@ -23,6 +24,8 @@ std::optional<int> certain_sign(const Interval& i) {
   if (i.inf() == 0 && i.sup() == 0) return 0;
   return std::nullopt;
 }
+
+double largest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// (q - p) x (r - p).
 template <class NT>
@@ -47,18 +50,31 @@ BoxedPoints::BoxedPoints(std::span<const Vector> exact) : exact_(exact) {
   }
   const long shift = static_cast<long>(bits);
   boxes_.reserve(exact.size());
-  for (const Vector& p : exact) boxes_.push_back({enclose(p.x, shift), enclose(p.y, shift), enclose(p.z, shift)});
+  images_.reserve(exact.size());
+  for (const Vector& p : exact) {
+    const Vec3<Enclosure>& box = boxes_.emplace_back(Vec3<Enclosure>{enclose(p.x, shift), enclose(p.y, shift), enclose(p.z, shift)});
+    images_.push_back({box.x.low, box.y.low, box.z.low});
+  }
 }
 
 Plane::Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r) : points_(&points), p_(p), q_(q), r_(r) {
-  const Interval::Protector upward;
-  box_ = enclosure(normal_of(interval(points.box(p)), interval(points.box(q)), interval(points.box(r))));
+  const Vec3<double> u = points.image(q) - points.image(p), v = points.image(r) - points.image(p);
+  image_ = cross(u, v);
+  size_ = largest(image_);
+  error_ = 0x1p-49 * (largest(u) + largest(v) + largest(u) * largest(v)) + 0x1p-98;
 }
 
 int Plane::rise(std::uint32_t s, std::uint32_t t) const {
   {
+    const Vec3<double> step = points_->image(t) - points_->image(s);
+    const double height = dot(image_, step), length = largest(step);
+    const double error = 0x1p-48 * size_ * (1 + length) + (4 * length + 0x1p-48) * error_;
+    if (height > error) return 1;
+    if (height < -error) return -1;
+  }
+  {
     const Interval::Protector upward;
-    const Interval height = dot(interval(box_), interval(points_->box(t)) - interval(points_->box(s)));
+    const Interval height = dot(interval(box()), interval(points_->box(t)) - interval(points_->box(s)));
     if (const auto sign = certain_sign(height)) return *sign;
   }
   const mpz_class height = dot(normal(), points_->exact(t) - points_->exact(s));
@@ -66,10 +82,19 @@ int Plane::rise(std::uint32_t s, std::uint32_t t) const {
 }
 
 bool Plane::degenerate() const {
-  for (const Enclosure* c : {&box_.x, &box_.y, &box_.z}) {
+  if (size_ > error_) return false;
+  for (const Enclosure* c : {&box().x, &box().y, &box().z}) {
     if (c->low > 0 || c->high < 0) return false;
   }
   return is_zero(normal());
+}
+
+const Vec3<Enclosure>& Plane::box() const {
+  if (!box_) {
+    const Interval::Protector upward;
+    box_ = enclosure(normal_of(interval(points_->box(p_)), interval(points_->box(q_)), interval(points_->box(r_))));
+  }
+  return *box_;
 }
 
 const Vector& Plane::normal() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where points lie about the plane through three of them: intervals first, integers when the interval holds zero. For questions asked
-// many times of one plane, among points of one set.
+// Where points lie about the plane through three of them: doubles with a bound on the error, then intervals, integers when the interval
+// holds zero. For questions asked many times of one plane, among points of one set.              [proofs/kernels.md, "Plain doubles"]
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,13 @@ class BoxedPoints {
 
   [[nodiscard]] const Vector& exact(std::uint32_t i) const { return exact_[i]; }
   [[nodiscard]] const Vec3<Enclosure>& box(std::uint32_t i) const { return boxes_[i]; }
+  /// In [-1, 1], within 2^-53 of the exact coordinates in that scale.
+  [[nodiscard]] const Vec3<double>& image(std::uint32_t i) const { return images_[i]; }
 
  private:
   std::span<const Vector> exact_;
   std::vector<Vec3<Enclosure>> boxes_;
+  std::vector<Vec3<double>> images_;
 };
 
 /// The oriented plane through points p, q, r; n = (q - p) x (r - p) points to the side from which they appear counter-clockwise.
@@ -42,10 +45,14 @@ class Plane {
   [[nodiscard]] const Vector& normal() const;
 
  private:
+  [[nodiscard]] const Vec3<Enclosure>& box() const;
+
   const BoxedPoints* points_;
   std::uint32_t p_, q_, r_;
-  Vec3<Enclosure> box_;                   // of n, up to the points' scale
-  mutable std::optional<Vector> normal_;  // found for the first question that the boxes leave open
+  Vec3<double> image_;                          // of n, up to the points' scale
+  double size_, error_;                         // the image's largest component, and a bound on the error of each
+  mutable std::optional<Vec3<Enclosure>> box_;  // of n, in the same scale; found for the first question that the image leaves open
+  mutable std::optional<Vector> normal_;        // likewise, for the first question that the boxes leave open
 };
 
 /// The points as seen along coordinate `axis` (0, 1, 2 for x, y, z) from its positive end, where the two coordinates that follow it

@@ -62,7 +62,8 @@ class CanonicalBuilder {
         out_(out),
         keep_going_(keep_going) {}
 
-  void run() {
+  /// False if it was told to stop.
+  bool run() {
     std::vector<Query> queries = all_queries();
     if (stored_of_ == Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     std::vector<Stored> partial;
@@ -75,6 +76,7 @@ class CanonicalBuilder {
     std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     descend(root_, std::move(partial), std::move(queries));
     count_calls(Predicate::order_on_vertical, probed_);
+    return !stopped_;
   }
 
  private:
@@ -144,7 +146,7 @@ class CanonicalBuilder {
     return !stopped_;
   }
 
-  // Calls search(test) with a test of stored arcs, whether the query passes above them on wall `wall`. Never at infinity: there a query ends.
+  // Calls search(test) with a test of stored arcs: whether the query passes above them on the wall. Never at infinity: there queries end.
   template <class Search>
   auto with_test(std::uint32_t query, std::uint32_t wall, Search search) {
     const Colour query_of = other(stored_of_);
@@ -244,8 +246,7 @@ CanonicalSubsets::Sums CanonicalSubsets::sums() const {
 
 CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going) {
   CanonicalSubsets result;
-  CanonicalBuilder(charts, Colour::a, result, keep_going).run();
-  CanonicalBuilder(charts, Colour::b, result, keep_going).run();
+  if (CanonicalBuilder(charts, Colour::a, result, keep_going).run()) CanonicalBuilder(charts, Colour::b, result, keep_going).run();
   return result;
 }
 

@@ -19,9 +19,9 @@
 
 namespace fathom {
 
-/// One (A_i, B_i): `stored` is a canonical subset of a node of T_A or T_B, in height order from the lowest arc to the highest; `queries` are
-/// edges of the other body for which the node's query returned it, and whose arcs cross the stored ones in one sense. All stored arcs
-/// span one strip, in which each query meets all of them. Queries that cross a stored arc further left come first: the order is the
+/// One (A_i, B_i): `stored` is a canonical subset of a node of T_A or T_B, in height order from the lowest arc to the highest; `queries`
+/// are edges of the other body for which the node's query returned it, and whose arcs cross the stored ones in one sense. All stored
+/// arcs span one strip, in which each query meets all of them. Queries that cross a stored arc further left come first: the order is the
 /// same along every stored arc, so the crossings form a grid.                                     [proofs/canonical_subsets.md]
 struct CanonicalPair {
   Colour stored_of;

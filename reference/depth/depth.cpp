@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/filter.hpp"
+#include "kernels/parallel.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/depth/naive_depth.hpp"
 #include "reference/depth/nearest_facets.hpp"
@@ -32,6 +33,8 @@ void count_bodies(const Polytope& a, const Polytope& b, Counters& counters) {
   counters.facets_b = b.facets.size();
 }
 
+constexpr std::size_t worth_a_thread = 2048;  // points
+
 // The part of the work that only penetrating bodies need.
 class Penetration {
  public:
@@ -39,10 +42,11 @@ class Penetration {
       : lattice_(lattice), exponent_(exponent), options_(options), result_(result) {}
 
   void run() {
-    progress("hull of a");
-    const Polytope a = convex_hull(lattice_.a);
-    progress("hull of b");
-    const Polytope b = convex_hull(lattice_.b);
+    progress("hulls");
+    Polytope a, b;
+    run_both(
+        lattice_.a.size() + lattice_.b.size() >= worth_a_thread, [&] { a = convex_hull(lattice_.a); },
+        [&] { b = convex_hull(lattice_.b); });
     if (options_.validate) {
       insist(validate(a, lattice_.a));
       insist(validate(b, lattice_.b));

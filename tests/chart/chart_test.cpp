@@ -82,6 +82,23 @@ TEST(Chart, WallsAreTotallyOrdered) {
   }
 }
 
+// Nodes (K + a, -K + b, 0) beside the pole (1,1,0): abscissae grow with a + b, of which no image knows much when K is large.
+TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
+  families::Random random(5);
+  const mpz_class k = mpz_class(1) << 60;
+  GaussianDiagram a, b;
+  a.rank = b.rank = 3;
+  for (long sum = 1; sum <= 400; ++sum) {
+    const auto part = static_cast<long>(random.between(0, 5000));
+    b.nodes.emplace_back(Vector{k + part, sum - part - k, 0});
+  }
+  const Frame frame{Direction(Vector{0, 0, 1}), Direction(Vector{1, 1, 0})};
+  const Charts charts = make_charts(a, b, frame);
+  ASSERT_EQ(charts.walls.size(), b.nodes.size());
+  for (std::uint32_t i = 0; i < charts.walls.size(); ++i) EXPECT_EQ(charts.walls[i].node, i);
+  EXPECT_TRUE(validate(charts).ok()) << text(validate(charts));
+}
+
 // Where the input has different abscissae, the walls have their order.
 TEST(Chart, PerturbationKeepsTheOrderOfDifferentAbscissae) {
   for (const Case& input : cases_of_all_families(2, 9)) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/filter.hpp"
+#include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"
@@ -138,6 +140,29 @@ TEST(Depth, CountersAreThoseOfTheRun) {
   EXPECT_EQ(first.counters.edges_a, p->a.edges.size());
   EXPECT_EQ(first.counters.facets_b, p->b.facets.size());
   EXPECT_EQ(first.counters.vertex_facet_pairs, p->a.facets.size() + p->b.facets.size());
+}
+
+// Large enough for two threads: the same counts as one room after the other in one thread, and an interruption ends both.
+TEST(Depth, TwoThreadsChangeNothing) {
+  const Case input = families::find_family("random_sphere")->make(3, 1100);
+  const Depth depth = solve(input);
+  const PredicateCounts before = predicate_counts();
+  const auto p = testing::prepare(input);
+  std::uint64_t crossings = 0;
+  for (const Charts& charts : p->charts) crossings += canonical_subsets(charts).sums().product;
+  const PredicateCounts alone = predicate_counts() - before;
+  EXPECT_EQ(depth.counters.crossings, crossings);
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    EXPECT_EQ(depth.counters.predicates[i].calls, alone[i].calls) << predicate_names[i];
+    EXPECT_EQ(depth.counters.predicates[i].exact, alone[i].exact) << predicate_names[i];
+    EXPECT_EQ(depth.counters.predicates[i].zero, alone[i].zero) << predicate_names[i];
+    EXPECT_EQ(depth.counters.predicates[i].decided, alone[i].decided) << predicate_names[i];
+  }
+  for (const double until : {0.0, 0.3}) {
+    Options options;
+    options.progress = [&](const std::string& stage, double share) { return stage != "canonical subsets" || share < until; };
+    EXPECT_THROW(solve(input, options), Interrupted);
+  }
 }
 
 }  // namespace
