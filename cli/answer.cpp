@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "reference/certificate/certificate.hpp"
+
 namespace fathom::cli {
 
 Answer answer_to(const Case& single, const Request& request, const Solve& solve, Progress& progress) {
@@ -11,7 +13,13 @@ Answer answer_to(const Case& single, const Request& request, const Solve& solve,
   options.closest_lines = request.closest_lines;
   options.seed = request.seed;
   options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
-  Answer answer{single.id, solve(single, options), single.a.points.size(), single.b.points.size()};
+  Answer answer{single.id, solve(single, options), single.a.points.size(), single.b.points.size(), ""};
+  if (!request.certificate.empty() || request.embed_certificate) {
+    const Body& b = request.command == Command::width ? single.a : single.b;
+    Certificate certificate = make_certificate(single.a.points, b.points, answer.depth, options);
+    certificate.id = single.id;
+    answer.certificate = certificate_text(certificate);
+  }
   progress.clear();
   return answer;
 }
@@ -41,6 +49,7 @@ std::string_view name(Method method) {
   switch (method) {
     case Method::exact: return "exact";
     case Method::naive: return "naive";
+    case Method::certificate: return "certificate";
   }
   throw std::logic_error("unknown method");
 }

@@ -16,6 +16,7 @@ struct Answer {
   std::string id;
   Depth depth;                             ///< for `width`: of the body against itself
   std::size_t points_a = 0, points_b = 0;  ///< as given
+  std::string certificate;                 ///< as text, if one was asked for
 };
 
 /// Computes the answer with the method that was asked for. Throws Interrupted when the user has asked to stop.

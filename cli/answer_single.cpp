@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <new>
+#include <optional>
 
 #include "cli/answer.hpp"
+#include "cli/certificate_file.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json_result.hpp"
@@ -12,9 +14,12 @@ namespace fathom::cli {
 
 ExitCode answer_single(const Request& request, const Case& single, const Solve& solve) {
   const Working working;
+  std::optional<CertificateFile> file;
+  if (!request.certificate.empty()) file.emplace(request.certificate);
   Progress progress;
   const Answer answer = answer_to(single, request, solve, progress);
   if (const auto note = hull_note(answer, request)) talk(*note);
+  if (file) file->write(answer.certificate);
   print(request.json ? json_result(answer, request) : text_block(answer, request));
   return fine;
 }

@@ -77,8 +77,10 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
 }
 
 void add_options(CLI::App& app, Request& request, Texts& texts) {
-  app.add_option("--method", texts.method, "how: auto, exact, or naive (the hull of all vertex differences)\nauto is exact")
-      ->check(one_of({"auto", "exact", "naive"}, {"certificate", "shallow"}))
+  app.add_option("--method", texts.method,
+                 "how: auto, exact, certificate (an expanding polytope; exact where\nthat takes too many points), or naive (the hull of "
+                 "all vertex\ndifferences). auto is exact")
+      ->check(one_of({"auto", "exact", "certificate", "naive"}, {"shallow"}))
       ->type_name("NAME");
   app.add_option("--closest-lines", texts.closest_lines,
                  "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
@@ -89,6 +91,10 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->type_name("N");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
   add_inputs(app, request, texts);
+  app.add_option("--certificate", request.certificate,
+                 "write the proof of the answer to FILE; for a stream: a directory, one\nfile for each case")
+      ->type_name("FILE");
+  app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/1");
 }
@@ -102,17 +108,12 @@ CLI::App& add_command(CLI::App& app, std::string name, std::string description, 
 }
 
 /// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
-std::string wrong_words(int argc, const char* const* argv) {
+std::string wrong_words(const char* const* argv) {
   const std::string_view command = argv[1];
   const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
   const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
   if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
   if (!known) return fmt::format("unknown command {} (expected {})", shown(command), fmt::join(commands, ", "));
-  for (int i = 2; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--") break;
-    if (word == "--certificate" || word.starts_with("--certificate=")) return "--certificate is not part of this version";
-  }
   return "";
 }
 
@@ -155,12 +156,16 @@ Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = request.command == Command::cases ? texts.wrong_cases : wrong_inputs(request); !fault.empty())
     return refusal(fault, command);
-  if (!texts.closest_lines.empty() && texts.method == "naive")
-    return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method naive", command);
+  if (!texts.closest_lines.empty() && (texts.method == "naive" || texts.method == "certificate"))
+    return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
+  if (request.embed_certificate && !request.json)
+    return refusal("--embed-certificate adds a field to JSON results, and needs --json", command);
+  if (request.certificate == "-")
+    return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
-  request.method = texts.method == "naive" ? Method::naive : Method::exact;
+  request.method = texts.method == "naive" ? Method::naive : texts.method == "certificate" ? Method::certificate : Method::exact;
   if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
   if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
   std::from_chars(texts.seed.data(), texts.seed.data() + texts.seed.size(), request.seed);
@@ -188,13 +193,14 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   add_study_options(study, request, texts);
   CLI::App& cases = add_command(app, "cases", "Test cases by name, or from two meshes.", cases_examples,
                                 "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B");
+  app.add_subcommand("check", "Check certificates, independently.");  // for the list alone: it has a command line of its own
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   const CLI::App* const apps[] = {&depth, &width, &study, &cases};  // in the order of `commands`
   const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 
   if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};
-  if (const std::string fault = wrong_words(argc, argv); !fault.empty()) return refusal(fault);
+  if (const std::string fault = wrong_words(argv); !fault.empty()) return refusal(fault);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

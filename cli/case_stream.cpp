@@ -28,6 +28,8 @@ class Stream {
       throw;
     } catch (const OutputError&) {
       throw;
+    } catch (const InputError& error) {
+      report(item, error.what(), bad_input);
     } catch (const std::exception& error) {
       report(item, fault_text(error), internal_error);
     }

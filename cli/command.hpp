@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.hpp"
 #include "cli/request.hpp"
@@ -16,6 +17,9 @@ ExitCode run_depth(const Request& request);
 ExitCode run_width(const Request& request);
 ExitCode run_study(const Request& request);
 ExitCode run_cases(const Request& request);
+
+/// Takes the words behind "check"; says itself what is wrong with them.
+ExitCode run_check(std::vector<std::string> words);
 
 /// What a command computes for one case.
 using Solve = std::function<Depth(const Case&, const Options&)>;

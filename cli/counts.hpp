@@ -19,6 +19,8 @@ void for_each_count(const Counters& counters, F f) {
   f("facets_a", counters.facets_a);
   f("facets_b", counters.facets_b);
   f("scans", counters.scans);
+  f("expansions", counters.expansions);
+  f("inner_facets", counters.inner_facets);
   f("vertex_facet_pairs", counters.vertex_facet_pairs);
   f("canonical_pairs", counters.canonical_pairs);
   f("sum_a", counters.sum_a);

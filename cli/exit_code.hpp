@@ -9,7 +9,7 @@ namespace fathom::cli {
 enum ExitCode : int {
   fine = 0,
   bad_input = 2,       ///< usage; or input malformed, missing, unreadable, empty, a directory
-  internal_error = 3,  ///< a fault of fathom itself, or standard output cannot be written
+  internal_error = 3,  ///< a fault of fathom itself, or output cannot be written
   interrupted = 130,   ///< Ctrl-C
 };
 

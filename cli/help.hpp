@@ -16,6 +16,7 @@ inline constexpr std::string_view general_examples =
     "  fathom width a.off                       the exact width of one body\n"
     "  fathom study a.off b.stl                 what is degenerate about two bodies, by name and in counts\n"
     "  fathom cases --family near_ties          test cases by name, as input for the others\n"
+    "  fathom check proof.cert                  is this certificate a proof? by a checker that shares nothing with the rest\n"
     "  fathom depth --help                      every option of a command\n";
 
 inline constexpr std::string_view depth_examples =
@@ -26,8 +27,12 @@ inline constexpr std::string_view depth_examples =
     "                                           one JSON object, with what the run did\n"
     "  fathom depth --exact-decimals a.obj b.obj\n"
     "                                           0.1 means 1/10, not the nearest binary64\n"
+    "  fathom depth --certificate proof.cert a.off b.off\n"
+    "                                           with a proof that others can check\n"
     "  fathom depth --method naive a.off b.off  the slow independent twin\n"
     "  fathom depth cases.jsonl                 a stream: one line per case\n"
+    "  fathom depth --certificate proofs cases.jsonl\n"
+    "                                           and one file for each case in the folder proofs\n"
     "  program | fathom depth --json -          the same from standard input\n";
 
 inline constexpr std::string_view width_examples =
@@ -64,9 +69,9 @@ inline constexpr std::string_view footer =
 inline std::string footer_text() { return std::string(footer); }
 
 /// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "study", "cases"};
+inline constexpr std::string_view commands[] = {"depth", "width", "study", "cases", "check"};
 
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"approx", "ray", "metric", "check", "certify", "golden", "explain"};
+inline constexpr std::string_view absent_commands[] = {"approx", "ray", "metric", "certify", "golden", "explain"};
 
 }  // namespace fathom::cli

@@ -92,8 +92,9 @@ std::string json_result(const Answer& answer, const Request& request) {
   result["witness"] = depth.witness ? Json({{"a", exact(depth.witness->a)}, {"b", exact(depth.witness->b)}}) : Json();
   result["optima"] = optima_array(depth);
   result["flat"] = flat_array(depth);
-  result["method"] = name(request.method);
+  result["method"] = name(depth.method);
   if (request.counters) result["counters"] = counters_object(depth.counters);
+  if (request.embed_certificate) result["certificate"] = answer.certificate;
   if (request.command == Command::width) result["width"] = result["depth"];
   return one_line(result);
 }

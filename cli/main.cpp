@@ -2,6 +2,7 @@
 // The command line `fathom`: understand the arguments, run the command, turn what went wrong into one sentence and an exit code.
 #include <exception>
 #include <string>
+#include <string_view>
 
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
@@ -29,6 +30,7 @@ ExitCode run_command(const Request& request) {
 
 ExitCode run(int argc, char** argv) {
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "check") return run_check({argv + 2, argv + argc});
     const Arguments arguments = parse_arguments(argc, argv);
     if (!arguments.request) {
       if (arguments.code != fine) return failed(arguments.text, arguments.code);

@@ -7,7 +7,7 @@
 
 namespace fathom::cli {
 
-/// Standard output refused a write: closed, full disk.
+/// Standard output, or a file of ours, refused a write: closed, full disk.
 struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

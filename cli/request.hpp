@@ -25,6 +25,8 @@ struct Request {
   bool csv = false;  ///< study: rows of counts
   bool all = false;  ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
+  std::string certificate;         ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  bool embed_certificate = false;  ///< as a field of each JSON result
   CasesRequest cases;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };

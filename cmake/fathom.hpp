@@ -2,4 +2,5 @@
 // The library in one include, for projects that use it as an installed package.
 #pragma once
 
+#include "reference/certificate/certificate.hpp"
 #include "reference/depth/depth.hpp"

@@ -21,6 +21,10 @@ install(TARGETS fathom_kernels EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAK
 install(TARGETS fathom_reference EXPORT fathom
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom
   FILE_SET umbrella DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
+install(TARGETS fathom_check EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
+install(TARGETS fathom-check)
+install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
+install(FILES verify/check/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/fathomConfig.cmake.in ${PROJECT_BINARY_DIR}/fathomConfig.cmake INSTALL_DESTINATION ${package_dir})

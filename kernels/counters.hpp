@@ -33,7 +33,9 @@ PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more);
 /// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
 struct Counters {
   std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
-  std::uint64_t scans = 0;  ///< linear scans of the position test
+  std::uint64_t scans = 0;         ///< linear scans of the position test
+  std::uint64_t expansions = 0;    ///< points that an expanding polytope took
+  std::uint64_t inner_facets = 0;  ///< facets that it had in the end
   std::uint64_t vertex_facet_pairs = 0;
   std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
   std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|

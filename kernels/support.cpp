@@ -191,6 +191,24 @@ std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& 
   return beyond;
 }
 
+std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u) {
+  const DirectionImage v{u.x, u.y, u.z, 0};
+  std::size_t begin = 0;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cloud.size(); i += block_size) {
+    const double value = greatest(cloud, v, i, std::min(i + block_size, cloud.size()));
+    if (value > best) {
+      best = value;
+      begin = i;
+    }
+  }
+  const Values<double> value{v.x, v.y, v.z};
+  const std::size_t end = std::min(begin + block_size, cloud.size());
+  for (std::size_t i = begin; i < end; ++i)
+    if (value(cloud, i) >= best) return static_cast<std::uint32_t>(i);
+  return static_cast<std::uint32_t>(begin);
+}
+
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u) {
   std::vector<std::uint32_t> extreme;
   for (std::uint32_t i = 0; i < points.size(); ++i) {

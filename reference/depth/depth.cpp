@@ -5,6 +5,7 @@
 
 #include "kernels/filter.hpp"
 #include "kernels/parallel.hpp"
+#include "reference/depth/certified_depth.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/depth/naive_depth.hpp"
 #include "reference/depth/nearest_facets.hpp"
@@ -93,9 +94,14 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
   const PredicateCounts before = predicate_counts();
   const Lattice lattice = common_lattice(a, b);
   const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
-  const PositionOfOrigin origin = position_of_origin(PointCloud(lattice.a, exponent), PointCloud(lattice.b, exponent));
+  const PointCloud cloud_a(lattice.a, exponent), cloud_b(lattice.b, exponent);
+  if (options.method == Method::certificate) {
+    if (std::optional<Depth> certified = certified_depth(lattice, cloud_a, cloud_b, options)) return std::move(*certified);
+  }
+  const PositionOfOrigin origin = position_of_origin(cloud_a, cloud_b);
   if (options.validate) insist(validate(origin, lattice.a, lattice.b));
   Depth result;
+  result.method = options.method == Method::naive ? Method::naive : Method::exact;
   result.status = status_of(origin.position);
   result.direction = origin.normal;
   result.flat_a = affine_rank(lattice.a) < 3;

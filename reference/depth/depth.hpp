@@ -14,6 +14,7 @@
 #include "kernels/counters.hpp"
 #include "kernels/perturbation.hpp"
 #include "kernels/vector.hpp"
+#include "reference/expanding/inner_polytope.hpp"
 #include "reference/lines/engines.hpp"
 
 namespace fathom {
@@ -46,6 +47,10 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
+/// exact: AGHRS section 2. naive: the convex hull of all vertex differences, its independent twin. certificate: a polytope that expands
+/// inside P [reference/expanding]; past its budget exact takes over.
+enum class Method { exact, naive, certificate };
+
 struct Depth {
   Status status = Status::disjoint;
   mpq_class squared;                           ///< depth^2, in lowest terms; 0 unless penetrating
@@ -55,12 +60,11 @@ struct Depth {
   std::optional<Contact> contact;              ///< of the first optimum
   std::optional<Witness> witness;              ///< of the first optimum; a common point when touching
   bool flat_a = false, flat_b = false;         ///< whether the body has no interior
-  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when disjoint (no hull was needed)
+  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when no hull was needed
+  Method method = Method::exact;               ///< the one that ran to the end
+  std::optional<InnerPolytope> inner;          ///< method certificate, penetrating: the polytope that proves the depth
   Counters counters;
 };
-
-/// exact: AGHRS section 2. naive: the convex hull of all vertex differences, its independent twin.
-enum class Method { exact, naive };
 
 /// Thrown when the progress callback asked to stop.
 struct Interrupted : std::runtime_error {
@@ -69,6 +73,9 @@ struct Interrupted : std::runtime_error {
 
 struct Options {
   Method method = Method::exact;
+  /// Method certificate: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
+  /// twice the number of all points, but at most 20,000; to use them up takes about as long as the exact method takes at least.
+  std::optional<std::size_t> expansion_budget;
   ClosestLines closest_lines = ClosestLines::cutting;
   /// Of the closest lines' random order. Results do not depend on it, only counters do.
   std::uint64_t seed = 1;

@@ -5,7 +5,7 @@ import unittest
 from harness import DATA, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
-OPTIONS = ("--method", "--closest-lines", "--digits", "--exact-decimals", "--counters", "--json", "--help")
+OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json", "--help")
 
 
 class Help(CliTest):
@@ -20,7 +20,6 @@ class Help(CliTest):
             self.assertTrue(out.startswith(f"Examples\n  fathom {command} "), out)
             for option in OPTIONS:
                 self.assertIn(f"\n  {option} " if option != "--help" else "--help", out)
-            self.assertNotIn("certificate", out)
 
     def test_says_nothing_else(self):
         self.assertEqual(self.run_cli("--help")[2], "")
@@ -38,21 +37,18 @@ class Misuse(CliTest):
         self.assertIn("expected a command", self.refused("--"))
 
     def test_unknown_words(self):
-        self.assertIn("unknown command 'dept' (expected depth, width, study, cases)", self.refused("dept", A, B))
+        self.assertIn("unknown command 'dept' (expected depth, width, study, cases, check)", self.refused("dept", A, B))
         self.assertIn("--frobnicate", self.refused("depth", "--frobnicate", A, B))
         self.assertIn("--json", self.refused("--json", "depth", A, B))
 
     def test_what_comes_later_is_refused_by_name(self):
-        for command in ("approx", "ray", "metric", "check", "certify", "golden", "explain"):
+        for command in ("approx", "ray", "metric", "certify", "golden", "explain"):
             self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
         for command in ("depth", "width"):
-            for method in ("certificate", "shallow"):
-                self.assertIn(f"--method: '{method}' is not part of this version", self.refused(command, "--method", method, A, B))
-        for arguments in (["--certificate", "x.cert"], ["--certificate=x.cert"], ["--certificate"]):
-            self.assertIn("--certificate is not part of this version", self.refused("depth", A, B, *arguments))
+            self.assertIn("--method: 'shallow' is not part of this version", self.refused(command, "--method", "shallow", A, B))
 
     def test_values_of_options(self):
-        self.assertIn("--method: 'fast' is unknown (expected auto, exact, naive)", self.refused("depth", "--method", "fast", A, B))
+        self.assertIn("--method: 'fast' is unknown (expected auto, exact, certificate, naive)", self.refused("depth", "--method", "fast", A, B))
         for seed in ("-1", "1.5", "x", "18446744073709551616"):
             self.assertIn("--seed: expected an integer from 0 to 2^64 - 1", self.refused("depth", f"--seed={seed}", A, B))
         self.assertIn("--closest-lines: 'fast' is unknown", self.refused("depth", "--closest-lines", "fast", A, B))

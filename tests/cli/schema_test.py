@@ -28,7 +28,8 @@ class Schema(CliTest):
     def test_all_output(self):
         count = 0
         for command in ("depth", "width"):
-            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"]):
+            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"],
+                            ["--method", "certificate", "--embed-certificate"]):
                 lines = self.lines(command, *options, "-", stdin=STREAM)
                 self.assertEqual(len(lines), STREAM.count("\n"))
                 count += len(lines)
@@ -57,7 +58,7 @@ class Schema(CliTest):
             return changed
 
         for wrong in (
-                *(broken(good, field, None) for field in good if field != "counters"), broken(good, "more", 1),
+                *(broken(good, field, None) for field in good if field != "counters"), broken(good, "more", 1), broken(good, "certificate", "trust me"),
                 broken(good, "status", "inside"), broken(good, "depth", "squared", 1), broken(good, "depth", "squared", "-1"),
                 broken(good, "depth", "value", "1"), broken(good, "depth", "rounded", "f64", "rn", "1.0"),
                 broken(good, "depth", "enclosure", ["1"]), broken(good, "translation", [0, 0, 0]), broken(good, "translation", ["1", "0"]),

@@ -69,6 +69,9 @@ class Layers(unittest.TestCase):
 
     def test_checker_is_alone(self):
         self.expect("verify/check/bad.cpp", "// SPDX-License-Identifier: Apache-2.0\n" + '#include "kernels/sign.hpp"\n', "order")
+        self.expect("verify/check/bad.cpp", "// SPDX-License-Identifier: Apache-2.0\n" + '#include "../../kernels/sign.hpp"\n', "order")
+        self.expect("verify/check/bad.cpp", "// SPDX-License-Identifier: Apache-2.0\n" + '#include "verify/check/checker.cpp"\n', "order")
+        self.expect("verify/check/good.cpp", "// SPDX-License-Identifier: Apache-2.0\n" + '#include "checker.cpp"\n')
         self.expect("verify/families/bad.cpp", SPDX + '#include "verify/check/checker.cpp"\n', "order")
 
     def test_doors_are_light(self):

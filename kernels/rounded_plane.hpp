@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plane through three points in binary64 with the error it may have: answers at once where it is sure, and says so where it is not.
+#pragma once
+
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// v * 2^-exponent in binary64, each component within 2^-52 of the truth if none is beyond 2 in absolute value.
+Vec3<double> rounded(const Vector& v, long exponent);
+
+/// At least sqrt(numerator / denominator) * 2^-exponent, and hardly more. `numerator` >= 0, `denominator` > 0.
+double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
+
+/// The oriented plane through points p, q, r of which only rounded images are known; n = (q - p) x (r - p). What it says of the sides and of
+/// the distance holds for the exact points, whatever the rounding mode.                               [proofs/kernels.md]
+class RoundedPlane {
+ public:
+  RoundedPlane(const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r);
+
+  /// The sign of <n, s - p>, or 0 if it is not certain.
+  [[nodiscard]] int side(const Vec3<double>& s) const;
+  /// True only if <n, p> > radius * |n| for certain: O lies below the plane, farther from it than `radius` >= 0.
+  [[nodiscard]] bool surely_beyond(double radius) const;
+  /// An estimate of <n, p> / |n|, finite; nothing is promised.
+  [[nodiscard]] double estimated_distance() const { return distance_; }
+  /// An estimate of n, up to its length; nothing is promised.
+  [[nodiscard]] const Vec3<double>& estimated_normal() const { return n_; }
+  /// Whether the estimates are likely to be good to a few digits at least.
+  [[nodiscard]] bool trustworthy() const { return trustworthy_; }
+
+ private:
+  [[nodiscard]] double error(double size) const { return slope_ * size + floor_; }
+
+  Vec3<double> p_, n_;
+  double slope_, floor_;    // |computed <n,w> - exact| <= slope * max |w_i| + floor
+  double height_, length_;  // <n,p> from below, |n| from above
+  double distance_;
+  bool trustworthy_;
+};
+
+}  // namespace fathom

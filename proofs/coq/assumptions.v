@@ -1,0 +1,23 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Prints what the main theorems rest on; compared with assumptions.expected. *)
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations.
+From Fathom.soundness Require Import main corollaries example.
+
+Print Assumptions check_sound.
+Print Assumptions check_sound_AGHRS.
+Print Assumptions check_sound_translation.
+Print Assumptions check_sound_width.
+Print Assumptions check_sound_disjoint.
+Print Assumptions check_sound_touching.
+Print Assumptions accepted_agree.
+Print Assumptions depth2_unique.
+Print Assumptions depth_exists.
+Print Assumptions nearest_points.
+Print Assumptions depth_AGHRS.
+Print Assumptions width_depth.
+Print Assumptions facet_kinds.
+Print Assumptions naive_algorithm.
+Print Assumptions three_states.
+Print Assumptions hull_comb.
+Print Assumptions cubes_depth.
+Print Assumptions forgeries_refused.

@@ -1,0 +1,7 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The checker as OCaml, with zarith's integers for Coq's.  Beside the checker itself its parts are given out:
+   the program asks them why a certificate was refused. *)
+Require Import ZArith List.
+From Fathom.checker Require Import vector sequence table polytope support certificate.
+Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
+Extraction "proved.ml" check make_facets numbered facet_ok bounded listed canonical tangent within height common_point zdot.

@@ -1,0 +1,71 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* Walks along lists that run in constant stack space once extracted: a certificate may hold many points. *)
+Require Import List Bool.
+Import ListNotations.
+
+Section Walks.
+  Variables T U : Type.
+
+  (* the list map f l *)
+  Definition each (f : T -> U) (l : list T) : list U := rev_append (fold_left (fun done x => f x :: done) l []) [].
+
+  (* chain a [b; c] z = [(a, b); (b, c); (c, z)];   pairs a [b; c] = [(a, b); (b, c)] *)
+  Fixpoint chain (a : T) (l : list T) (z : T) : list (T * T) :=
+    match l with [] => [(a, z)] | b :: l' => (a, b) :: chain b l' z end.
+  Fixpoint pairs (a : T) (l : list T) : list (T * T) :=
+    match l with [] => [] | b :: l' => (a, b) :: pairs b l' end.
+
+  (* f holds for every member of chain a l z, of pairs a l *)
+  Fixpoint along_chain (f : T -> T -> bool) (a : T) (l : list T) (z : T) : bool :=
+    match l with [] => f a z | b :: l' => if f a b then along_chain f b l' z else false end.
+  Fixpoint along_pairs (f : T -> T -> bool) (a : T) (l : list T) : bool :=
+    match l with [] => true | b :: l' => if f a b then along_pairs f b l' else false end.
+
+  (* the fold over chain a l z *)
+  Fixpoint fold_chain (f : U -> T -> T -> U) (acc : U) (a : T) (l : list T) (z : T) : U :=
+    match l with [] => f acc a z | b :: l' => fold_chain f (f acc a b) b l' z end.
+End Walks.
+Arguments each {T U}.
+Arguments chain {T}.
+Arguments pairs {T}.
+Arguments along_chain {T}.
+Arguments along_pairs {T}.
+Arguments fold_chain {T U}.
+
+Lemma each_map : forall (T U : Type) (f : T -> U) l, each f l = map f l.
+Proof.
+  intros. unfold each. rewrite rev_append_rev, app_nil_r.
+  assert (G : forall l done, rev (fold_left (fun done x => f x :: done) l done) = rev done ++ map f l).
+  { induction l0 as [|x l0 IH]; simpl; intros; [rewrite app_nil_r; reflexivity|].
+    rewrite IH. simpl. rewrite <- app_assoc. reflexivity. }
+  rewrite G. reflexivity.
+Qed.
+
+Lemma along_chain_spec : forall (T : Type) f l (a z : T), along_chain f a l z = true ->
+  forall u v, In (u, v) (chain a l z) -> f u v = true.
+Proof.
+  induction l as [|b l IH]; simpl; intros a z H u v Huv.
+  - destruct Huv as [E|[]]. inversion E; subst; auto.
+  - destruct (f a b) eqn:E; [|discriminate]. destruct Huv as [F|F]; [inversion F; subst; auto|eauto].
+Qed.
+
+Lemma along_pairs_spec : forall (T : Type) f l (a : T), along_pairs f a l = true ->
+  forall u v, In (u, v) (pairs a l) -> f u v = true.
+Proof.
+  induction l as [|b l IH]; simpl; intros a H u v Huv; [tauto|].
+  destruct (f a b) eqn:E; [|discriminate]. destruct Huv as [F|F]; [inversion F; subst; auto|eauto].
+Qed.
+
+Lemma pairs_members : forall (T : Type) l (a u v : T), In (u, v) (pairs a l) -> In u (a :: l) /\ In v (a :: l).
+Proof.
+  induction l as [|b l IH]; simpl; intros a u v H; [tauto|].
+  destruct H as [H|H]; [inversion H; subst; tauto|].
+  apply IH in H. simpl in H. tauto.
+Qed.
+
+Lemma chain_members : forall (T : Type) l (a z u v : T),
+  In (u, v) (chain a l z) -> In u (a :: l) /\ (In v l \/ v = z).
+Proof.
+  induction l as [|d l IH]; simpl; intros a z u v [E|E]; try (inversion E; subst; tauto); try tauto.
+  apply IH in E. simpl in E. tauto.
+Qed.

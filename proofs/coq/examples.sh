@@ -1,0 +1,64 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# examples.sh PROGRAM   runs the program on each example, which says in its lines "#= .." what must come out (reasons aside).
+set -u
+here=$(dirname -- "$(readlink -f -- "$0")")
+program=$(readlink -f -- "$1")
+cd "$here/examples" || exit 1
+bad=0
+for file in *.cert; do
+  expected=$(sed -n 's/^#= //p' "$file")
+  got=$("$program" "$file"; echo "exit $?")
+  got=$(printf '%s\n' "$got" | sed -E 's/^(s (REFUSED|MALFORMED) [^ ]*):[0-9]+: .*/\1/')
+  [ -n "$expected" ] && [ "$got" = "$expected" ] && continue
+  printf '%s: expected\n%s\nbut it is\n%s\n' "$file" "$expected" "$got"
+  bad=1
+done
+
+# what is no certificate at all: a verdict and an exit code, never a crash
+expect() { # EXIT-CODE PATTERN ARGUMENTS..; standard input is passed on
+  code=$1 pattern=$2
+  shift 2
+  got=$("$program" "$@" 2>&1)
+  status=$?
+  if [ "$status" = "$code" ] && printf '%s\n' "$got" | grep -qE "$pattern"; then return; fi
+  printf 'fathom-check-proved %s: expected exit code %s and %s, but it is %s and\n%s\n' "$*" "$code" "$pattern" "$status" "$got"
+  bad=1
+}
+expect 2 '^usage' </dev/null
+expect 2 '^usage' --nonsense </dev/null
+expect 0 '^usage' --help </dev/null
+expect 2 '^s MALFORMED <stdin>:1: ' - </dev/null
+expect 2 '^s MALFORMED /nowhere/50%25:0: ' /nowhere/50% </dev/null
+expect 2 '^s MALFORMED /:' / </dev/null
+expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 width%20of%20a%20box$' -- - <proved_width.cert
+expect 2 '^s MALFORMED <stdin>:1: ' - <"$program"
+
+# size: 100,000 points a body, doubled facets, a facet of 90,000 corners, in 256 KiB of stack
+many() { yes "$1" | head -n "$2"; }
+large() { # EXTRA-POINTS EXTRA-FACETS CORNERS-OF-THE-LAST
+  points='0 0 0@3 0 0@0 2 0@3 2 0@0 0 1@3 0 1@0 2 1@3 2 1'
+  echo "fathom-certificate 1"
+  for body in a b; do
+    echo "$body $((8 + $1))"
+    printf '%s\n' "$points" | tr '@' '\n'
+    many '1/3 1/2 5/7' "$1"
+  done
+  printf 'claim depth 1\ndirections 2 all\n0 0 -1\n0 0 1\nvertices 8\n'
+  printf '%s\n' '0 7' '1 6' '2 5' '3 4' '4 3' '5 2' '6 1' '7 0'
+  echo "facets $((6 + $2))"
+  printf '%s\n' '4 1 3 7 5' '4 0 4 6 2' '4 2 6 7 3' '4 0 1 5 4' '4 4 5 7 6'
+  many '4 4 5 7 6' "$2"
+  echo "$3$(many ' 0 2 3 1' "$(($3 / 4))" | tr -d '\n')"
+  echo "end $((8 + $1)) $((8 + $1)) 2 8 $((6 + $2))"
+}
+scratch=$(mktemp) || exit 1
+trap 'rm -f "$scratch"' EXIT
+ulimit -s 256
+large 100000 0 4 >"$scratch"
+expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
+large 0 100000 4 >"$scratch"
+expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
+large 0 0 90000 >"$scratch"
+expect 1 '^s REFUSED <stdin>:' - <"$scratch"
+exit $bad

@@ -1,0 +1,168 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* The grammar of verify/check/FORMAT.md: from lines to a certificate as it stands there.  Each part keeps the number of its line. *)
+open Lines
+
+type point = { x : Q.t; y : Q.t; z : Q.t }
+type 'a part = { line : int; items : 'a array; lines_of : int array }
+
+type claim =
+  | Depth of Q.t
+  | Bounds of Q.t * Q.t
+  | Touching
+  | Disjoint
+
+type t = {
+  a : point part;
+  b : point part;
+  claim : claim;
+  claim_line : int;
+  all : bool;
+  directions : (Z.t * Z.t * Z.t) part;
+  vertices : (Z.t * Z.t) part;
+  facets : Z.t array part;
+  weights_a : (Z.t * Q.t) part;
+  weights_b : (Z.t * Q.t) part;
+}
+
+let nothing line = { line; items = [||]; lines_of = [||] }
+
+(* what one certificate may take in memory, roughly: a text that needs more is not read *)
+let most_memory = 2 lsl 30
+let memory = ref 0
+
+let pay r bytes =
+  memory := !memory + bytes;
+  if !memory > most_memory then malformed r "a certificate of a size that this checker can hold"
+
+(* as many items as were announced, each on a line of its own; nothing is set aside for lines that may never come *)
+let rows r line count expected item =
+  let items = ref [] and numbers = ref [] and got = ref 0 in
+  while Z.gt count (Z.of_int !got) do
+    advance r;
+    let f = fields r expected in
+    pay r (200 + String.length f.s);
+    items := item f :: !items;
+    finish f;
+    numbers := r.number :: !numbers;
+    incr got
+  done;
+  { line; items = Array.of_list (List.rev !items); lines_of = Array.of_list (List.rev !numbers) }
+
+let counted r word expected item =
+  let f = fields r (word ^ " and a count") in
+  literal f (word ^ " ");
+  let count = natural f in
+  finish f;
+  rows r r.number count expected item
+
+let part r word expected item = advance r; counted r word expected item
+
+let point f =
+  let x = rational f in blank f;
+  let y = rational f in blank f;
+  { x; y; z = rational f }
+
+let direction f =
+  let x = integer f in blank f;
+  let y = integer f in blank f;
+  (x, y, integer f)
+
+let pair f = let j = natural f in blank f; (j, natural f)
+let weight f = let i = natural f in blank f; (i, rational f)
+
+let facet f =
+  let count = natural f in
+  pay f.lines (String.length f.s * 60);
+  let corners = ref [] and got = ref 0 in
+  while not (at_end f) do
+    blank f;
+    corners := natural f :: !corners;
+    incr got
+  done;
+  if not (Z.equal count (Z.of_int !got)) then wrong f;
+  Array.of_list (List.rev !corners)
+
+let is_hex c = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
+
+(* printable ASCII, all else as %XX *)
+let id_of f =
+  literal f "id ";
+  let first = f.at in
+  while not (at_end f) do
+    let c = f.s.[f.at] in
+    if c = '%' then begin
+      if f.at + 2 >= String.length f.s || not (is_hex f.s.[f.at + 1] && is_hex f.s.[f.at + 2]) then wrong f;
+      f.at <- f.at + 3
+    end
+    else if c >= ' ' && c <= '~' then f.at <- f.at + 1
+    else wrong f
+  done;
+  if f.at = first then wrong f;
+  String.sub f.s first (f.at - first)
+
+let claim_of r =
+  let expected = "claim depth, bounds, touching or disjoint" in
+  let f = fields r expected in
+  literal f "claim ";
+  let claim =
+    match f.s with
+    | "claim touching" -> f.at <- String.length f.s; Touching
+    | "claim disjoint" -> f.at <- String.length f.s; Disjoint
+    | s when has_prefix "claim bounds " s ->
+      literal f "bounds ";
+      let lo = rational f in blank f;
+      Bounds (lo, rational f)
+    | _ -> literal f "depth "; Depth (rational f)
+  in
+  finish f;
+  claim
+
+let directions_of r =
+  advance r;
+  let f = fields r "directions, a count, and some or all" in
+  literal f "directions ";
+  let count = natural f in
+  let all = has_prefix " all" (String.sub f.s f.at (String.length f.s - f.at)) in
+  literal f (if all then " all" else " some");
+  finish f;
+  (all, rows r r.number count "three integers: a direction" direction)
+
+let footer r counts =
+  advance r;
+  let f = fields r "end and the five counts again" in
+  literal f "end";
+  let good = List.map (fun n -> blank f; Z.equal (natural f) (Z.of_int n)) counts in
+  finish f;
+  if not (List.for_all Fun.id good) then wrong f
+
+(* name: where the certificate's own is put, as soon as it is known *)
+let certificate r name =
+  memory := 0;
+  let f = fields r "fathom-certificate 1" in
+  literal f "fathom-certificate 1";
+  finish f;
+  advance r;
+  (match r.text with
+   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text in printable ASCII"); advance r
+   | _ -> ());
+  let a = counted r "a" "three rationals: a point" point in
+  let b = part r "b" "three rationals: a point" point in
+  advance r;
+  let claim = claim_of r in
+  let claim_line = r.number in
+  let all, directions = directions_of r in
+  let vertices, facets =
+    match claim with
+    | Depth _ | Bounds _ ->
+      let vertices = part r "vertices" "two numbers: a vertex" pair in
+      (vertices, part r "facets" "a count and as many corners" facet)
+    | _ -> (nothing r.number, nothing r.number) in
+  let weights_a, weights_b =
+    match claim with
+    | Touching ->
+      let weights_a = part r "weights_a" "the number of a point and its weight" weight in
+      (weights_a, part r "weights_b" "the number of a point and its weight" weight)
+    | _ -> (nothing r.number, nothing r.number) in
+  let size p = Array.length p.items in
+  footer r [ size a; size b; size directions; size vertices + size weights_a; size facets + size weights_b ];
+  { a; b; claim; claim_line; all; directions; vertices; facets; weights_a; weights_b }

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/expanding/expanding_polytope.hpp"
+
+#include <queue>
+#include <stdexcept>
+
+#include "reference/expanding/start.hpp"
+#include "reference/expanding/surface.hpp"
+
+namespace fathom {
+namespace {
+
+// A squared distance from O, as a quotient, and a binary64 number that the distance does not exceed.
+struct Radius {
+  mpz_class numerator, denominator = 1;
+  double from_above = 0;
+};
+
+// The triangles that wait to be looked at, the one that seems nearest first.
+class Waiting {
+ public:
+  void add(double distance, std::uint32_t triangle) { queue_.emplace(-distance, triangle); }
+  [[nodiscard]] bool empty() const { return queue_.empty(); }
+  std::uint32_t take() {
+    const std::uint32_t triangle = queue_.top().second;
+    queue_.pop();
+    return triangle;
+  }
+
+ private:
+  std::priority_queue<std::pair<double, std::uint32_t>> queue_;
+};
+
+class Expander {
+ public:
+  Expander(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options)
+      : a_(a), b_(b), exponent_(a.exponent()), options_(options), differences_(a, b) {
+    if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("an expanding polytope of an empty body");
+    if (a.exponent() != b.exponent()) throw std::invalid_argument("an expanding polytope of clouds that differ in their exponents");
+  }
+
+  // False if P is flat.
+  bool start() {
+    const auto first = starting_tetrahedron(differences_);
+    if (!first) return false;
+    surface_.emplace(std::array{vertex((*first)[0]), vertex((*first)[1]), vertex((*first)[2]), vertex((*first)[3])}, exponent_);
+    wait_for_all();
+    return true;
+  }
+
+  ExpansionEnd find_nearest() {
+    Radius radius;
+    while (!waiting_.empty()) {
+      const std::uint32_t t = waiting_.take();
+      if (!surface_->triangle(t).alive || (!nearest.empty() && beyond(t, radius, false))) continue;
+      if (std::optional<SurfaceVertex> above = point_above(t)) {
+        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
+        continue;
+      }
+      const ExactPlane& plane = surface_->plane(t);  // the plane of a facet of P
+      if (plane.height <= 0) return ExpansionEnd::not_inside;
+      if (nearest.offer(plane.normal, plane.height)) radius = radius_of(nearest.numerator(), nearest.denominator());
+    }
+    return ExpansionEnd::proved;
+  }
+
+  // Until Q holds the ball. `holds` becomes whether P does.
+  ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
+    const Radius radius = radius_of(squared.get_num(), squared.get_den());
+    while (!waiting_.empty()) {
+      const std::uint32_t t = waiting_.take();
+      if (!surface_->triangle(t).alive || beyond(t, radius, true)) continue;
+      if (std::optional<SurfaceVertex> above = point_above(t)) {
+        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
+        continue;
+      }
+      holds = false;
+      return surface_->plane(t).height <= 0 ? ExpansionEnd::not_inside : ExpansionEnd::proved;
+    }
+    holds = true;
+    return ExpansionEnd::proved;
+  }
+
+  // Until some direction is known to have h(n)^2 <= squared <n,n>; `direction` becomes it, or stays as it is if there is none.
+  ExpansionEnd find_direction(const mpq_class& squared, Vector& direction) {
+    wait_for_all();
+    while (!waiting_.empty()) {
+      const std::uint32_t t = waiting_.take();
+      if (!surface_->triangle(t).alive) continue;
+      const Vector normal = surface_->plane(t).normal;
+      if (shows(normal, squared)) {
+        direction = primitive(normal);
+        return ExpansionEnd::proved;
+      }
+      std::optional<SurfaceVertex> above = point_above(t);
+      if (above && !expand(std::move(*above), t)) return ExpansionEnd::spent;
+    }
+    return ExpansionEnd::proved;
+  }
+
+  bool shows(const Vector& n, const mpq_class& squared) {
+    if (is_zero(n)) return false;
+    const mpz_class h = dot(n, differences_[differences_.extreme(n)]);
+    return h > 0 && h * h * squared.get_den() <= squared.get_num() * dot(n, n);
+  }
+
+  InnerPolytope inner() { return inner_polytope(*surface_); }
+
+  NearestPlanes nearest;
+  std::size_t points = 0;
+
+ private:
+  SurfaceVertex vertex(Difference d) const {
+    Vector exact = b_[d.second] - a_[d.first];
+    const Vec3<double> image = rounded(exact, exponent_);
+    return {d, std::move(exact), image};
+  }
+
+  [[nodiscard]] Radius radius_of(const mpz_class& numerator, const mpz_class& denominator) const {
+    return {numerator, denominator, root_from_above(numerator, denominator, exponent_)};
+  }
+
+  void wait_for(std::uint32_t t) { waiting_.add(estimated_distance(t), t); }
+
+  void wait_for_all() {
+    for (std::uint32_t t = 0; t < surface_->size(); ++t)
+      if (surface_->triangle(t).alive) wait_for(t);
+  }
+
+  // Decides nothing but the order.
+  double estimated_distance(std::uint32_t t) {
+    const RoundedPlane& rounded = surface_->triangle(t).rounded;
+    if (rounded.trustworthy()) return rounded.estimated_distance();
+    const ExactPlane& plane = surface_->plane(t);
+    const double distance = root_from_above(plane.height * plane.height, dot(plane.normal, plane.normal), exponent_);
+    return plane.height < 0 ? -distance : distance;
+  }
+
+  // Whether O lies below the plane, at a greater distance than the radius, or perhaps an equal one.
+  bool beyond(std::uint32_t t, const Radius& radius, bool or_equal) {
+    if (surface_->triangle(t).rounded.surely_beyond(radius.from_above)) return true;
+    const ExactPlane& plane = surface_->plane(t);
+    if (plane.height <= 0) return false;
+    const mpz_class mine = plane.height * plane.height * radius.denominator, limit = radius.numerator * dot(plane.normal, plane.normal);
+    return or_equal ? mine >= limit : mine > limit;
+  }
+
+  // A point of P strictly above the triangle's plane: a guess, which an exact sign confirms, or else an extreme point. None: the plane
+  // supports P.
+  std::optional<SurfaceVertex> point_above(std::uint32_t t) {
+    SurfaceVertex guess = vertex(likely_extreme(t));
+    if (surface_->side(t, guess) > 0) return guess;
+    SurfaceVertex extreme = vertex(differences_.extreme(surface_->plane(t).normal));
+    if (surface_->side(t, extreme) > 0) return extreme;
+    return std::nullopt;
+  }
+
+  Difference likely_extreme(std::uint32_t t) {
+    const RoundedPlane& plane = surface_->triangle(t).rounded;
+    Vec3<double> n = plane.estimated_normal();
+    if (!plane.trustworthy()) {
+      const Vector& exact = surface_->plane(t).normal;
+      n = rounded(exact, binary_exponent({&exact, 1}));
+    }
+    return {likely_extreme_point(a_, -n), likely_extreme_point(b_, n)};
+  }
+
+  bool expand(SurfaceVertex above, std::uint32_t t) {
+    if (points == options_.most_points) return false;
+    if (options_.on_step) options_.on_step();
+    ++points;
+    for (const std::uint32_t fresh : surface_->insert(std::move(above), t)) wait_for(fresh);
+    return true;
+  }
+
+  const PointCloud& a_;
+  const PointCloud& b_;
+  long exponent_;
+  const ExpansionOptions& options_;
+  Differences differences_;
+  std::optional<Surface> surface_;
+  Waiting waiting_;
+};
+
+}  // namespace
+
+Expansion nearest_by_expansion(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options) {
+  Expander expander(a, b, options);
+  Expansion result;
+  result.end = expander.start() ? expander.find_nearest() : ExpansionEnd::not_inside;
+  result.points = expander.points;
+  if (result.end != ExpansionEnd::proved) return result;
+  result.nearest = std::move(expander.nearest);
+  result.inner = expander.inner();
+  return result;
+}
+
+BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
+                             const std::optional<Vector>& hint, const ExpansionOptions& options) {
+  Expander expander(a, b, options);
+  BallExpansion result;
+  result.end = expander.start() ? expander.fill_ball(low, result.low_holds) : ExpansionEnd::not_inside;
+  if (result.end != ExpansionEnd::proved) return result;
+  if (result.low_holds) result.inner = expander.inner();
+  if (hint && expander.shows(*hint, high)) result.direction = primitive(*hint);
+  else result.end = expander.find_direction(high, result.direction);
+  result.high_holds = !is_zero(result.direction);
+  return result;
+}
+
+}  // namespace fathom

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two point clouds.
+// Output  the facets of P nearest to O, found and proved by a polytope Q that grows inside P towards them; no hull, no decomposition.
+//         In engines this search is known as EPA, the expanding polytope algorithm (van den Bergen 2001); here binary64 guesses which
+//         point comes next and integers decide.                                                   [design, section 7; proofs/expanding.md]
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "kernels/nearest.hpp"
+#include "kernels/report.hpp"
+#include "kernels/support.hpp"
+#include "reference/expanding/inner_polytope.hpp"
+
+namespace fathom {
+
+struct ExpansionOptions {
+  std::size_t most_points = std::numeric_limits<std::size_t>::max();  ///< give up rather than add more points than these to Q
+  std::function<void()> on_step;                                      ///< called for every point that is added; may throw
+};
+
+enum class ExpansionEnd {
+  proved,      ///< Q holds the ball that was asked for
+  not_inside,  ///< O is not in the interior of P
+  spent        ///< the budget is used up
+};
+
+struct Expansion {
+  ExpansionEnd end = ExpansionEnd::spent;
+  /// proved: the directions of all facets of P nearest to O, with their squared distance. Exact.
+  NearestPlanes nearest;
+  /// proved: Q, in the ball's tangent planes at all nearest facets, and strictly farther from O everywhere else.
+  InnerPolytope inner;
+  std::size_t points = 0;  ///< added to Q beyond the first four
+};
+
+/// The clouds must have the same exponent and be non-empty. Always ends; without a budget never `spent`.
+Expansion nearest_by_expansion(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options = {});
+
+/// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it is no nearer than the nearest planes,
+/// touches them in one facet each, and these support P. Quadratic in the size of Q.
+[[nodiscard]] Report validate(const Expansion& expansion, const PointCloud& a, const PointCloud& b);
+
+/// A proof of low <= depth^2 <= high, all in the clouds' unit.
+struct BallExpansion {
+  ExpansionEnd end = ExpansionEnd::spent;
+  bool low_holds = false, high_holds = false;  ///< proved: whether the two bounds are true
+  Vector direction;                            ///< if `high` is true: n with h(n)^2 <= high <n,n>
+  InnerPolytope inner;                         ///< if `low` is true: holds the ball of squared radius `low`
+};
+
+/// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows `high`; `hint`, if given, is tried first.
+BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
+                             const std::optional<Vector>& hint = std::nullopt, const ExpansionOptions& options = {});
+
+}  // namespace fathom

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an expanding polytope starts.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "reference/polytope/position_search.hpp"
+
+namespace fathom {
+
+/// Four differences that do not lie in one plane, found in directions that lead towards O; nothing if P is flat. Exact.
+std::optional<std::array<Difference, 4>> starting_tetrahedron(Differences& differences);
+
+}  // namespace fathom

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Only triangles strictly below the new point go. So an edge of the horizon never lies on one line with the point (the triangle that goes has
+// it strictly above), and new triangles are never degenerate; what is coplanar stays side by side.        [proofs/expanding.md, lemma 1]
+#include "reference/expanding/surface.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace fathom {
+namespace {
+
+constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+
+// Which edge of `t` starts at `from`.
+int edge_from(const Triangle& t, std::uint32_t from) {
+  for (int k = 0; k < 3; ++k)
+    if (t.corners[k] == from) return k;
+  throw std::logic_error("the surface of the expanding polytope is torn");
+}
+
+}  // namespace
+
+Surface::Surface(std::array<SurfaceVertex, 4> corners, long exponent) : exponent_(exponent) {
+  const Vector& p = corners[0].exact;
+  const int turn = sgn(det(corners[1].exact - p, corners[2].exact - p, corners[3].exact - p));
+  if (turn == 0) throw std::logic_error("the expanding polytope starts flat");
+  if (turn > 0) std::swap(corners[1], corners[2]);  // so that corner 3 lies below the triangle 0 1 2
+  vertices_.reserve(32);                            // most searches need no more
+  triangles_.reserve(128);
+  for (SurfaceVertex& corner : corners) vertices_.push_back(std::move(corner));
+  for (const std::array<std::uint32_t, 3>& t : {std::array{0U, 1U, 2U}, {0U, 3U, 1U}, {1U, 3U, 2U}, {2U, 3U, 0U}}) add(t);
+  for (std::uint32_t t = 0; t < 4; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      for (std::uint32_t other = 0; other < 4; ++other) {
+        for (int l = 0; l < 3; ++l) {
+          const std::array<std::uint32_t, 3>&mine = triangles_[t].corners, &theirs = triangles_[other].corners;
+          if (mine[k] == theirs[next(l)] && mine[next(k)] == theirs[l]) triangles_[t].across[k] = other;
+        }
+      }
+    }
+  }
+}
+
+std::uint32_t Surface::add(const std::array<std::uint32_t, 3>& corners) {
+  const auto t = static_cast<std::uint32_t>(triangles_.size());
+  const RoundedPlane rounded(vertices_[corners[0]].rounded, vertices_[corners[1]].rounded, vertices_[corners[2]].rounded);
+  triangles_.push_back({corners, {}, rounded, true, nullptr});
+  ++alive_;
+  return t;
+}
+
+void Surface::remove(std::uint32_t t) {
+  triangles_[t].alive = false;
+  triangles_[t].exact.reset();
+  --alive_;
+}
+
+const ExactPlane& Surface::plane(std::uint32_t t) {
+  std::unique_ptr<ExactPlane>& exact = triangles_[t].exact;
+  if (!exact) {
+    const std::array<std::uint32_t, 3>& c = triangles_[t].corners;
+    const Vector& p = vertices_[c[0]].exact;
+    exact = std::make_unique<ExactPlane>();
+    exact->normal = cross(vertices_[c[1]].exact - p, vertices_[c[2]].exact - p);
+    exact->height = dot(exact->normal, p);
+  }
+  return *exact;
+}
+
+int Surface::side(std::uint32_t t, const SurfaceVertex& vertex) {
+  if (const int sure = triangles_[t].rounded.side(vertex.rounded)) return sure;
+  const ExactPlane& p = plane(t);
+  return sgn(mpz_class(dot(p.normal, vertex.exact) - p.height));
+}
+
+std::vector<Surface::HorizonEdge> Surface::take_out_visible(const SurfaceVertex& vertex, std::uint32_t seen) {
+  std::vector<std::uint32_t> visible{seen};
+  remove(seen);
+  std::vector<HorizonEdge> horizon;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangles_[visible[i]].corners[k], to = triangles_[visible[i]].corners[next(k)];
+      const std::uint32_t other = triangles_[visible[i]].across[k];
+      if (!triangles_[other].alive) continue;
+      if (side(other, vertex) > 0) {
+        remove(other);
+        visible.push_back(other);
+      } else {
+        horizon.push_back({from, to, other, edge_from(triangles_[other], to)});
+      }
+    }
+  }
+  return horizon;
+}
+
+std::vector<std::uint32_t> Surface::insert(SurfaceVertex vertex, std::uint32_t seen) {
+  if (!triangles_[seen].alive || side(seen, vertex) <= 0) throw std::logic_error("the new point does not lie above the triangle");
+  const std::vector<HorizonEdge> horizon = take_out_visible(vertex, seen);
+  const auto apex = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.push_back(std::move(vertex));
+  fan_.resize(vertices_.size());
+  std::vector<std::uint32_t> fresh;
+  for (const HorizonEdge& edge : horizon) {
+    const std::uint32_t t = add({edge.from, edge.to, apex});
+    triangles_[t].across[0] = edge.beyond;
+    triangles_[edge.beyond].across[edge.side] = t;
+    fan_[edge.from] = t;
+    fresh.push_back(t);
+  }
+  for (const std::uint32_t t : fresh) {
+    const std::uint32_t following = fan_[triangles_[t].corners[1]];
+    if (following < fresh.front() || triangles_[following].corners[0] != triangles_[t].corners[1])
+      throw std::logic_error("the horizon of the new point is no cycle");
+    triangles_[t].across[1] = following;
+    triangles_[following].across[2] = t;
+  }
+  return fresh;
+}
+
+}  // namespace fathom

@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every case of every family, the catalogue and the real cases: `fathom depth` certifies it, and all checkers accept the certificate, with
+the answer that was printed. The programs come in the environment; FATHOM_CHECK_PROVED, extracted from the Coq development, may be absent."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+FATHOM = os.environ["FATHOM_EXECUTABLE"]
+ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+CHECKERS = {
+    "fathom-check": [os.environ["FATHOM_CHECK"]],
+    "check.py": [sys.executable, "-B", str(ROOT / "verify" / "check" / "check.py")],
+}
+if os.path.exists(os.environ.get("FATHOM_CHECK_PROVED", "")):
+    CHECKERS["fathom-check-proved"] = [os.environ["FATHOM_CHECK_PROVED"]]
+
+
+def run(*arguments, stdin=""):
+    done = subprocess.run(list(map(str, arguments)), input=stdin, capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0, f"{arguments[0]} ended with {done.returncode}: {done.stdout[-500:]}{done.stderr[-500:]}"
+    return done.stdout
+
+
+def families():
+    return [line.split()[0] for line in run(FATHOM, "cases", "--list").splitlines() if line.strip()]
+
+
+def all_cases():
+    yield run(FATHOM, "cases", "--catalogue")
+    yield (ROOT / "tests" / "data" / "real_cases.jsonl").read_text()
+    for family in families():
+        yield run(FATHOM, "cases", "--family", family, "--count", 2, "--seed", 5, "--size", 9)
+        yield run(FATHOM, "cases", "--family", family, "--count", 1, "--seed", 50, "--size", 22)
+
+
+def expected(result, name):
+    line = f"s VERIFIED {result['status']} depth_squared={result['depth']['squared']}"
+    return line + (f" optima={len(result['optima'])}" if result["optima"] else "") + f" {name}"
+
+
+class Checkers(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.cases = "".join(all_cases())
+        cls.lines = run(FATHOM, "depth", "--json", "--embed-certificate", "--certificate", cls.folder.name, "-", stdin=cls.cases)
+        cls.results = {result["id"]: result for result in map(json.loads, cls.lines.splitlines())}
+
+    def test_one_certificate_for_each_case(self):
+        self.assertGreater(len(self.results), 300)
+        self.assertEqual(len(os.listdir(self.folder.name)), len(self.results))
+        for result in self.results.values():
+            self.assertTrue(result["certificate"].startswith("fathom-certificate 1\n"))
+
+    def test_all_checkers_accept_all_of_them(self):
+        paths = sorted(str(path) for path in pathlib.Path(self.folder.name).iterdir())
+        ids = list(self.results)
+        stream = pathlib.Path(self.folder.name).parent / (pathlib.Path(self.folder.name).name + ".all")
+        self.addCleanup(stream.unlink)
+        stream.write_text("".join(self.results[i]["certificate"] for i in ids))
+        wanted = [expected(self.results[i], i) for i in ids]
+        for name, command in CHECKERS.items():
+            with self.subTest(checker=name):
+                self.assertEqual(run(*command, stream).splitlines(), wanted)
+        self.assertEqual(len(run(*CHECKERS["fathom-check"], *paths).splitlines()), len(ids))
+
+    def test_results_carry_them(self):
+        path = pathlib.Path(self.folder.name).parent / (pathlib.Path(self.folder.name).name + ".jsonl")
+        self.addCleanup(path.unlink)
+        path.write_text(self.lines)
+        self.assertEqual(run(*CHECKERS["fathom-check"], "--results", path).splitlines(),
+                         [expected(result, i) for i, result in self.results.items()])
+
+    def test_the_method_proves_the_same(self):
+        lines = run(FATHOM, "depth", "--json", "--embed-certificate", "--method", "certificate", "-", stdin=self.cases)
+        for result in map(json.loads, lines.splitlines()):
+            other = dict(self.results[result["id"]], method=result["method"])
+            self.assertEqual(result, other)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input that wants the checker's memory, its time or its life. Nothing is accepted, and the test ends.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "verify/check/budget.hpp"
+#include "verify/check/check.hpp"
+#include "verify/check/checks.hpp"
+#include "verify/check/json.hpp"
+#include "verify/check/lines.hpp"
+#include "verify/check/parser.hpp"
+
+namespace fathom_check {
+namespace {
+
+const std::string start = "fathom-certificate 1\n";
+
+TEST(CheckHostile, AnnouncedCountsReserveNothing) {
+  for (const char* count : {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
+    const Verdict verdict = verify(start + "a " + count + "\n0 0 0\n");
+    EXPECT_EQ(verdict.outcome, Outcome::malformed);
+    EXPECT_EQ(verdict.line, 4U);
+    const std::string body = start + "a 1\n0 0 0\nb 1\n0 0 1\nclaim depth 1\ndirections 1 some\n0 0 -1\n";
+    EXPECT_EQ(verify(body + "vertices " + count + "\n0 0\n").outcome, Outcome::malformed);
+    EXPECT_EQ(verify(body + "vertices 1\n0 0\nfacets " + count + "\n").outcome, Outcome::malformed);
+    EXPECT_EQ(verify(body + "vertices 1\n0 0\nfacets 1\n" + count + " 0 0 0\n").outcome, Outcome::malformed);
+    EXPECT_EQ(verify(body + "vertices 1\n0 " + count + "\nfacets 1\n3 0 0 0\nend 1 1 1 1 1\n").outcome, Outcome::refused);
+  }
+}
+
+TEST(CheckHostile, NumbersAreLimited) {
+  const auto text = [](const std::string& x) {
+    return start + "a 1\n" + x + " 0 0\nb 1\n0 0 1\nclaim disjoint\ndirections 1 some\n0 0 -1\nend 1 1 1 0 0\n";
+  };
+  EXPECT_EQ(verify(text(std::string(longest_integer, '7'))).outcome, Outcome::verified) << "long, but within the limit";
+  EXPECT_EQ(verify(text(std::string(longest_integer + 1, '7'))).outcome, Outcome::malformed);
+  EXPECT_EQ(verify(text("1/" + std::string(longest_integer + 1, '7'))).outcome, Outcome::malformed);
+}
+
+TEST(CheckHostile, LinesAreLimited) {
+  EXPECT_EQ(verify(std::string(longest_line + 1, 'x') + "\n").outcome, Outcome::malformed);
+  EXPECT_EQ(verify(start + "#" + std::string(longest_line, ' ') + "\n").outcome, Outcome::malformed);
+  Lines lines(std::string_view("abc\nabcd\nab\nabc"), 3);
+  EXPECT_EQ(lines.advance(), Lines::Kind::whole);
+  EXPECT_EQ(lines.text(), "abc");
+  EXPECT_EQ(lines.advance(), Lines::Kind::too_long);
+  EXPECT_EQ(lines.advance(), Lines::Kind::whole);
+  EXPECT_EQ(lines.text(), "ab");
+  EXPECT_EQ(lines.advance(), Lines::Kind::cut_off);
+  EXPECT_EQ(lines.number(), 4U);
+  EXPECT_EQ(lines.advance(), Lines::Kind::none);
+}
+
+// A stream is read in blocks; that must not show.
+TEST(CheckHostile, BlocksDoNotShow) {
+  constexpr std::size_t longest = 70'000;
+  std::string text;
+  for (std::size_t length : {0, 1, 65'535, 65'536, 65'537, 69'999, 70'000, 70'001, 200'000, 3, 0, 131'071, 50'000, 20'000, 7})
+    text += std::string(length, static_cast<char>('a' + length % 26)) + "\n";
+  for (const std::size_t cut : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
+    const std::string_view whole = std::string_view(text).substr(0, text.size() - cut);
+    std::istringstream stream{std::string(whole)};
+    Lines from_stream(stream, longest), from_text(whole, longest);
+    do {
+      EXPECT_EQ(from_stream.advance(), from_text.advance()) << "line " << from_text.number();
+      EXPECT_EQ(from_stream.text(), from_text.text()) << "line " << from_text.number();
+      EXPECT_EQ(from_stream.number(), from_text.number());
+    } while (from_text.kind() != Lines::Kind::none);
+    EXPECT_FALSE(from_stream.broken());
+  }
+}
+
+// Long denominators without common factors, and many points: over the common denominator they would take gigabytes.
+TEST(CheckHostile, CommonDenominatorsArePaidFor) {
+  constexpr int awkward = 100, points = 200'000;
+  std::string text = start + "a " + std::to_string(points) + "\n";
+  for (int k = 0; k < awkward; ++k) text += "1/" + std::to_string(2 * k + 1) + std::string(400, static_cast<char>('1' + k % 9)) + "1 0 0\n";
+  for (int k = awkward; k < points; ++k) text += "0 0 0\n";
+  text += "b 1\n0 0 1\nclaim disjoint\ndirections 1 some\n0 0 -1\nend " + std::to_string(points) + " 1 1 0 0\n";
+  const Verdict verdict = verify(text);
+  EXPECT_EQ(verdict.outcome, Outcome::malformed);
+  EXPECT_NE(verdict.reason.find("limit"), std::string::npos) << verdict.reason;
+}
+
+// A genuine certificate, when little of the budget is left.
+TEST(CheckHostile, WorkIsPaidFor) {
+  const std::string text =
+      start +
+      "a 1\n0 0 0\nb 4\n1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\nclaim depth 1/3\ndirections 1 some\n-1 -1 -1\nvertices 4\n0 0\n1 0\n2 0\n3 0\n" +
+      "facets 4\n3 1 3 2\n3 0 2 3\n3 0 3 1\n3 0 1 2\nend 1 4 1 4 4\n";
+  EXPECT_TRUE(verify(text).accepted());
+  for (std::uint64_t left = 0; left < 1000; left += 50) {
+    Lines lines(text, longest_line);
+    Parser parser(lines);
+    Certificate certificate;
+    Budget budget;
+    ASSERT_TRUE(parser.find_next());
+    parser.read(certificate, budget);
+    budget.work(most_work - left, 1);
+    EXPECT_THROW(check_claim(certificate, budget), Fault) << left;
+  }
+}
+
+TEST(CheckHostile, BudgetsEnd) {
+  Budget budget;
+  budget.store(most_memory, 1);
+  EXPECT_THROW(budget.store(1, 7), Fault);
+  budget.work(most_work, 1);
+  EXPECT_THROW(budget.work(1, 7), Fault);
+}
+
+TEST(CheckHostile, JsonNestingIsLimited) {
+  const auto nested = [](int depth) {
+    return std::string(static_cast<std::size_t>(depth), '[') + std::string(static_cast<std::size_t>(depth), ']');
+  };
+  const auto parses = [](const std::string& text) {
+    Budget budget;
+    JsonReader reader(text, 1);
+    try {
+      reader.next(budget);
+      return !reader.more();
+    } catch (const Fault&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(parses(nested(JsonReader::deepest)));
+  EXPECT_FALSE(parses(nested(JsonReader::deepest + 1)));
+  EXPECT_FALSE(parses(nested(1'000'000)));
+  EXPECT_FALSE(parses(std::string(1'000'000, '[')));
+}
+
+}  // namespace
+}  // namespace fathom_check

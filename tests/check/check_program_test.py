@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom-check and check.py as programs: lines, exit codes, streams, and what only fathom-check can: --case, --results, --echo."""
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import tempfile
+import unittest
+
+CHECK = [os.environ["FATHOM_CHECK"]]
+ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+READER = [os.environ["PYTHON"], "-B", str(ROOT / "verify" / "check" / "check.py")]
+DATA = ROOT / "tests" / "data" / "certificates"
+PATIENCE = 300
+CUBES = (DATA / "depth_cubes.cert").read_text()
+APART = (DATA / "disjoint_cubes.cert").read_text()
+FALSE = CUBES.replace("claim depth 1", "claim depth 2")
+LENGTH = APART.count("\n")
+CUBES_OK = "s VERIFIED penetrating depth_squared=1 optima=1 two%20cubes"
+APART_OK = "s VERIFIED disjoint depth_squared=0 disjoint%20cubes"
+
+
+class ProgramTest(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+        return str(self.folder / name)
+
+    def run_program(self, program, *words, stdin="", **options):
+        """(exit code, lines on stdout, stderr)"""
+        done = subprocess.run([*program, *map(str, words)], input=stdin.encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              timeout=PATIENCE, **options)
+        return done.returncode, done.stdout.decode().splitlines(), done.stderr.decode()
+
+    def both(self, *words, stdin=""):
+        """(exit code, lines) on which both programs agree, up to reasons and the lines of refusals."""
+        answers = []
+        for program in (CHECK, READER):
+            code, lines, _ = self.run_program(program, *words, stdin=stdin)
+            lines = [line for line in lines if line.startswith("s ")]
+            lines = [re.sub(r"(REFUSED .*?):\d+: .*", r"\1", re.sub(r"(MALFORMED .*?:\d+): .*", r"\1", line)) for line in lines]
+            answers.append((code, lines))
+        self.assertEqual(answers[0], answers[1])
+        return answers[0]
+
+
+class Certificates(ProgramTest):
+    def test_accepted(self):
+        files = sorted(DATA.glob("*.cert"))
+        code, lines = self.both(*files)
+        self.assertEqual((code, len(lines)), (0, len(files) + 1))
+        self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines), lines)
+
+    def test_refused(self):
+        files = sorted((DATA / "refused").glob("*.cert"))
+        code, lines = self.both(*files)
+        self.assertEqual((code, len(lines)), (1, len(files)))
+        self.assertTrue(all(line.startswith("s REFUSED ") for line in lines), lines)
+
+    def test_the_worst_counts(self):
+        good, bad, cut = self.file("good", CUBES), self.file("bad", FALSE), self.file("cut", CUBES[:-1])
+        self.assertEqual(self.both(good, good), (0, [CUBES_OK] * 2))
+        self.assertEqual(self.both(bad, good), (1, ["s REFUSED two%20cubes", CUBES_OK]))
+        self.assertEqual(self.both(cut, bad, good), (2, ["s MALFORMED two%20cubes:40", "s REFUSED two%20cubes", CUBES_OK]))
+
+    def test_nothing_is_not_fine(self):
+        for content in ("", "\n", "#\n", "# cut off", "garbage\n"):
+            code, lines = self.both(self.file("empty", content))
+            self.assertEqual((code, len(lines)), (2, 1), content)
+        self.assertEqual(self.run_program(CHECK)[:2], (2, []))
+        self.assertEqual(self.run_program(READER)[:2], (2, []))
+
+    def test_unreadable(self):
+        for path in (self.folder, self.folder / "missing"):
+            for program in (CHECK, READER):
+                code, lines, _ = self.run_program(program, path, self.file("good", CUBES))
+                self.assertEqual((code, lines[-1]), (2, CUBES_OK))
+                self.assertIn("s MALFORMED ", lines[-2])
+
+    def test_streams(self):
+        self.assertEqual(self.both("-", stdin=CUBES + "# between\n" + APART), (0, [CUBES_OK, APART_OK]))
+        self.assertEqual(self.both("-", stdin=re.sub("id .*\n", "", APART)), (0, ["s VERIFIED disjoint depth_squared=0 <stdin>"]))
+
+    def test_goes_on_after_a_malformed_certificate(self):
+        begin = CUBES.index("claim")
+        self.assertEqual(self.both("-", stdin=CUBES[:begin] + APART), (2, ["s MALFORMED two%20cubes:21", APART_OK]))
+        self.assertEqual(self.both("-", stdin=CUBES[:begin] + "claim depth\n1 2 3\n# x\n" + APART),
+                         (2, ["s MALFORMED two%20cubes:21", APART_OK]))
+        self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
+                         (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
+
+    def test_a_name_cannot_forge_a_line(self):
+        path = self.file("x\ns VERIFIED %", "garbage\n")
+        self.assertEqual(self.both(path), (2, [f"s MALFORMED {self.folder}/x%0As VERIFIED %25:1"]))
+
+    def test_each_verdict_before_the_next_certificate(self):
+        process = subprocess.Popen([*CHECK, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        for _ in range(3):
+            process.stdin.write(APART.encode())
+            process.stdin.flush()
+            self.assertEqual(process.stdout.readline().decode(), APART_OK + "\n")
+        process.stdin.close()
+        self.assertEqual((process.stdout.read(), process.wait()), (b"", 0))
+        process.stdout.close()
+
+
+class Options(ProgramTest):
+    def test_misuse(self):
+        for words in (["--what", "x"], ["--case"], ["--case", "a", "--case", "b", "x"], ["--results"], ["--echo"], ["-x"]):
+            code, lines, err = self.run_program(CHECK, *words)
+            self.assertEqual((code, lines), (2, []))
+            self.assertTrue(err.startswith("fathom-check: ") and "--help" in err, err)
+        self.assertEqual(self.run_program(CHECK, "--help")[0], 0)
+        self.file("--echo", CUBES)
+        self.assertEqual(self.run_program(CHECK, "--", "--echo", cwd=self.folder)[:2], (0, [CUBES_OK]))
+
+    def test_echo(self):
+        code, lines, _ = self.run_program(CHECK, "--echo", DATA / "point_tetrahedron.cert")
+        self.assertEqual(code, 0)
+        self.assertEqual(lines[:8], ["c id a%20point%20in%20a%20tetrahedron", "c a 1", "c 0 0 0", "c b 4", "c 1/2 1/2 1/2",
+                                     "c 1/2 -1/2 -1/2", "c -1/2 1/2 -1/2", "c -1/2 -1/2 1/2"])
+        self.assertEqual(lines[8], "c claim depth 1/12")
+
+    def test_case(self):
+        cube = [[x, y, z] for z in (0, 2) for y in (0, 2) for x in (0, 2)]
+        case = {"schema": "fathom/case/1", "id": "two cubes", "a": {"vertices": cube},
+                "b": {"vertices": cube, "pose": [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]]}}
+        certificate = DATA / "depth_cubes.cert"
+        own = self.file("case.json", json.dumps(case, indent=1))
+        self.assertEqual(self.run_program(CHECK, "--case", own, certificate)[:2], (0, [CUBES_OK]))
+        case["b"]["pose"][0][3] = 1.0000000000000002
+        moved = self.file("moved.json", json.dumps(case))
+        code, lines, _ = self.run_program(CHECK, "--case", moved, certificate)
+        self.assertEqual((code, lines), (1, ["s REFUSED two%20cubes:13: point 0 of b is not that of the case"]))
+        code, lines, err = self.run_program(CHECK, "--case", self.file("bad.json", "{\n}"), certificate)
+        self.assertEqual((code, lines), (2, []))
+        self.assertIn("bad.json:1: expected", err)
+
+    def test_width(self):
+        rows = "0 0 0\n6/2 0 0\n0 0 3\n"
+        text = f"fathom-certificate 1\na 3\n{rows}b 3\n{rows.replace('6/2', '3')}claim touching\ndirections 1 some\n0 1 0\n"
+        text += "weights_a 1\n0 1\nweights_b 1\n0 1\nend 3 3 1 1 1\n"
+        case = self.file("case.json", '{"a": {"vertices": [[0,0,0],[3,0,0],[0,0,3]]}, "b": {"vertices": [[7,7,7]]}}')
+        self.assertEqual(self.run_program(CHECK, "--width", "--case", case, "-", stdin=text)[0], 0)
+        self.assertEqual(self.run_program(CHECK, "--case", case, "-", stdin=text)[0], 1)
+        self.assertEqual(self.run_program(CHECK, "--width", "-", stdin=text.replace("6/2", "4"))[0], 1)
+        code, lines, _ = self.run_program(CHECK, "--width", DATA / "touching_cubes.cert")
+        self.assertEqual((code, lines[0][:31]), (1, "s REFUSED touching%20cubes:12: "))
+
+    def test_results(self):
+        result = {"id": "é", "status": "penetrating", "depth": {"squared": "1"}, "certificate": re.sub("id .*\n", "", CUBES)}
+        lines = [json.dumps(result), json.dumps({**result, "depth": {"squared": "2"}}), "", json.dumps({**result, "status": "touching"}),
+                 json.dumps({"id": "error", "error": "x"}), "{", json.dumps({"certificate": CUBES + CUBES}),
+                 json.dumps({"certificate": CUBES})]
+        path = self.file("results.jsonl", "\n".join(lines))
+        code, found, _ = self.run_program(CHECK, "--results", path)
+        self.assertEqual(code, 2)
+        self.assertEqual([re.sub(r":\d+: .*", "", line) for line in found],
+                         ["s VERIFIED penetrating depth_squared=1 optima=1 %C3%A9", "s REFUSED %C3%A9", "s REFUSED %C3%A9",
+                          "s MALFORMED error", f"s MALFORMED {path}:6", f"s MALFORMED {path}:7", CUBES_OK])
+        self.assertEqual(self.run_program(CHECK, "--results", "-", stdin=lines[0])[0], 0)
+        self.assertEqual(self.run_program(CHECK, "--results", self.file("none", "\n"))[0], 2)
+
+
+class Hostile(ProgramTest):
+    def small_memory(self):
+        resource.setrlimit(resource.RLIMIT_AS, (100 << 20, 100 << 20))
+
+    def test_endless_line(self):
+        with open("/dev/zero", "rb") as zeros:
+            done = subprocess.run([*CHECK, "-"], input=zeros.read(100 << 20), stdout=subprocess.PIPE, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stdout.count(b"\n"), 1)
+
+    @unittest.skipIf("asan" in os.environ.get("FATHOM_CHECK", ""), "address space limits do not go with AddressSanitizer")
+    def test_memory_that_ends(self):
+        number = "7" * 40
+        text = "fathom-certificate 1\na 500000\n" + f"{number} {number} {number}\n" * 400_000
+        code, lines, _ = self.run_program(CHECK, "-", stdin=text, preexec_fn=self.small_memory)
+        self.assertEqual(code, 2)
+        self.assertLessEqual(len(lines), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

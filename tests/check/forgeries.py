@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Forges certificates by the thousand, and demands that all checkers agree on each and accept none whose claim is untrue.
+
+forgeries.py --checker COMMAND [--checker COMMAND].. [--oracle FATHOM] [--count N] [--share K] [--seed S] PATH..
+
+PATH        a genuine certificate, or a folder of them (*.cert)
+--checker   a program that takes certificates as arguments and prints verdict lines; the first one sees every forgery
+--share K   the further ones see every K-th forgery (default 1: all)
+--oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones
+--count N   forgeries in all, at least
+
+Exit codes: 0 fine; 1 a disagreement, or an untrue claim was accepted; 2 usage, or a genuine certificate is not accepted.
+"""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import forging  # noqa: E402
+
+BATCH = 1000  # files a process
+VERDICT = re.compile(r"s (?:(VERIFIED) (.*) (\S+)|(REFUSED|MALFORMED) (\S+?):\d+: .*)")
+EXIT = {"VERIFIED": 0, "REFUSED": 1, "MALFORMED": 2}
+
+
+def run_checker(command, folder, names):
+    """name -> the verdicts on that file, in order: ("VERIFIED depth_squared=1",) or ("REFUSED",) or ..; the exit code must be the worst."""
+    done = subprocess.run([*shlex.split(command), *names], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE)
+    found = {name: () for name in names}
+    for line in done.stdout.decode().splitlines():
+        if not line.startswith("s "):
+            continue
+        match = VERDICT.fullmatch(line)
+        if not match or (match[3] or match[5]) not in found:
+            raise SystemExit(f"{command}: no verdict line: {line[:200]}")
+        name = match[3] or match[5]
+        found[name] += (f"VERIFIED {match[2]}" if match[1] else match[4],)
+    worst = max((EXIT[v.split()[0]] for verdicts in found.values() for v in verdicts), default=2)
+    if done.returncode != worst:
+        raise SystemExit(f"{command}: exit code {done.returncode} where the verdicts say {worst}")
+    return found
+
+
+def statement(text):
+    """What a certificate claims, as exact values: two equal ones are true together."""
+    parts = forging.Parts(text)
+    points = [[[Fraction(x) for x in row] for row in parts.rows[body]] for body in "ab"]
+    directions = sorted(tuple(map(int, row)) for row in parts.rows["directions"]) if parts.which == "all" else None
+    return points, parts.claim[0], [Fraction(x) for x in parts.claim[1:]], directions
+
+
+def solved(oracle, statements):
+    """The oracle's result for the points of each statement."""
+    cases = ""
+    for number, (points, *_) in enumerate(statements):
+        a, b = ({"vertices": [[str(x) for x in p] for p in body]} for body in points)
+        cases += json.dumps({"schema": "fathom/case/1", "id": str(number), "a": a, "b": b}) + "\n"
+    done = subprocess.run([*shlex.split(oracle), "depth", "--json", "-"], input=cases.encode(), stdout=subprocess.PIPE)
+    return [json.loads(line) for line in done.stdout.decode().splitlines()]
+
+
+def is_true(claim, result):
+    _, word, bounds, directions = claim
+    if word in ("touching", "disjoint"):
+        return result["status"] == word
+    squared = Fraction(result["depth"]["squared"])
+    if result["status"] != "penetrating" or not bounds[0] <= squared <= bounds[-1]:
+        return False
+    return directions is None or directions == sorted(tuple(map(int, o["direction"])) for o in result["optima"])
+
+
+class Campaign:
+    def __init__(self, options):
+        self.options, self.faults = options, []
+        self.kinds, self.outcomes = collections.Counter(), collections.Counter()
+        self.accepted, self.same = [], 0
+
+    def fault(self, sentence, text):
+        """Keeps the forgery, so that it can be looked at."""
+        path = pathlib.Path(tempfile.gettempdir()) / f"forgery_{os.getpid()}_{len(self.faults)}.cert"
+        path.write_text(text)
+        self.faults.append(f"{sentence}: {path}")
+
+    def judge_batch(self, batch):
+        """batch: (kind, forged text, genuine text)."""
+        with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as folder:
+            names = [f"f{k}" for k in range(len(batch))]
+            for name, (_, forged, _) in zip(names, batch):
+                (pathlib.Path(folder) / name).write_bytes(forged.encode())
+            first, *others = self.options.checker
+            verdicts = run_checker(first, folder, names)
+            for checker in others:
+                for name, found in run_checker(checker, folder, names[::self.options.share]).items():
+                    if found != verdicts[name]:
+                        self.fault(f"{first} says {verdicts[name]}, {checker} says {found}", batch[int(name[1:])][1])
+        for name, (kind, forged, genuine) in zip(names, batch):
+            self.kinds[kind] += 1
+            self.outcomes[max(verdicts[name], key=lambda v: EXIT[v.split()[0]], default="none").split()[0]] += 1
+            if any(verdict.startswith("VERIFIED") for verdict in verdicts[name]):
+                self.take_accepted(forged, genuine, verdicts[name])
+
+    def take_accepted(self, forged, genuine, verdicts):
+        """Finds the accepted certificates among the pieces of a forged file: each header begins a piece, with one verdict; and what
+        follows a complete certificate within its piece has one of its own."""
+        verdicts = list(verdicts)
+        for piece in filter(None, re.split(r"^(?=fathom-certificate)", forged, flags=re.MULTILINE)):
+            verdict = verdicts.pop(0) if verdicts else "MALFORMED"
+            end = re.search(r"^end .*\n", piece, re.MULTILINE)
+            if verdict != "MALFORMED" and re.search(r"^[^#]", piece[end.end():], re.MULTILINE):
+                verdicts.pop(0)
+            if not verdict.startswith("VERIFIED"):
+                continue
+            claim = statement(piece[:end.end()])
+            if claim == statement(genuine):
+                self.same += 1
+            else:
+                self.accepted.append((claim, forged))
+        if verdicts:
+            self.fault(f"more verdicts than certificates, {verdicts}", forged)
+
+    def judge_accepted(self):
+        if self.accepted and not self.options.oracle:
+            return [self.fault("accepted, and no oracle to ask", forged) for _, forged in self.accepted]
+        for k in range(0, len(self.accepted), BATCH):
+            part = self.accepted[k:k + BATCH]
+            results = solved(self.options.oracle, [claim for claim, _ in part])
+            if len(results) != len(part):
+                raise SystemExit("the oracle did not answer every case")
+            for (claim, forged), result in zip(part, results):
+                if not is_true(claim, result):
+                    self.fault("an untrue claim is accepted", forged)
+        return None
+
+    def report(self):
+        total = sum(self.kinds.values())
+        print(f"{total} forgeries: " + ", ".join(f"{kind} {count}" for kind, count in sorted(self.kinds.items())))
+        print(", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items())) +
+              f"; of the accepted {self.same} claim what the genuine one does, {len(self.accepted)} were re-solved")
+        for fault in self.faults:
+            print(fault)
+        return 1 if self.faults or total < self.options.count else 0
+
+
+def genuine_texts(options):
+    paths = [path for given in map(pathlib.Path, options.path) for path in (sorted(given.glob("*.cert")) if given.is_dir() else [given])]
+    texts = []
+    for path in paths:
+        for text in re.split(r"^(?=fathom-certificate)", path.read_text(), flags=re.MULTILINE):
+            if text.startswith("fathom-certificate"):
+                texts.append(forging.Parts(text).text())
+    return texts
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--checker", action="append", required=True)
+    parser.add_argument("--oracle")
+    parser.add_argument("--count", type=int, default=20000)
+    parser.add_argument("--share", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("path", nargs="+")
+    options = parser.parse_args()
+    texts = genuine_texts(options)
+    campaign, batch = Campaign(options), []
+    with tempfile.TemporaryDirectory() as folder:
+        names = [f"g{k}" for k in range(len(texts))]
+        for name, text in zip(names, texts):
+            (pathlib.Path(folder) / name).write_text(text)
+        for checker in options.checker:
+            found = run_checker(checker, folder, names) if names else {}
+            if not found or any(len(v) != 1 or not v[0].startswith("VERIFIED") for v in found.values()):
+                print(f"{checker}: genuine certificates are not accepted, or there are none")
+                return 2
+    others = [forging.Parts(text) for text in texts]
+    each = -(-options.count * 5 // (4 * len(texts)))  # some forgeries come out genuine
+    for number, text in enumerate(texts):
+        for kind, forged in forging.forgeries(text, others, each, f"{options.seed}/{number}"):
+            batch.append((kind, forged, text))
+            if len(batch) == BATCH:
+                campaign.judge_batch(batch)
+                batch = []
+    if batch:
+        campaign.judge_batch(batch)
+    campaign.judge_accepted()
+    return campaign.report()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ways to damage a certificate. Each is a function of a genuine certificate, cut into its parts, and a random source, and yields the text
+of a forgery, or None where it does not apply. A forgery may happen to be genuine still: who uses it must judge what it claims."""
+import random
+from fractions import Fraction
+
+CLAIMS = ("depth", "bounds", "touching", "disjoint")
+
+
+class Parts:
+    """A certificate without comments and id: the claim's words, and the rows of each part as lists of words."""
+
+    def __init__(self, text):
+        lines = [line.split(" ") for line in text.split("\n")[:-1] if not line.startswith(("#", "id "))]
+        assert lines[0] == ["fathom-certificate", "1"] and lines[-1][0] == "end"
+        self.claim, self.which, self.rows, at = [], "some", {}, 1
+        while lines[at][0] != "end":
+            word, *rest = lines[at]
+            at += 1
+            if word == "claim":
+                self.claim = rest
+                continue
+            count = int(rest[0])
+            if word == "directions":
+                self.which = rest[1]
+            self.rows[word] = [list(row) for row in lines[at:at + count]]
+            at += count
+
+    def copy(self):
+        other = object.__new__(Parts)
+        other.claim, other.which = list(self.claim), self.which
+        other.rows = {part: [list(row) for row in rows] for part, rows in self.rows.items()}
+        return other
+
+    def text(self):
+        out = ["fathom-certificate 1"]
+        for part, rows in self.rows.items():
+            if part == "directions":
+                out.append(" ".join(["claim", *self.claim]))
+            out.append(f"{part} {len(rows)}" + (f" {self.which}" if part == "directions" else ""))
+            out += map(" ".join, rows)
+        counts = [len(self.rows[part]) for part in self.rows]
+        return "\n".join(out + [" ".join(map(str, ["end", *counts, *[0] * (5 - len(counts))]))]) + "\n"
+
+
+def some_row(parts, rng, *names):
+    names = [name for name in names or parts.rows if parts.rows.get(name)]
+    return rng.choice(parts.rows[rng.choice(names)]) if names else None
+
+
+def nudged(word, rng):
+    """Another number near a number, or one of the awkward ones."""
+    if not word.lstrip("-").replace("/", "", 1).isdigit() or word.endswith("/"):
+        return word + "1"
+    value = Fraction(word)
+    if "/" not in word or rng.random() < 0.5:
+        return str(rng.choice([value + 1, value - 1, -value, 2 * value, value + Fraction(1, 10**20), value - Fraction(1, 3), Fraction(0),
+                               value + 10**30, value / 2 + 1]))
+    return rng.choice([word + "0", word.split("/")[0], word[:-1] or "0", f"{value.denominator}/{value.numerator or 1}"])
+
+
+def number(parts, rng):
+    """One number of one row, anywhere."""
+    parts = parts.copy()
+    row = some_row(parts, rng)
+    k = rng.randrange(len(row))
+    row[k] = nudged(row[k], rng)
+    return parts.text()
+
+
+def index(parts, rng):
+    """One index of a vertex, facet or weight becomes another, in range or not."""
+    parts = parts.copy()
+    indexed = [part for part in ("vertices", "facets", "weights_a", "weights_b") if part in parts.rows]
+    row = some_row(parts, rng, *indexed) if indexed else None
+    if row is None:
+        return None
+    k = rng.randrange(len(row)) if "facets" in parts.rows else 0
+    row[k] = rng.choice([str(rng.randrange(12)), str(int(row[k]) + 1), "18446744073709551616", "4294967296", "4294967295", "-1"])
+    return parts.text()
+
+
+def swapped_words(parts, rng):
+    """Two words of one row change places: corners, indices, coordinates."""
+    parts = parts.copy()
+    row = some_row(parts, rng)
+    i, k = rng.randrange(len(row)), rng.randrange(len(row))
+    row[i], row[k] = row[k], row[i]
+    return parts.text()
+
+
+def swapped_rows(parts, rng):
+    parts = parts.copy()
+    rows = parts.rows[rng.choice([part for part in parts.rows if parts.rows[part]])]
+    i, k = rng.randrange(len(rows)), rng.randrange(len(rows))
+    rows[i], rows[k] = rows[k], rows[i]
+    return parts.text()
+
+
+def dropped_row(parts, rng):
+    """With all counts repaired."""
+    parts = parts.copy()
+    rows = parts.rows[rng.choice([part for part in parts.rows if parts.rows[part]])]
+    del rows[rng.randrange(len(rows))]
+    return parts.text()
+
+
+def doubled_row(parts, rng):
+    parts = parts.copy()
+    rows = parts.rows[rng.choice([part for part in parts.rows if parts.rows[part]])]
+    rows.insert(rng.randrange(len(rows) + 1), list(rng.choice(rows)))
+    return parts.text()
+
+
+def reversed_facet(parts, rng):
+    """Corners clockwise; of one facet, or of all."""
+    if not parts.rows.get("facets"):
+        return None
+    parts = parts.copy()
+    facets = parts.rows["facets"]
+    for row in facets if rng.random() < 0.3 else [rng.choice(facets)]:
+        row[1:] = row[:0:-1]
+    return parts.text()
+
+
+def cut_corner(parts, rng):
+    """A facet loses a corner, or is split along a diagonal; the count of corners fits."""
+    if not parts.rows.get("facets"):
+        return None
+    parts = parts.copy()
+    facets = parts.rows["facets"]
+    row = rng.choice(facets)
+    corners = row[1:]
+    if len(corners) > 3 and rng.random() < 0.5:
+        facets.append(["3", corners[0], corners[1], corners[2]])
+        corners.pop(1)
+    else:
+        corners.pop(rng.randrange(len(corners)))
+    row[:] = [str(len(corners)), *corners]
+    return parts.text()
+
+
+def claimed(parts, rng):
+    """Another claim over genuine parts: a little more, a little less, other words."""
+    parts = parts.copy()
+    words = parts.claim
+    if len(words) > 1 and rng.random() < 0.7:
+        k = rng.randrange(1, len(words))
+        q = Fraction(words[k])
+        near = [q * (1 + Fraction(s, 10**e)) for s in (1, -1) for e in (0, 1, 3, 9, 30)]
+        words[k] = str(rng.choice(near + [-q, 4 * q, q + 1]))
+        if words[0] == "depth" and rng.random() < 0.4:
+            q = Fraction(words[1])
+            low, high = q * rng.choice([0, Fraction(1, 2), 1]), q * rng.choice([1, Fraction(3, 2)])
+            words[:] = ["bounds", *map(str, sorted([low, high]))]
+            parts.which = "some"
+            parts.rows["directions"] = parts.rows["directions"][:1]
+    else:
+        word = rng.choice(CLAIMS)
+        words[:] = [word, *["1", "2"][:{"depth": 1, "bounds": 2}.get(word, 0)]]
+    return parts.text()
+
+
+def direction(parts, rng):
+    """n = 0, -n, 2n, n permuted; `some` and `all` exchanged; a direction more."""
+    parts = parts.copy()
+    rows = parts.rows["directions"]
+    row = rng.choice(rows)
+    how = rng.randrange(6)
+    if how == 0:
+        row[:] = ["0", "0", "0"]
+    elif how == 1:
+        row[:] = [str(-int(x)) for x in row]
+    elif how == 2:
+        row[:] = [str(2 * int(x)) for x in row]
+    elif how == 3:
+        row[:] = row[1:] + row[:1]
+    elif how == 4:
+        parts.which = "all" if parts.which == "some" else "some"
+    else:
+        rows.append([str(rng.randrange(-2, 3)) for _ in range(3)])
+    return parts.text()
+
+
+def exchanged_bodies(parts, rng):
+    """The points of A for those of B; sometimes the indices of vertices too, which turns P around."""
+    parts = parts.copy()
+    parts.rows["a"], parts.rows["b"] = parts.rows["b"], parts.rows["a"]
+    if rng.random() < 0.5:
+        for row in parts.rows.get("vertices", []):
+            row.reverse()
+    if rng.random() < 0.5:
+        parts.rows["directions"] = [[str(-int(x)) for x in row] for row in parts.rows["directions"]]
+    return parts.text()
+
+
+def moved_body(parts, rng):
+    """All points of one body shifted or scaled."""
+    parts = parts.copy()
+    rows = parts.rows[rng.choice("ab")]
+    shift, scale = Fraction(rng.choice([0, 0, 1, -1]), rng.choice([1, 2, 10**12])), rng.choice([1, 1, 2, -1, Fraction(1, 2)])
+    axis = rng.randrange(3)
+    for row in rows:
+        row[:] = [str(Fraction(x) * scale + (shift if k == axis else 0)) for k, x in enumerate(row)]
+    return parts.text()
+
+
+# On the text alone: mostly malformed, and every checker should say so.
+
+def truncated(text, rng):
+    return text[:rng.randrange(len(text))]
+
+
+def line_gone(text, rng):
+    lines = text.split("\n")
+    del lines[rng.randrange(len(lines) - 1)]
+    return "\n".join(lines)
+
+
+def line_twice(text, rng):
+    lines = text.split("\n")
+    k = rng.randrange(len(lines) - 1)
+    return "\n".join(lines[:k + 1] + lines[k:])
+
+
+def lines_exchanged(text, rng):
+    lines = text.split("\n")
+    i, k = rng.randrange(len(lines) - 1), rng.randrange(len(lines) - 1)
+    lines[i], lines[k] = lines[k], lines[i]
+    return "\n".join(lines)
+
+
+def byte(text, rng):
+    k = rng.randrange(len(text))
+    put = rng.choice(["", "0", "9", " ", "\n", "-", "/", "#", "%", "\r", "\x00", "é", "+", ".", "e"])
+    return text[:k] + put + text[k + rng.randrange(2):]
+
+
+def word_nudged(text, rng):
+    """Any word of any line, counts, version and footer included."""
+    lines = text.split("\n")
+    k = rng.randrange(len(lines) - 1)
+    words = lines[k].split(" ")
+    i = rng.randrange(len(words))
+    words[i] = nudged(words[i], rng)
+    lines[k] = " ".join(words)
+    return "\n".join(lines)
+
+
+ON_PARTS = (number, number, index, swapped_words, swapped_rows, dropped_row, doubled_row, reversed_facet, cut_corner, claimed, claimed,
+            direction, exchanged_bodies, moved_body)
+ON_TEXT = (truncated, line_gone, line_twice, lines_exchanged, byte, word_nudged)
+
+
+def foreign(parts, others, rng):
+    """This proof under another case's points."""
+    other = rng.choice(others)
+    parts = parts.copy()
+    for body in rng.choice(["ab", "a", "b"]):
+        parts.rows[body] = other.rows[body]
+    return parts.text()
+
+
+def forgeries(text, others, count, seed):
+    """(name, text) of forgeries of `text`: all truncations if there are no more than `count`, then `count` others. `others`: the Parts of
+    other cases."""
+    rng, parts = random.Random(seed), Parts(text)
+    genuine = parts.text()
+    if len(genuine) <= count:
+        yield from (("truncated", genuine[:k]) for k in range(len(genuine)))
+    left = count
+    while left > 0:
+        kind = rng.choice(ON_PARTS + ON_TEXT + (foreign,))
+        forged = foreign(parts, others, rng) if kind is foreign else kind(parts if kind in ON_PARTS else genuine, rng)
+        left -= 1
+        if forged is not None and forged != genuine:
+            yield kind.__name__, forged

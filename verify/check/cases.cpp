@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cases.hpp"
+
+#include <optional>
+
+#include "number.hpp"
+#include "text.hpp"
+#include "vectors.hpp"
+
+namespace fathom_check {
+namespace {
+
+using Kind = Json::Kind;
+using Pose = std::array<std::array<mpq_class, 4>, 3>;
+
+/// One case while it is read; knows the line for messages.
+class CaseReader {
+ public:
+  CaseReader(const Json& value, std::size_t line, Budget& budget) : case_(&value), line_(line), budget_(&budget) {
+    if (value.kind != Kind::object) throw wrong("a case, a JSON object");
+    const Json* const schema = value.field("schema", line);
+    if (schema && (schema->kind != Kind::text || schema->text != "fathom/case/1")) throw wrong("the schema fathom/case/1");
+    rounded_ = is_rounded(value);
+  }
+
+  [[nodiscard]] std::string id() const {
+    const Json* const id = case_->field("id", line_);
+    if (!id || id->kind == Kind::null) return std::to_string(line_);
+    if (id->kind != Kind::text && id->kind != Kind::number) throw wrong("an id that is a text or a number");
+    return id->text;
+  }
+
+  [[nodiscard]] std::vector<ExactPoint> body(const char* name) const {
+    const Json* const body = case_->field(name, line_);
+    if (!body || body->kind != Kind::object) throw wrong("an object " + shown(name) + " with 'vertices'");
+    const Json* const vertices = body->field("vertices", line_);
+    if (!vertices || vertices->kind != Kind::array) throw wrong("an array 'vertices' of points in " + shown(name));
+    const std::optional<Pose> placing = pose(*body);
+    const bool rounding = rounded_ || is_rounded(*body);
+    std::vector<ExactPoint> points;
+    for (const Json& vertex : vertices->items) {
+      std::vector<mpq_class> row = numbers(vertex, 3);
+      ExactPoint point{row[0], row[1], row[2]};
+      if (placing) point = placed(point, *placing);
+      for (mpq_class& x : point) {
+        if (rounding && !round_to_binary64(x)) throw wrong("placed points within the range of binary64");
+        budget_->store(sizeof(mpq_class) + 2 * mpz_bytes + (bits(x.get_num()) + bits(x.get_den())) / 8, line_);
+      }
+      points.push_back(std::move(point));
+    }
+    return points;
+  }
+
+ private:
+  [[nodiscard]] Fault wrong(const std::string& expected) const { return malformed(line_, "expected " + expected); }
+
+  [[nodiscard]] bool is_rounded(const Json& object) const {
+    const Json* const rounding = object.field("pose_rounding", line_);
+    if (!rounding || rounding->kind == Kind::null) return false;
+    if (rounding->kind != Kind::text || rounding->text != "binary64") throw wrong("the pose_rounding 'binary64'");
+    return true;
+  }
+
+  [[nodiscard]] mpq_class number(const Json& value) const {
+    std::optional<mpq_class> result;
+    if (value.kind == Kind::number) result = nearest_binary64(value.text);
+    if (value.kind == Kind::text) result = exact_number(value.text);
+    if (!result) throw wrong("numbers within the range of binary64, or exact ones in quotes, for coordinates");
+    return *result;
+  }
+
+  [[nodiscard]] std::vector<mpq_class> numbers(const Json& row, std::size_t count) const {
+    if (row.kind != Kind::array || row.items.size() != count) throw wrong("rows of " + std::to_string(count) + " numbers");
+    std::vector<mpq_class> result;
+    for (const Json& item : row.items) result.push_back(number(item));
+    return result;
+  }
+
+  [[nodiscard]] std::optional<Pose> pose(const Json& body) const {
+    const Json* const rows = body.field("pose", line_);
+    if (!rows || rows->kind == Kind::null) return std::nullopt;
+    if (rows->kind != Kind::array || rows->items.size() != 3) throw wrong("a pose of three rows");
+    Pose result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::vector<mpq_class> row = numbers(rows->items[i], 4);
+      for (std::size_t k = 0; k < 4; ++k) result[i][k] = row[k];
+    }
+    return result;
+  }
+
+  static ExactPoint placed(const ExactPoint& p, const Pose& pose) {
+    ExactPoint result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = pose[i][0] * p[0] + pose[i][1] * p[1] + pose[i][2] * p[2] + pose[i][3];
+    return result;
+  }
+
+  const Json* case_;
+  std::size_t line_;
+  Budget* budget_;
+  bool rounded_ = false;
+};
+
+bool same(const Rational& r, const Rational& s) { return r.num * s.den == s.num * r.den; }
+bool equal(const Rational& r, const mpq_class& q) { return r.num * q.get_den() == q.get_num() * r.den; }
+
+void compare_points(const Part<std::vector<RationalPoint>>& part, const std::vector<ExactPoint>& own, const std::string& name) {
+  if (part.items.size() != own.size())
+    throw refused(part.line, "the case has " + std::to_string(own.size()) + " points in " + name + ", the certificate " +
+                                 std::to_string(part.items.size()));
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const RationalPoint& p = part.items[k];
+    if (!equal(p.x, own[k][0]) || !equal(p.y, own[k][1]) || !equal(p.z, own[k][2]))
+      throw refused(part.lines[k], "point " + std::to_string(k) + " of " + name + " is not that of the case");
+  }
+}
+
+}  // namespace
+
+CaseFile::CaseFile(std::string_view text) {
+  JsonReader reader(text, 1);
+  while (reader.more()) {
+    const std::size_t line = reader.line();
+    Budget for_json;
+    read(reader.next(for_json), line);
+  }
+  if (cases_.empty()) throw malformed(1, "expected a case, found none");
+}
+
+void CaseFile::read(const Json& value, std::size_t line) {
+  const CaseReader reader(value, line, budget_);
+  by_id_[reader.id()].push_back(cases_.size());
+  cases_.push_back({reader.body("a"), reader.body("b")});
+}
+
+const CaseFile::Bodies& CaseFile::find(const Certificate& certificate) const {
+  if (cases_.size() == 1) return cases_.front();
+  constexpr std::size_t first_line = 1;
+  if (certificate.id.empty()) throw refused(first_line, "without an id, none of the cases can be found");
+  const auto found = by_id_.find(unescaped(certificate.id));
+  if (found == by_id_.end()) throw refused(first_line, "no case has this id");
+  if (found->second.size() > 1) throw refused(first_line, "several cases have this id");
+  return cases_[found->second.front()];
+}
+
+void CaseFile::compare(const Certificate& certificate, bool width) const {
+  const Bodies& own = find(certificate);
+  compare_points(certificate.a, own.a, "a");
+  if (!width) compare_points(certificate.b, own.b, "b");
+}
+
+void require_width(const Certificate& certificate) {
+  const std::vector<RationalPoint>&a = certificate.a.items, &b = certificate.b.items;
+  bool equal = a.size() == b.size();
+  for (std::size_t k = 0; equal && k < a.size(); ++k) equal = same(a[k].x, b[k].x) && same(a[k].y, b[k].y) && same(a[k].z, b[k].z);
+  if (!equal) throw refused(certificate.b.line, "b does not repeat the points of a: this is not the width of a body");
+}
+
+}  // namespace fathom_check

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one value after another.
+//
+// A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float. "pose" (3 rows of 4 numbers, M | t)
+// places each vertex p at M p + t, exactly; "pose_rounding": "binary64", in the case or a body, then rounds it once.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "budget.hpp"
+#include "certificate.hpp"
+#include "json.hpp"
+
+namespace fathom_check {
+
+using ExactPoint = std::array<mpq_class, 3>;
+
+/// Returns if the points of b are those of a again, so that the depth is the width of a; throws Fault (refused) otherwise.
+void require_width(const Certificate& certificate);
+
+class CaseFile {
+ public:
+  /// Reads all cases in `text`. Throws Fault (malformed) unless there is one at least, and each can be read.
+  explicit CaseFile(std::string_view text);
+
+  /// Returns if the certificate is about the same points, in the same order, as the user's case; throws Fault (refused) otherwise.
+  /// That is the only case of the file, or else the one whose id the certificate bears; a case without an id has the number of its
+  /// first line for one.
+  /// With `width`, body a of the case is compared alone.
+  void compare(const Certificate& certificate, bool width = false) const;
+
+ private:
+  struct Bodies {
+    std::vector<ExactPoint> a, b;
+  };
+  void read(const Json& value, std::size_t line);
+  [[nodiscard]] const Bodies& find(const Certificate& certificate) const;
+
+  std::vector<Bodies> cases_;
+  std::map<std::string, std::vector<std::size_t>, std::less<>> by_id_;
+  Budget budget_;
+};
+
+}  // namespace fathom_check

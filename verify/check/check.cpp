@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "check.hpp"
+
+#include "budget.hpp"
+#include "reader.hpp"
+#include "text.hpp"
+
+namespace fathom_check {
+namespace {
+
+Verdict verify_only(std::string_view text) {
+  Lines lines(text, longest_line);
+  Reader reader(lines);
+  const std::optional<Verdict> verdict = reader.next();
+  if (!verdict || verdict->outcome == Outcome::malformed) return verdict.value_or(Verdict());
+  const std::size_t line = lines.number();
+  if (reader.next()) throw malformed(line + 1, "expected the end after one certificate, found more");
+  return *verdict;
+}
+
+}  // namespace
+
+Verdict verify(std::string_view text) noexcept {
+  try {
+    return caught([text] { return verify_only(text); }, 0);
+  } catch (...) {
+    return {};  // refused, without a reason: not even the memory for one
+  }
+}
+
+std::string verdict_line(const Verdict& v, std::string_view name) {
+  const std::string label = v.id.empty() ? escaped(name) : v.id;
+  if (!v.accepted()) {
+    const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
+    return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
+  }
+  std::string line = "s VERIFIED " + v.status;
+  if (v.depth_squared.empty()) {
+    line += " depth_squared_in=[" + v.at_least + "," + v.at_most + "]";
+  } else {
+    line += " depth_squared=" + v.depth_squared;
+  }
+  if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
+  return line + " " + label;
+}
+
+}  // namespace fathom_check

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The certificate checker as a library: needs the C++ standard library and GMP. What acceptance proves is written in FORMAT.md.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace fathom_check {
+
+/// How bad: the exit code of a run is the largest that occurred.
+enum class Outcome { verified = 0, refused = 1, malformed = 2 };
+
+/// The judgement on one certificate. It starts from "no".
+struct Verdict {
+  Outcome outcome = Outcome::refused;
+  std::string id;  ///< as written in the certificate, percent-escaped; empty if it has none
+
+  // If verified:
+  std::string status;             ///< "penetrating", "touching" or "disjoint"
+  std::string depth_squared;      ///< exact, in lowest terms: "1/4"; empty for a claim of bounds, which sets the next two instead
+  std::string at_least, at_most;  ///< bounds of depth^2
+  std::size_t optima = 0;         ///< number of nearest facets, if the certificate claims to list them all; else 0
+
+  // If not:
+  std::size_t line = 0;  ///< where, from 1
+  std::string reason;
+
+  [[nodiscard]] bool accepted() const noexcept { return outcome == Outcome::verified; }
+};
+
+/// Checks the one certificate that `text` holds. More than one, or anything else beside comments, is malformed. Exact; does not throw;
+/// memory and time are bounded on any input (FORMAT.md, section 8).
+[[nodiscard]] Verdict verify(std::string_view text) noexcept;
+
+/// The line that a checker prints, without a line feed: "s VERIFIED penetrating depth_squared=1/4 cube". `name` stands for a missing id.
+[[nodiscard]] std::string verdict_line(const Verdict& verdict, std::string_view name);
+
+}  // namespace fathom_check

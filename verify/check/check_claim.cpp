@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which checks belong to which claim.
+#include "checks.hpp"
+#include "vectors.hpp"
+
+namespace fathom_check {
+namespace {
+
+/// r is num / den in the user's units; its square root is a length, so in units of 1 / scale it grows by scale^2.
+Rational in_units(const Rational& r, const mpz_class& scale) {
+  Rational result{r.num * scale * scale, r.den};
+  const mpz_class common = gcd(result.num, result.den);
+  if (common > 1) {
+    result.num /= common;
+    result.den /= common;
+  }
+  return result;
+}
+
+void check_numbers(const Certificate& c) {
+  if (c.claim == Claim::depth && c.low.num <= 0) throw refused(c.claim_line, "a depth is positive: the claim is not");
+  if (c.claim != Claim::bounds) return;
+  if (c.low.num < 0) throw refused(c.claim_line, "the lower bound is negative");
+  if (c.high.num <= 0) throw refused(c.claim_line, "the upper bound is not positive");
+  if (c.low.num * c.high.den > c.high.num * c.low.den) throw refused(c.claim_line, "the lower bound is above the upper one");
+}
+
+void check_counts(const Certificate& c) {
+  if (c.a.items.empty()) throw refused(c.a.line, "a has no points");
+  if (c.b.items.empty()) throw refused(c.b.line, "b has no points");
+  if (c.directions.items.empty()) throw refused(c.directions.line, "there is no direction");
+  if (c.claim == Claim::depth) return;
+  if (c.directions.items.size() != 1) throw refused(c.directions.line, "this claim takes exactly one direction");
+  if (c.all) throw refused(c.directions.line, "'all' goes with a claim of depth alone");
+}
+
+}  // namespace
+
+void check_claim(const Certificate& c, Budget& budget) {
+  check_numbers(c);
+  check_counts(c);
+  const Scaled bodies = scaled(c, budget);
+  budget.work(8 * (bits(c.low.num) + bits(c.high.num) + bits(bodies.scale)), c.claim_line);
+  check_directions(c, bodies, in_units(c.high, bodies.scale), budget);
+  switch (c.claim) {
+    case Claim::depth:
+    case Claim::bounds: return check_inner(c, bodies, in_units(c.low, bodies.scale), budget);
+    case Claim::touching: return check_weights(c, bodies, budget);
+    case Claim::disjoint: return;
+  }
+  throw refused(c.claim_line, "an unknown claim");
+}
+
+}  // namespace fathom_check

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include <gmp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string_view>
+
+#include "run.hpp"
+#include "text.hpp"
+
+namespace fathom_check {
+namespace {
+
+constexpr int usage_error = 2;
+
+constexpr std::string_view help =
+    " [OPTIONS] FILE...\n"
+    "Checks certificates of the penetration depth of two convex polytopes, exactly; - is standard input. The format and what\n"
+    "acceptance proves: FORMAT.md.\n"
+    "\n"
+    "  --case CASES     also refuse a certificate whose points are not those of your case (JSON, schema fathom/case/1;\n"
+    "                   of several cases, the one with the certificate's id)\n"
+    "  --width          also refuse a certificate whose b is not a again: its depth is the width of a; --case then compares a alone\n"
+    "  --results FILE   JSON Lines, each with a certificate in its field \"certificate\"\n"
+    "  --echo           print the points and the claim as they were read, in lines that begin with c\n"
+    "  --help           this text\n"
+    "\n"
+    "One line per certificate: s VERIFIED, s REFUSED or s MALFORMED.\n"
+    "Exit codes: 0 all were accepted, and there was one; 1 some were refused; 2 some were malformed, cut off or unreadable, or the\n"
+    "input was empty, or usage. The largest counts.\n";
+
+// GMP would abort where memory ends; the answer "not accepted" is due instead.
+[[noreturn]] void out_of_memory() {
+  constexpr std::string_view text = "out of memory\n";
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0) _exit(usage_error);
+  _exit(usage_error);
+}
+void* allocate(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (!memory) out_of_memory();
+  return memory;
+}
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* const memory = std::realloc(old, size);
+  if (!memory) out_of_memory();
+  return memory;
+}
+void release(void* memory, std::size_t) { std::free(memory); }
+
+/// What the words ask for; or a sentence on what is wrong with them, empty if help is wanted.
+struct Request {
+  Options options;
+  bool understood = false;
+  std::string sentence;
+};
+
+Request understand(const std::vector<std::string>& words) {
+  Request request;
+  bool only_files = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (only_files || word == "-" || word.empty() || word[0] != '-') {
+      request.options.inputs.push_back({word, false});
+    } else if (word == "--") {
+      only_files = true;
+    } else if (word == "--help" || word == "-h") {
+      request.sentence.clear();
+      return request;
+    } else if (word == "--echo") {
+      request.options.echo = true;
+    } else if (word == "--width") {
+      request.options.width = true;
+    } else if (word != "--case" && word != "--results") {
+      request.sentence = "unknown option " + shown(word);
+      return request;
+    } else if (++i == words.size()) {
+      request.sentence = word + " expects a file";
+      return request;
+    } else if (word == "--results") {
+      request.options.inputs.push_back({words[i], true});
+    } else if (request.options.cases) {
+      request.sentence = "--case is given twice";
+      return request;
+    } else {
+      request.options.cases = words[i];
+    }
+  }
+  request.understood = !request.options.inputs.empty();
+  if (!request.understood) request.sentence = "expected certificates: files, or - for standard input";
+  return request;
+}
+
+int run_words(const std::vector<std::string>& words, const std::string& program) {
+  const Request request = understand(words);
+  if (request.understood) return run(request.options, std::cin, std::cout, std::cerr);
+  if (request.sentence.empty()) {
+    std::cout << "Usage: " << program << help << std::flush;
+    return std::cout ? 0 : usage_error;
+  }
+  std::cerr << program << ": " << request.sentence << "\nTry: " << program << " --help\n";
+  return usage_error;
+}
+
+}  // namespace
+
+int command_line(const std::vector<std::string>& words, const std::string& program) noexcept {
+  mp_set_memory_functions(allocate, reallocate, release);
+  std::ios::sync_with_stdio(false);
+  try {
+    return run_words(words, program);
+  } catch (const std::exception& error) {
+    std::cerr << program << ": " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << program << ": failed\n";
+  }
+  return usage_error;
+}
+
+}  // namespace fathom_check

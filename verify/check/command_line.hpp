@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of fathom-check, for its own program and for others that offer it as a command.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fathom_check {
+
+/// Understands the words behind the program's name, checks, prints to the standard streams. `program` is for messages. Returns the exit
+/// code; does not throw. GMP is told to end the process with 2 where it would abort for lack of memory.
+int command_line(const std::vector<std::string>& words, const std::string& program) noexcept;
+
+}  // namespace fathom_check

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// From lines to a certificate: the grammar of FORMAT.md, section 2, and nothing more lenient.
+#pragma once
+
+#include "budget.hpp"
+#include "certificate.hpp"
+#include "lines.hpp"
+
+namespace fathom_check {
+
+class Parser {
+ public:
+  explicit Parser(Lines& lines) : lines_(&lines) {}
+
+  /// Moves to the first line of the next certificate, past comments. False at the end of the input.
+  bool find_next();
+
+  /// Reads the certificate whose first line is at hand into `result`, up to its footer. Throws Fault if it is malformed.
+  void read(Certificate& result, Budget& budget);
+
+  /// After a fault: moves to the next line that begins a certificate. False at the end of the input.
+  bool skip_to_next();
+
+  [[nodiscard]] bool at_header() const;
+
+ private:
+  void next(const char* expected);
+  void require_line(const char* expected) const;
+  bool skip_comments();
+  void split();
+  [[nodiscard]] Fault wrong(const std::string& expected) const;
+
+  std::string_view field(std::size_t index) const { return fields_[index]; }
+  void demand(std::size_t count, const char* expected) const;
+  mpz_class integer(std::string_view token, const char* expected);
+  Rational rational(std::string_view token);
+  std::size_t count(std::size_t index, const char* expected) const;
+  std::uint32_t index_number(std::string_view token) const;
+
+  void read_id(Certificate& result);
+  void read_claim(Certificate& result);
+  std::size_t part_header(const char* word, std::size_t fields, const char* expected);
+  void read_points(Part<std::vector<RationalPoint>>& part, const char* word, const char* expected);
+  void read_directions(Certificate& result);
+  void read_vertices(Part<std::vector<Pair>>& part);
+  void read_facets(Part<Facets>& part);
+  void read_weights(Part<std::vector<Weight>>& part, const char* word, const char* expected);
+  void read_footer(const Certificate& certificate);
+
+  Lines* lines_;
+  Budget* budget_ = nullptr;
+  std::vector<std::string_view> fields_;
+  bool fresh_ = false;  ///< the line at hand is the first of a certificate that has not been read yet
+};
+
+}  // namespace fathom_check

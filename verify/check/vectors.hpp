@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Integer vectors. All of the checks are made of these five.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+
+#include "certificate.hpp"
+
+namespace fathom_check {
+
+inline mpz_class dot(const Vector& u, const Vector& v) {
+  mpz_class result = u.x * v.x;
+  mpz_addmul(result.get_mpz_t(), u.y.get_mpz_t(), v.y.get_mpz_t());
+  mpz_addmul(result.get_mpz_t(), u.z.get_mpz_t(), v.z.get_mpz_t());
+  return result;
+}
+
+inline Vector cross(const Vector& u, const Vector& v) {
+  Vector result{u.y * v.z, u.z * v.x, u.x * v.y};
+  mpz_submul(result.x.get_mpz_t(), u.z.get_mpz_t(), v.y.get_mpz_t());
+  mpz_submul(result.y.get_mpz_t(), u.x.get_mpz_t(), v.z.get_mpz_t());
+  mpz_submul(result.z.get_mpz_t(), u.y.get_mpz_t(), v.x.get_mpz_t());
+  return result;
+}
+
+inline Vector difference(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
+
+inline void add(Vector& sum, const Vector& v) {
+  sum.x += v.x;
+  sum.y += v.y;
+  sum.z += v.z;
+}
+
+inline bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// Their size, for budgets.
+inline std::uint64_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+inline std::uint64_t bits(const Vector& v) { return bits(v.x) + bits(v.y) + bits(v.z); }
+
+constexpr std::uint64_t mpz_bytes = 48;  ///< that a small mpz_class occupies, its block on the heap included
+
+}  // namespace fathom_check
