@@ -39,6 +39,7 @@ std::string_view name(Method method) {
   switch (method) {
     case Method::exact: return "exact";
     case Method::naive: return "naive";
+    case Method::shallow: return "shallow";
   }
   throw std::logic_error("unknown method");
 }

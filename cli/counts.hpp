@@ -26,6 +26,8 @@ void for_each_count(const Counters& counters, F f) {
   f("crossings", counters.crossings);
   f("pairs_evaluated", counters.pairs_evaluated);
   f("pairs_exact", counters.pairs_exact);
+  f("rays", counters.rays);
+  f("facets_visited", counters.facets_visited);
 }
 
 }  // namespace fathom::cli

@@ -12,17 +12,21 @@
 
 namespace fathom::cli {
 
-enum class Command { depth, width, study, cases };
+enum class Command { depth, width, approx, ray, metric, study, cases };
 
 struct Request {
   Command command = Command::depth;
-  std::vector<std::string> inputs;  ///< depth, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+  std::vector<std::string>
+      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::exact;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
   bool json = false;
   bool csv = false;  ///< study: rows of counts
   bool all = false;  ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
+  std::optional<mpq_class> delta;  ///< approx, width: the answer may be wrong by a factor of 1 + delta
+  std::optional<Point> direction;  ///< ray
+  std::string ball;                ///< metric: a mesh
   CasesRequest cases;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };

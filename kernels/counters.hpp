@@ -38,6 +38,8 @@ struct Counters {
   std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|
   std::uint64_t pairs_evaluated = 0;                        ///< pairs of lines whose distance was looked at
   std::uint64_t pairs_exact = 0;                            ///< of these, compared in exact arithmetic
+  std::uint64_t rays = 0;                                   ///< shot through P
+  std::uint64_t facets_visited = 0;                         ///< facets of P that a walk near O went through
   PredicateCounts predicates{};
 };
 

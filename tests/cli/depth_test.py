@@ -113,6 +113,11 @@ class Options(CliTest):
         naive = self.result("depth", "--method", "naive", CUBE, ICOSAHEDRON)
         self.assertEqual((exact.pop("method"), naive.pop("method")), ("exact", "naive"))
         self.assertEqual(exact, naive)
+        shallow = self.result("depth", "--method", "shallow", "--counters", CUBE, ICOSAHEDRON)
+        counters = shallow.pop("counters")
+        self.assertEqual(shallow.pop("method"), "shallow")
+        self.assertEqual(exact, shallow)
+        self.assertTrue(counters["rays"] > 0 and 0 < counters["facets_visited"] and counters["crossings"] == 0)
         for arguments in (["--method", "auto"], ["--method=exact"], ["--closest-lines", "naive"],
                           ["--closest-lines", "naive", "--method", "exact"]):
             again = self.result("depth", *arguments, CUBE, ICOSAHEDRON)
@@ -176,7 +181,7 @@ class Text(CliTest):
         out = self.answer("depth", a, self.file("b.xyz", box([1, 0, 0], [2, 1, 1])))
         self.assertTrue(out.startswith("touching\ndepth         0\n"), out)
         self.assertIn("\ncommon point  (1, ", out)
-        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth      0\n"))
+        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth       0\n"))
 
 
 if __name__ == "__main__":

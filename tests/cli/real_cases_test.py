@@ -27,6 +27,9 @@ class RealCases(CliTest):
     def test_naive(self):
         self.check("--method", "naive")
 
+    def test_shallow(self):
+        self.check("--method", "shallow")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -28,7 +28,7 @@ class Schema(CliTest):
     def test_all_output(self):
         count = 0
         for command in ("depth", "width"):
-            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"]):
+            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"], ["--method", "shallow", "--counters"]):
                 lines = self.lines(command, *options, "-", stdin=STREAM)
                 self.assertEqual(len(lines), STREAM.count("\n"))
                 count += len(lines)

@@ -49,8 +49,10 @@ class Width(CliTest):
     def test_methods_agree(self):
         path = self.file("slab.xyz", SLAB)
         exact, naive = self.result("width", path), self.result("width", "--method", "naive", path)
-        self.assertEqual((exact.pop("method"), naive.pop("method")), ("exact", "naive"))
+        shallow = self.result("width", "--method", "shallow", path)
+        self.assertEqual([result.pop("method") for result in (exact, naive, shallow)], ["exact", "naive", "shallow"])
         self.assertEqual(exact, naive)
+        self.assertEqual(exact, shallow)
 
     def test_stream_takes_body_a(self):
         slab = [[float(Fraction(x)) for x in point] for point in SLAB]
