@@ -50,6 +50,7 @@ std::string_view name(Method method) {
     case Method::exact: return "exact";
     case Method::naive: return "naive";
     case Method::certificate: return "certificate";
+    case Method::shallow: return "shallow";
   }
   throw std::logic_error("unknown method");
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,11 +14,19 @@
 
 namespace fathom::cli {
 
+/// What an answer adds that is right up to a factor: `bound` <= the true value <= the depth that is told.
+struct Approximation {
+  mpq_class delta;
+  std::uint64_t rays = 0;
+  mpq_class bound_squared;
+};
+
 struct Answer {
   std::string id;
   Depth depth;                             ///< for `width`: of the body against itself
   std::size_t points_a = 0, points_b = 0;  ///< as given
   std::string certificate;                 ///< as text, if one was asked for
+  std::optional<Approximation> approximation = std::nullopt;
 };
 
 /// Computes the answer with the method that was asked for. Throws Interrupted when the user has asked to stop.

@@ -9,15 +9,30 @@
 #include "cli/json_result.hpp"
 #include "cli/output.hpp"
 #include "cli/text_result.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::cli {
+namespace {
+
+// The inner polytope needs no hulls; whoever gave a mesh that is not convex is told all the same, as long as that is quick.
+void count_extreme_points(const Request& request, const Case& single, Depth& depth) {
+  constexpr std::size_t quick = 20000;
+  if (depth.method != Method::certificate || single.a.points.size() + single.b.points.size() > quick) return;
+  const Lattice lattice = common_lattice(single.a.points, request.command == Command::width ? single.a.points : single.b.points);
+  depth.extreme_a = static_cast<std::uint32_t>(convex_hull(lattice.a).vertices.size());
+  depth.extreme_b = static_cast<std::uint32_t>(convex_hull(lattice.b).vertices.size());
+}
+
+}  // namespace
 
 ExitCode answer_single(const Request& request, const Case& single, const Solve& solve) {
   const Working working;
   std::optional<CertificateFile> file;
   if (!request.certificate.empty()) file.emplace(request.certificate);
   Progress progress;
-  const Answer answer = answer_to(single, request, solve, progress);
+  Answer answer = answer_to(single, request, solve, progress);
+  count_extreme_points(request, single, answer.depth);
   if (const auto note = hull_note(answer, request)) talk(*note);
   if (file) file->write(answer.certificate);
   print(request.json ? json_result(answer, request) : text_block(answer, request));

@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 
+#include "cli/approx_arguments.hpp"
 #include "cli/cases_arguments.hpp"
 #include "cli/help.hpp"
 #include "kernels/number/enclosure.hpp"
@@ -78,9 +80,11 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
 
 void add_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_option("--method", texts.method,
-                 "how: auto, exact, certificate (an expanding polytope; exact where\nthat takes too many points), or naive (the hull of "
-                 "all vertex\ndifferences). auto is exact")
-      ->check(one_of({"auto", "exact", "certificate", "naive"}, {"shallow"}))
+                 "how: auto, exact, certificate (an expanding polytope; exact where\nthat takes too many points), shallow (the part of B - "
+                 "A near O: for\n"
+                 "bodies that overlap a little), or naive (the hull of all vertex\ndifferences). auto is certificate; the result names the "
+                 "one that ran")
+      ->check(one_of({"auto", "exact", "certificate", "shallow", "naive"}, {}))
       ->type_name("NAME");
   app.add_option("--closest-lines", texts.closest_lines,
                  "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
@@ -105,6 +109,26 @@ CLI::App& add_command(CLI::App& app, std::string name, std::string description, 
   command.footer(footer_text);
   command.get_help_ptr()->description("this text");
   return command;
+}
+
+/// The commands that answer by rays: approx, ray, metric.
+std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts& texts) {
+  CLI::App& approx = add_command(app, "approx", "Depth of two bodies within a factor.", approx_examples,
+                                 "fathom approx [--delta DELTA] [OPTIONS] A B | CASES.jsonl | -");
+  CLI::App& ray = add_command(app, "ray", "Exact depth of two bodies in one direction.", ray_examples,
+                              "fathom ray --direction X,Y,Z [OPTIONS] A B | CASES.jsonl | -");
+  CLI::App& metric = add_command(app, "metric", "Exact depth in a polyhedral norm or gauge.", metric_examples,
+                                 "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -");
+  add_approx_options(approx, request);
+  add_ray_options(ray, request);
+  add_metric_options(metric, request);
+  for (CLI::App* command : {&approx, &ray, &metric}) add_inputs(*command, request, texts);
+  for (CLI::App* command : {&approx, &ray}) {
+    command->add_option("--digits", request.digits, "add an enclosure of the length to N significant digits")
+        ->check(check_digits)
+        ->type_name("N");
+  }
+  return {&approx, &ray, &metric};
 }
 
 /// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
@@ -151,21 +175,33 @@ std::string wrong_inputs(const Request& request) {
   return "";
 }
 
+/// auto: the expanding polytope is several times faster than the exact method on bodies of 20 points and dozens of times on larger ones,
+/// and where near ties make it long, exact takes over at a price below its own. --closest-lines asks for exact.
+Method method_of(const std::string& text, bool asks_for_lines) {
+  if (text == "naive") return Method::naive;
+  if (text == "shallow") return Method::shallow;
+  if (text == "exact" || asks_for_lines) return Method::exact;
+  return Method::certificate;
+}
+
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = request.command == Command::cases ? texts.wrong_cases : wrong_inputs(request); !fault.empty())
     return refusal(fault, command);
-  if (!texts.closest_lines.empty() && (texts.method == "naive" || texts.method == "certificate"))
+  if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
     return refusal("--embed-certificate adds a field to JSON results, and needs --json", command);
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
+  const bool asks_exact =
+      texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
+  if (const std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return refusal(fault, command);
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
-  request.method = texts.method == "naive" ? Method::naive : texts.method == "certificate" ? Method::certificate : Method::exact;
+  request.method = method_of(texts.method, !texts.closest_lines.empty());
   if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
   if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
   std::from_chars(texts.seed.data(), texts.seed.data() + texts.seed.size(), request.seed);
@@ -187,16 +223,18 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       add_command(app, "depth", "Exact penetration depth of two bodies.", depth_examples, "fathom depth [OPTIONS] A B | CASES.jsonl | -");
   CLI::App& width = add_command(app, "width", "Exact width of one body.", width_examples, "fathom width [OPTIONS] A | CASES.jsonl | -");
   add_options(depth, request, texts);
+  add_options(width, request, texts);
+  add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
+  const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
   CLI::App& study =
       add_command(app, "study", "What is degenerate about two bodies.", study_examples, "fathom study [OPTIONS] A B | CASES.jsonl | -");
-  add_options(width, request, texts);
   add_study_options(study, request, texts);
   CLI::App& cases = add_command(app, "cases", "Test cases by name, or from two meshes.", cases_examples,
                                 "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B");
   app.add_subcommand("check", "Check certificates, independently.");  // for the list alone: it has a command line of its own
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
-  const CLI::App* const apps[] = {&depth, &width, &study, &cases};  // in the order of `commands`
+  const CLI::App* const apps[] = {&depth, &width, approx, ray, metric, &study, &cases};  // in the order of `commands`
   const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 
   if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};

@@ -15,6 +15,9 @@ namespace fathom::cli {
 /// These throw InputError, OutputError, Interrupted; anything else is a fault of ours.
 ExitCode run_depth(const Request& request);
 ExitCode run_width(const Request& request);
+ExitCode run_approx(const Request& request);
+ExitCode run_ray(const Request& request);
+ExitCode run_metric(const Request& request);
 ExitCode run_study(const Request& request);
 ExitCode run_cases(const Request& request);
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B | CASES.jsonl | -
 #include "cli/command.hpp"
+#include "reference/approximate/shallow.hpp"
 #include "reference/files/mesh.hpp"
 
 namespace fathom::cli {
 
 ExitCode run_depth(const Request& request) {
-  const Solve solve = [](const Case& pair, const Options& options) { return penetration_depth(pair.a.points, pair.b.points, options); };
+  const Solve solve = [](const Case& pair, const Options& options) {
+    if (options.method == Method::shallow) return shallow_depth(pair.a.points, pair.b.points, options);
+    return penetration_depth(pair.a.points, pair.b.points, options);
+  };
   if (request.inputs.size() == 1) return answer_stream(request, solve);
   const std::string &a = request.inputs[0], &b = request.inputs[1];
   return answer_single(request, {a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)}, solve);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom width A | CASES.jsonl | -
+// fathom width [--delta D] A | CASES.jsonl | -
 #include "cli/command.hpp"
+#include "cli/command_approx.hpp"
+#include "reference/approximate/shallow.hpp"
 #include "reference/files/mesh.hpp"
 #include "reference/files/source.hpp"
 #include "reference/width/width.hpp"
@@ -17,8 +19,13 @@ bool names_stream(const std::string& path) {
 }  // namespace
 
 ExitCode run_width(const Request& request) {
-  const Solve solve = [](const Case& body, const Options& options) { return width(body.a.points, options); };
+  const Solve solve = [](const Case& body, const Options& options) {
+    if (options.method == Method::shallow) return shallow_depth(body.a.points, body.a.points, options);
+    return width(body.a.points, options);
+  };
   const std::string& input = request.inputs[0];
+  if (request.delta && names_stream(input)) return approximate_stream(request);
+  if (request.delta) return approximate_single(request, {input, read_mesh(input, request.decimals), {}});
   if (names_stream(input)) return answer_stream(request, solve);
   return answer_single(request, {input, read_mesh(input, request.decimals), {}}, solve);
 }

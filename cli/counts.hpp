@@ -38,6 +38,8 @@ void for_each_count(const Counters& counters, F f) {
   f("quota_refinements", counters.quota_refinements);
   f("few_cells", counters.few_cells);
   f("seed", counters.seed);
+  f("rays", counters.rays);
+  f("facets_visited", counters.facets_visited);
 }
 
 }  // namespace fathom::cli

@@ -14,6 +14,9 @@ inline constexpr std::string_view general_examples =
     "  fathom depth --json cases.jsonl          many pairs: one case per line in, one result per line out\n"
     "  program | fathom depth --json -          the same as a filter: each answer before the next case is read\n"
     "  fathom width a.off                       the exact width of one body\n"
+    "  fathom approx --delta 1/100 a.off b.stl  a way out at most 1/100 longer than the shortest\n"
+    "  fathom ray --direction 0,0,1 a.off b.stl how far must A move that way?\n"
+    "  fathom metric --ball q.off a.off b.stl   depth in a polyhedral norm or gauge with the unit ball q.off\n"
     "  fathom study a.off b.stl                 what is degenerate about two bodies, by name and in counts\n"
     "  fathom cases --family near_ties          test cases by name, as input for the others\n"
     "  fathom check proof.cert                  is this certificate a proof? by a checker that shares nothing with the rest\n"
@@ -30,6 +33,8 @@ inline constexpr std::string_view depth_examples =
     "  fathom depth --certificate proof.cert a.off b.off\n"
     "                                           with a proof that others can check\n"
     "  fathom depth --method naive a.off b.off  the slow independent twin\n"
+    "  fathom depth --method shallow a.off b.off\n"
+    "                                           the same answer, sooner for large bodies that overlap a little\n"
     "  fathom depth cases.jsonl                 a stream: one line per case\n"
     "  fathom depth --certificate proofs cases.jsonl\n"
     "                                           and one file for each case in the folder proofs\n"
@@ -39,8 +44,30 @@ inline constexpr std::string_view width_examples =
     "Examples\n"
     "  fathom width a.off                       the least distance of two parallel planes with the body between them\n"
     "  fathom width --json a.stl                one JSON object\n"
+    "  fathom width --delta 1/100 a.off         within a factor of 1 + 1/100, by rays\n"
     "  fathom width --json cases.jsonl          for a stream: the width of body a of each case\n"
     "  program | fathom width --json -          the same from standard input\n";
+
+inline constexpr std::string_view approx_examples =
+    "Examples\n"
+    "  fathom approx --delta 1/100 a.off b.stl  a separating translation, exact, at most 1 + 1/100 times as long as the depth\n"
+    "  fathom approx --delta 0.5 --json a.off b.stl\n"
+    "                                           one JSON object, with a lower bound of the depth; 0.5 means 1/2\n"
+    "  fathom approx cases.jsonl                a stream: one line per case\n";
+
+inline constexpr std::string_view ray_examples =
+    "Examples\n"
+    "  fathom ray --direction 0,0,1 a.off b.stl how far up must A move until the interiors are disjoint? exactly\n"
+    "  fathom ray --direction=-1/3,0,0.1 --json a.off b.stl\n"
+    "                                           one JSON object, with the facet that stops A; 0.1 means 1/10\n"
+    "  program | fathom ray --direction 1,0,0 - the same direction for every case of a stream\n";
+
+inline constexpr std::string_view metric_examples =
+    "Examples\n"
+    "  fathom metric --ball q.off a.off b.stl   the depth where lengths are measured with the unit ball q.off, exactly\n"
+    "  fathom metric --ball q.off --json a.off b.stl\n"
+    "                                           one JSON object, with every vertex of the ball that decides\n"
+    "  fathom metric --ball q.off cases.jsonl   a stream: one line per case\n";
 
 inline constexpr std::string_view study_examples =
     "Examples\n"
@@ -69,9 +96,9 @@ inline constexpr std::string_view footer =
 inline std::string footer_text() { return std::string(footer); }
 
 /// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "study", "cases", "check"};
+inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "check"};
 
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"approx", "ray", "metric", "certify", "golden", "explain"};
+inline constexpr std::string_view absent_commands[] = {"certify", "golden", "explain"};
 
 }  // namespace fathom::cli

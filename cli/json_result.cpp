@@ -1,50 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/json_result.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
 #include "cli/counts.hpp"
+#include "cli/json_values.hpp"
 #include "kernels/infinitesimal.hpp"
-#include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
 
 namespace fathom::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* schema = "fathom/result/1";
-
-Json exact(const Point& p) { return Json::array({exact_text(p.x), exact_text(p.y), exact_text(p.z)}); }
-
-Json exact(const Vector& v) { return Json::array({v.x.get_str(), v.y.get_str(), v.z.get_str()}); }
-
-/// null unless the number is finite and tells a positive length from 0: the exact fields speak then.
-Json nearest_binary64(const mpq_class& squared) {
-  const double value = root_binary64(squared, Rounding::rn);
-  if (!std::isfinite(value) || (value == 0 && sgn(squared) != 0)) return nullptr;
-  return value;
-}
-
-template <class Round>
-Json in_every_direction(Round round) {
-  return {{"rn", hex_text(round(Rounding::rn))}, {"rd", hex_text(round(Rounding::rd))}, {"ru", hex_text(round(Rounding::ru))}};
-}
-
-Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
-  Json result = {{"squared", exact_text(squared)}, {"value", nearest_binary64(squared)}};
-  result["rounded"] = {{"f64", in_every_direction([&](Rounding mode) { return root_binary64(squared, mode); })},
-                       {"f32", in_every_direction([&](Rounding mode) { return root_binary32(squared, mode); })}};
-  if (digits) {
-    const Enclosure enclosure = enclose_root(squared, *digits);
-    result["enclosure"] = {enclosure.low, enclosure.high};
-  }
-  return result;
-}
-
-Json contact_object(const Contact& contact) { return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}}; }
 
 Json optima_array(const Depth& depth) {
   Json result = Json::array();
@@ -56,10 +21,11 @@ Json optima_array(const Depth& depth) {
   return result;
 }
 
-Json flat_array(const Depth& depth) {
-  Json result = Json::array();
-  if (depth.flat_a) result.push_back("a");
-  if (depth.flat_b) result.push_back("b");
+Json distance_object(const Distance& distance, const std::optional<unsigned>& digits) {
+  Json result = length(distance.squared, digits);
+  result["direction"] = exact(distance.direction);
+  result["translation"] = exact(distance.translation);
+  result["witness"] = witness_object(distance.witness);
   return result;
 }
 
@@ -77,9 +43,6 @@ Json counters_object(const Counters& counters) {
   return result;
 }
 
-/// Ids and file names may hold any bytes; what is not UTF-8 is replaced, never an error.
-std::string one_line(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
 }  // namespace
 
 std::string json_result(const Answer& answer, const Request& request) {
@@ -89,18 +52,22 @@ std::string json_result(const Answer& answer, const Request& request) {
   result["translation"] = exact(depth.translation);
   result["direction"] = depth.direction ? exact(*depth.direction) : Json();
   result["contact"] = depth.contact ? contact_object(*depth.contact) : Json();
-  result["witness"] = depth.witness ? Json({{"a", exact(depth.witness->a)}, {"b", exact(depth.witness->b)}}) : Json();
+  result["witness"] = depth.witness ? witness_object(*depth.witness) : Json();
   result["optima"] = optima_array(depth);
-  result["flat"] = flat_array(depth);
-  result["method"] = name(depth.method);
+  if (depth.distance) result["distance"] = distance_object(*depth.distance, request.digits);
+  result["flat"] = flat_array(depth.flat_a, depth.flat_b);
+  result["method"] = answer.approximation ? "approx" : name(depth.method);
+  if (answer.approximation) {
+    result["delta"] = exact_text(answer.approximation->delta);
+    result["rays"] = answer.approximation->rays;
+    result["bound"] = length(answer.approximation->bound_squared, request.digits);
+  }
   if (request.counters) result["counters"] = counters_object(depth.counters);
   if (request.embed_certificate) result["certificate"] = answer.certificate;
   if (request.command == Command::width) result["width"] = result["depth"];
   return one_line(result);
 }
 
-std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
-  return one_line({{"schema", schema}, {"id", id}, {"line", line}, {"error", error}});
-}
+std::string json_error(const std::string& id, std::size_t line, std::string_view error) { return error_object(schema, id, line, error); }
 
 }  // namespace fathom::cli

@@ -22,6 +22,9 @@ ExitCode run_command(const Request& request) {
   switch (request.command) {
     case Command::depth: return run_depth(request);
     case Command::width: return run_width(request);
+    case Command::approx: return run_approx(request);
+    case Command::ray: return run_ray(request);
+    case Command::metric: return run_metric(request);
     case Command::study: return run_study(request);
     case Command::cases: return run_cases(request);
   }

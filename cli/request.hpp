@@ -12,11 +12,12 @@
 
 namespace fathom::cli {
 
-enum class Command { depth, width, study, cases };
+enum class Command { depth, width, approx, ray, metric, study, cases };
 
 struct Request {
   Command command = Command::depth;
-  std::vector<std::string> inputs;  ///< depth, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+  std::vector<std::string>
+      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::exact;
   ClosestLines closest_lines = ClosestLines::cutting;
   std::uint64_t seed = 1;
@@ -27,6 +28,9 @@ struct Request {
   bool counters = false;
   std::string certificate;         ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
   bool embed_certificate = false;  ///< as a field of each JSON result
+  std::optional<mpq_class> delta;  ///< approx, width: the answer may be wrong by a factor of 1 + delta
+  std::optional<Point> direction;  ///< ray
+  std::string ball;                ///< metric: a mesh
   CasesRequest cases;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };

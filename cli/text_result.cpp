@@ -4,45 +4,25 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "cli/counts.hpp"
 #include "cli/decimal.hpp"
-#include "kernels/number/enclosure.hpp"
+#include "cli/text_rows.hpp"
 #include "kernels/number/parse.hpp"
 
 namespace fathom::cli {
 namespace {
 
 constexpr std::size_t longest_in_line = 40;
-constexpr std::size_t most_indices = 12;
-
-/// A label and its text.
-using Row = std::pair<std::string, std::string>;
 
 bool is_width(const Request& request) { return request.command == Command::width; }
 
 std::string quantity(const Request& request) { return is_width(request) ? "width" : "depth"; }
-
-std::string enclosure_text(const Depth& depth, unsigned digits) {
-  const Enclosure enclosure = enclose_root(depth.squared, digits);
-  return fmt::format("[{}, {}]", enclosure.low, enclosure.high);
-}
-
-/// Indices of the points that span a face; the first few of a large one.
-std::string indices_text(const std::vector<std::uint32_t>& indices) {
-  if (indices.size() <= most_indices) return fmt::format("{}", fmt::join(indices, " "));
-  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "), indices.size());
-}
-
-std::string contact_text(const Contact& contact, bool same_body) {
-  return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a), indices_text(contact.b),
-                     same_body ? "A" : "B");
-}
 
 /// A pair of planes is found from both of its sides.
 std::size_t ties(const Depth& depth, const Request& request) { return is_width(request) ? depth.optima.size() / 2 : depth.optima.size(); }
@@ -53,16 +33,35 @@ std::string ties_text(const Depth& depth, const Request& request) {
   return count == 1 ? "none" : fmt::format("{} {}; the first is shown, --json lists all", count, many);
 }
 
-Row witness_row(const Witness& witness, bool same_body) {
-  if (witness.a == witness.b) return {"common point", point_text(witness.a)};
-  return {"witness", fmt::format("{} of A, {} of {}", point_text(witness.a), point_text(witness.b), same_body ? "A" : "B")};
+/// What is known of a depth up to a factor: two bounds.
+void add_bounds(std::vector<Row>& rows, const Answer& answer, const Request& request) {
+  const Approximation& approximation = *answer.approximation;
+  const std::string what = quantity(request);
+  rows.emplace_back(what + " at most", root_text(answer.depth.squared));
+  rows.emplace_back(what + "^2 at most", exact_text(answer.depth.squared));
+  rows.emplace_back(what + " at least", root_text(approximation.bound_squared));
+  if (request.digits) rows.emplace_back("enclosure", enclosure_text(answer.depth.squared, *request.digits));
+  rows.emplace_back("delta", exact_text(approximation.delta));
+  rows.emplace_back("rays", fmt::format("{}", approximation.rays));
+}
+
+void add_distance(std::vector<Row>& rows, const Distance& distance, const Request& request) {
+  rows.emplace_back("distance", root_text(distance.squared));
+  rows.emplace_back("distance^2", exact_text(distance.squared));
+  if (request.digits) rows.emplace_back("enclosure", enclosure_text(distance.squared, *request.digits));
+  rows.emplace_back("nearest", fmt::format("{} of A, {} of B", point_text(distance.witness.a), point_text(distance.witness.b)));
 }
 
 void add_result(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  rows.emplace_back(quantity(request), root_text(depth.squared));
-  rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared));
-  if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth, *request.digits));
+  if (answer.approximation) {
+    add_bounds(rows, answer, request);
+  } else {
+    rows.emplace_back(quantity(request), root_text(depth.squared));
+    rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared));
+    if (request.digits && !depth.distance) rows.emplace_back("enclosure", enclosure_text(depth.squared, *request.digits));
+  }
+  if (depth.distance) add_distance(rows, *depth.distance, request);
   if (depth.direction) rows.emplace_back("direction", direction_text(*depth.direction));
   if (depth.status == Status::penetrating && !is_width(request)) rows.emplace_back("translation", point_text(depth.translation));
   if (depth.contact) rows.emplace_back("contact", contact_text(*depth.contact, is_width(request)));
@@ -70,16 +69,21 @@ void add_result(std::vector<Row>& rows, const Answer& answer, const Request& req
   if (!depth.optima.empty()) rows.emplace_back("ties", ties_text(depth, request));
 }
 
-/// The bodies without interior: "A and B", or nothing.
-std::string flat_text(const Depth& depth, const Request& request) {
-  if (is_width(request)) return depth.flat_a ? "A" : "";
-  return depth.flat_a && depth.flat_b ? "A and B" : depth.flat_a ? "A" : depth.flat_b ? "B" : "";
+std::string flat_bodies(const Depth& depth, const Request& request) { return flat_text(depth.flat_a, depth.flat_b && !is_width(request)); }
+
+// Which method answered, and why if it is not the one that was tried first.
+std::string method_text(const Depth& depth, const Request& request) {
+  const std::string ran(name(depth.method));
+  if (depth.method == Method::certificate) return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
+  if (request.method == Method::certificate) return ran + ": the inner polytope took too many points";
+  return ran;
 }
 
-void add_notes(std::vector<Row>& rows, const Depth& depth, const Request& request) {
-  if (const std::string flat = flat_text(depth, request); !flat.empty()) rows.emplace_back("flat", flat);
-  if (depth.flat_a && depth.status == Status::penetrating)
-    rows.emplace_back("note", "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0");
+void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& request) {
+  const Depth& depth = answer.depth;
+  if (depth.status == Status::penetrating && !answer.approximation) rows.emplace_back("method", method_text(depth, request));
+  if (const std::string flat = flat_bodies(depth, request); !flat.empty()) rows.emplace_back("flat", flat);
+  if (depth.flat_a && depth.status == Status::penetrating) rows.push_back(flat_note());
 }
 
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
@@ -95,30 +99,27 @@ void add_counters(std::vector<Row>& rows, const Counters& counters) {
 std::string text_block(const Answer& answer, const Request& request) {
   std::vector<Row> rows;
   add_result(rows, answer, request);
-  add_notes(rows, answer.depth, request);
+  add_notes(rows, answer, request);
   if (request.counters) add_counters(rows, answer.depth.counters);
-  std::size_t column = 0;
-  for (const Row& row : rows) column = std::max(column, row.first.size());
-  std::vector<std::string> lines;
-  if (!is_width(request)) lines.emplace_back(name(answer.depth.status));
-  for (const auto& [label, text] : rows) lines.push_back(fmt::format("{:<{}}  {}", label, column, text));
-  return fmt::format("{}", fmt::join(lines, "\n"));
+  return aligned(is_width(request) ? "" : std::string(name(answer.depth.status)), rows);
 }
 
 std::string text_line(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
   std::vector<std::string> parts;
   if (!is_width(request)) parts.emplace_back(name(depth.status));
-  parts.push_back(quantity(request) + " " + root_text(depth.squared));
+  parts.push_back(quantity(request) + (answer.approximation ? " at most " : " ") + root_text(depth.squared));
+  if (answer.approximation) parts.push_back("at least " + root_text(answer.approximation->bound_squared));
   if (depth.status == Status::penetrating) {
     const std::string squared = exact_text(depth.squared);
-    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + "^2 " + squared);
-    if (request.digits) parts.push_back("in " + enclosure_text(depth, *request.digits));
+    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + (answer.approximation ? "^2 at most " : "^2 ") + squared);
+    if (request.digits) parts.push_back("in " + enclosure_text(depth.squared, *request.digits));
   }
+  if (depth.distance) parts.push_back("distance " + root_text(depth.distance->squared));
   if (depth.direction) parts.push_back("direction " + direction_text(*depth.direction));
   if (depth.contact) parts.emplace_back(name(depth.contact->kind));
   if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
-  if (const std::string flat = flat_text(depth, request); !flat.empty()) parts.push_back("flat " + flat);
+  if (const std::string flat = flat_bodies(depth, request); !flat.empty()) parts.push_back("flat " + flat);
   std::vector<Row> rows;
   if (request.counters) add_counters(rows, depth.counters);
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
@@ -133,15 +134,26 @@ std::string safe_id(const std::string& id) {
   return id;
 }
 
-std::optional<std::string> hull_note(const Answer& answer, const Request& request) {
+namespace {
+
+std::optional<std::string> hull_note(std::initializer_list<std::tuple<std::string_view, std::size_t, std::uint32_t>> bodies) {
   std::vector<std::string> notes;
-  const auto look = [&](std::string_view body, std::size_t given, std::uint32_t extreme) {
+  for (const auto& [body, given, extreme] : bodies) {
     if (extreme != 0 && extreme < given) notes.push_back(fmt::format("{}: {} of {} points are not extreme", body, given - extreme, given));
-  };
-  look("A", answer.points_a, answer.depth.extreme_a);
-  if (!is_width(request)) look("B", answer.points_b, answer.depth.extreme_b);
+  }
   if (notes.empty()) return std::nullopt;
   return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
+}
+
+}  // namespace
+
+std::optional<std::string> hull_note(const Answer& answer, const Request& request) {
+  const std::uint32_t extreme_b = is_width(request) ? 0 : answer.depth.extreme_b;
+  return hull_note({{"A", answer.points_a, answer.depth.extreme_a}, {"B", answer.points_b, extreme_b}});
+}
+
+std::optional<std::string> hull_note(const Case& pair, std::uint32_t extreme_a, std::uint32_t extreme_b) {
+  return hull_note({{"A", pair.a.points.size(), extreme_a}, {"B", pair.b.points.size(), extreme_b}});
 }
 
 }  // namespace fathom::cli

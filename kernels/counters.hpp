@@ -50,6 +50,8 @@ struct Counters {
   std::uint64_t quota_refinements = 0;                      ///< of these, over the quota: the cell was refined
   std::uint64_t few_cells = 0;                              ///< of these, over the quota, but the cell too small to be refined
   std::uint64_t seed = 0;                                   ///< of the closest lines' random order
+  std::uint64_t rays = 0;                                   ///< shot through P
+  std::uint64_t facets_visited = 0;                         ///< facets of P that a walk near O went through
   PredicateCounts predicates{};
 };
 

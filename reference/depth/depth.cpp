@@ -9,6 +9,7 @@
 #include "reference/depth/contact.hpp"
 #include "reference/depth/naive_depth.hpp"
 #include "reference/depth/nearest_facets.hpp"
+#include "reference/polytope/distance.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
@@ -35,12 +36,25 @@ void count_bodies(const Polytope& a, const Polytope& b, Counters& counters) {
 }
 
 constexpr std::size_t worth_a_thread = 2048;  // points
+// In the direction of the nearest point of P the height is -distance: no other translation brings A to B sooner.
+Distance distance(const Lattice& lattice, long exponent, const Options& options, Counters& counters) {
+  const NearestPoints nearest = nearest_points(PointCloud(lattice.a, exponent), PointCloud(lattice.b, exponent));
+  if (options.validate) insist(validate(nearest, lattice.a, lattice.b));
+  counters.scans += nearest.scans;
+  const Vector& n = nearest.normal;
+  mpq_class factor(nearest.height, dot(n, n) * lattice.denominator);
+  factor.canonicalize();
+  return {factor * factor * dot(n, n),
+          n,
+          {factor * n.x, factor * n.y, factor * n.z},
+          {combination(lattice, lattice.a, nearest.a), combination(lattice, lattice.b, nearest.b)}};
+}
 
 // The part of the work that only penetrating bodies need.
 class Penetration {
  public:
-  Penetration(const Lattice& lattice, long exponent, const Options& options, Depth& result)
-      : lattice_(lattice), exponent_(exponent), options_(options), result_(result) {}
+  Penetration(const Lattice& lattice, long exponent, const Options& options, const FindNearest& find_nearest, Depth& result)
+      : lattice_(lattice), exponent_(exponent), options_(options), find_nearest_(find_nearest), result_(result) {}
 
   void run() {
     progress("hulls");
@@ -73,6 +87,7 @@ class Penetration {
   }
 
   std::vector<Vector> nearest_directions(const Polytope& a, const Polytope& b) {
+    if (find_nearest_) return find_nearest_(a, b, result_.counters);
     if (options_.method == Method::naive) {
       progress("hull of all differences");
       return naive_depth(a.vertices, b.vertices).directions;
@@ -84,12 +99,18 @@ class Penetration {
   const Lattice& lattice_;
   long exponent_;
   const Options& options_;
+  const FindNearest& find_nearest_;
   Depth& result_;
 };
 
 }  // namespace
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
+  if (options.method == Method::shallow) throw std::invalid_argument("Method::shallow is offered by shallow_depth");
+  return penetration_depth(a, b, options, FindNearest());
+}
+
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const FindNearest& find_nearest) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   const PredicateCounts before = predicate_counts();
   const Lattice lattice = common_lattice(a, b);
@@ -101,7 +122,7 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
   const PositionOfOrigin origin = position_of_origin(cloud_a, cloud_b);
   if (options.validate) insist(validate(origin, lattice.a, lattice.b));
   Depth result;
-  result.method = options.method == Method::naive ? Method::naive : Method::exact;
+  result.method = find_nearest ? Method::shallow : options.method == Method::naive ? Method::naive : Method::exact;
   result.status = status_of(origin.position);
   result.direction = origin.normal;
   result.flat_a = affine_rank(lattice.a) < 3;
@@ -110,9 +131,12 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
   if (result.status == Status::touching) {
     result.witness = Witness{combination(lattice, lattice.a, origin.a), combination(lattice, lattice.b, origin.b)};
   }
-  if (result.status == Status::penetrating) Penetration(lattice, exponent, options, result).run();
+  if (result.status == Status::disjoint) result.distance = distance(lattice, exponent, options, result.counters);
+  if (result.status == Status::penetrating) Penetration(lattice, exponent, options, find_nearest, result).run();
   result.counters.predicates = predicate_counts() - before;
   return result;
 }
+
+mpq_class signed_square(const Depth& depth) { return depth.distance ? mpq_class(-depth.distance->squared) : depth.squared; }
 
 }  // namespace fathom

@@ -19,6 +19,8 @@
 
 namespace fathom {
 
+struct Polytope;
+
 /// Where O lies with respect to P = B (+) (-A): in its interior; on its boundary, or in a flat P; outside.
 enum class Status { penetrating, touching, disjoint };
 
@@ -48,8 +50,17 @@ struct Witness {
 };
 
 /// exact: AGHRS section 2. naive: the convex hull of all vertex differences, its independent twin. certificate: a polytope that expands
-/// inside P [reference/expanding]; past its budget exact takes over.
-enum class Method { exact, naive, certificate };
+/// inside P [reference/expanding]; past its budget exact takes over. shallow: the facets of P near O alone, AGHRS section 3.2; see
+/// reference/approximate/shallow.hpp.
+enum class Method { exact, naive, certificate, shallow };
+
+/// How far disjoint bodies are apart.
+struct Distance {
+  mpq_class squared;  ///< distance^2, in lowest terms
+  Vector direction;   ///< primitive n with h(n) / |n| = -distance: no direction separates the bodies more widely
+  Point translation;  ///< (h(n) / <n,n>) n. Moving A by it, no shorter way, the bodies touch
+  Witness witness;    ///< nearest points: b - a = translation
+};
 
 struct Depth {
   Status status = Status::disjoint;
@@ -59,6 +70,7 @@ struct Depth {
   Point translation;                           ///< of the first optimum; else 0
   std::optional<Contact> contact;              ///< of the first optimum
   std::optional<Witness> witness;              ///< of the first optimum; a common point when touching
+  std::optional<Distance> distance;            ///< of disjoint bodies
   bool flat_a = false, flat_b = false;         ///< whether the body has no interior
   std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when no hull was needed
   Method method = Method::exact;               ///< the one that ran to the end
@@ -87,7 +99,17 @@ struct Options {
   bool validate = false;
 };
 
-/// Throws std::invalid_argument when a body is empty.
+/// Throws std::invalid_argument when a body is empty, and for Method::shallow, which shallow_depth offers.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
+
+/// Finds the outward normals of all nearest facets of P, primitive and in lexicographic order, with O in the interior of P.
+using FindNearest = std::function<std::vector<Vector>(const Polytope& a, const Polytope& b, Counters& counters)>;
+
+/// The same with another way to find them, for rooms to the right; `options.method` is not read.
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const FindNearest& find_nearest);
+
+/// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its
+/// signed root is the least h(u) / |u| over all directions u, a continuous function of where the bodies are.
+mpq_class signed_square(const Depth& depth);
 
 }  // namespace fathom

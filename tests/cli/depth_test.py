@@ -22,7 +22,7 @@ class Fields(CliTest):
             "depth": {"squared": "1/16", "value": 0.25, "rounded": {"f64": quarter, "f32": quarter}},
             "translation": ["-1/4", "0", "0"], "direction": ["-1", "0", "0"], "contact": contact,
             "optima": [{"direction": ["-1", "0", "0"], "translation": ["-1/4", "0", "0"], "contact": contact}],
-            "flat": [], "method": "exact"}
+            "flat": [], "method": "certificate"}
         self.assertEqual(result, expected)
         point_a, point_b = ([Fraction(x) for x in witness[body]] for body in "ab")
         self.assertEqual([y - x for x, y in zip(point_a, point_b)], [Fraction(-1, 4), 0, 0])
@@ -109,12 +109,20 @@ class Fields(CliTest):
 
 class Options(CliTest):
     def test_method(self):
-        exact = self.result("depth", CUBE, ICOSAHEDRON)
+        exact = self.result("depth", "--method", "exact", CUBE, ICOSAHEDRON)
         naive = self.result("depth", "--method", "naive", CUBE, ICOSAHEDRON)
         self.assertEqual((exact.pop("method"), naive.pop("method")), ("exact", "naive"))
         self.assertEqual(exact, naive)
-        for arguments in (["--method", "auto"], ["--method=exact"], ["--closest-lines", "naive"], ["--closest-lines", "cutting"],
-                          ["--closest-lines", "sampled"], ["--seed", "7"],
+        shallow = self.result("depth", "--method", "shallow", "--counters", CUBE, ICOSAHEDRON)
+        counters = shallow.pop("counters")
+        self.assertEqual(shallow.pop("method"), "shallow")
+        self.assertEqual(exact, shallow)
+        self.assertTrue(counters["rays"] > 0 and 0 < counters["facets_visited"] and counters["crossings"] == 0)
+        for arguments in ([], ["--method", "auto"], ["--method", "certificate"], ["--seed", "7"]):
+            again = self.result("depth", *arguments, CUBE, ICOSAHEDRON)
+            self.assertEqual(again.pop("method"), "certificate")
+            self.assertEqual(again, exact)
+        for arguments in (["--method=exact"], ["--closest-lines", "naive"], ["--closest-lines", "cutting"], ["--closest-lines", "sampled"],
                           ["--closest-lines", "naive", "--method", "exact"]):
             again = self.result("depth", *arguments, CUBE, ICOSAHEDRON)
             self.assertEqual(again.pop("method"), "exact")
@@ -122,13 +130,19 @@ class Options(CliTest):
 
     def test_counters(self):
         self.assertNotIn("counters", self.result("depth", CUBE, ICOSAHEDRON))
-        counters = self.result("depth", "--counters", CUBE, ICOSAHEDRON)["counters"]
+        counters = self.result("depth", "--method", "exact", "--counters", CUBE, ICOSAHEDRON)["counters"]
         self.assertEqual([counters[f"{what}_{body}"] for what in ("vertices", "edges", "facets") for body in "ab"], [8, 12, 12, 30, 6, 20])
         self.assertGreater(counters["crossings"], 0)
         self.assertGreater(counters["predicates"]["order_on_vertical"]["calls"], 0)
-        out = self.answer("depth", "--counters", CUBE, ICOSAHEDRON)
+        out = self.answer("depth", "--method", "exact", "--counters", CUBE, ICOSAHEDRON)
         self.assertRegex(out, r"\nvertices_b +12\n")
         self.assertRegex(out, r"\norder_on_vertical +\d+ calls, \d+ exact, \d+ zero\n")
+
+    def test_text_names_the_method(self):
+        self.assertRegex(self.answer("depth", CUBE, ICOSAHEDRON), r"\nmethod +certificate: an inner polytope of \d+ facets\n")
+        self.assertRegex(self.answer("depth", "--method", "exact", CUBE, ICOSAHEDRON), r"\nmethod +exact\n")
+        near_ties = self.file("ties.jsonl", self.answer("cases", "--family", "crossed_ties", "--size", "40"))
+        self.assertEqual(self.result("depth", near_ties)["method"], "exact")
 
     def test_digits(self):
         low, high = self.result("depth", "--digits", "40", CUBE, ICOSAHEDRON)["depth"]["enclosure"]
@@ -157,7 +171,8 @@ class Text(CliTest):
         self.assertEqual(out.splitlines()[:6], [
             "penetrating", "depth        0.25", "depth^2      1/16", "direction    (-1, 0, 0)", "translation  (-1/4, 0, 0)",
             "contact      facet-facet: points 1 3 5 7 of A, 0 2 4 6 of B"])
-        self.assertEqual(out.splitlines()[7:], ["ties         none"])
+        self.assertEqual(out.splitlines()[7:8], ["ties         none"])
+        self.assertRegex(out.splitlines()[8], r"^method       certificate: an inner polytope of \d+ facets$")
         self.assertIn("\nties         6 nearest facets; the first is shown, --json lists all\n", self.answer("depth", a, a))
 
     def test_long_numbers(self):
@@ -177,7 +192,7 @@ class Text(CliTest):
         out = self.answer("depth", a, self.file("b.xyz", box([1, 0, 0], [2, 1, 1])))
         self.assertTrue(out.startswith("touching\ndepth         0\n"), out)
         self.assertIn("\ncommon point  (1, ", out)
-        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth      0\n"))
+        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth       0\n"))
 
 
 if __name__ == "__main__":

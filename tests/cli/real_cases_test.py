@@ -21,11 +21,17 @@ class RealCases(CliTest):
                 translations = [optimum["translation"] for optimum in result["optima"]] or [result["translation"]]
                 self.assertEqual(sorted(translations), sorted(expected["translations"]))
 
-    def test_exact(self):
+    def test_auto(self):
         self.check()
+
+    def test_exact(self):
+        self.check("--method", "exact")
 
     def test_naive(self):
         self.check("--method", "naive")
+
+    def test_shallow(self):
+        self.check("--method", "shallow")
 
 
 if __name__ == "__main__":

@@ -28,8 +28,8 @@ class Schema(CliTest):
     def test_all_output(self):
         count = 0
         for command in ("depth", "width"):
-            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"],
-                            ["--method", "certificate", "--embed-certificate"]):
+            for options in ([], ["--counters", "--digits", "25"], ["--method", "naive"], ["--method", "shallow", "--counters"],
+                            ["--method", "certificate", "--embed-certificate"], ["--method", "exact", "--counters"]):
                 lines = self.lines(command, *options, "-", stdin=STREAM)
                 self.assertEqual(len(lines), STREAM.count("\n"))
                 count += len(lines)

@@ -129,7 +129,7 @@ class Bar(CliTest):
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 
         a, b = self.file("a.xyz", on_sphere(20000, 1)), self.file("b.xyz", on_sphere(20000, 2))
-        code, out, seen = run_on_terminal("depth", a, b, stop_at=b"% ")
+        code, out, seen = run_on_terminal("depth", "--method", "exact", a, b, stop_at=b"% ")
         self.assertEqual((code, out), (130, b""))
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 

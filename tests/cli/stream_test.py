@@ -41,7 +41,7 @@ class Results(CliTest):
         self.assertEqual(streamed, single)
 
     def test_options_in_text(self):
-        out = self.answer("depth", "--digits", "3", "--counters", "-", stdin=GOOD)
+        out = self.answer("depth", "--method", "exact", "--digits", "3", "--counters", "-", stdin=GOOD)
         self.assertTrue(out.startswith(LINE[:LINE.index("; direction")] + "; in [0.25, 0.25]; direction "), out)
         self.assertIn("; vertices_a 8; ", out)
         self.assertEqual(out.count("\n"), 1)
@@ -63,7 +63,7 @@ class Results(CliTest):
 
     def test_hulls_are_told_once(self):
         inner = UNIT + [[0.5, 0.5, 0.5]]
-        code, _, err = self.run_cli("depth", "-", stdin=case(inner, UNIT) + GOOD + case(UNIT, inner))
+        code, _, err = self.run_cli("depth", "--method", "exact", "-", stdin=case(inner, UNIT) + GOOD + case(UNIT, inner))
         self.assertEqual((code, err), (0, "fathom: 2 of 3 cases had points that are not extreme; convex hulls were taken\n"))
 
 

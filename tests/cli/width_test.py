@@ -34,7 +34,8 @@ class Width(CliTest):
         self.assertEqual(lines[:5], ["width      0.5", "width^2    1/4", "enclosure  [0.5, 0.5]", "direction  (0, -1, 0)",
                                      "contact    facet-facet: points 2 3 6 7 of A, 0 1 4 5 of A"])
         self.assertRegex(lines[5], r"^witness    \(.*, 1/2, .*\) of A, \(.*, 0, .*\) of A$")
-        self.assertEqual(lines[6:], ["ties       none"])
+        self.assertEqual(lines[6:7], ["ties       none"])
+        self.assertRegex(lines[7], r"^method     certificate: an inner polytope of \d+ facets$")
         self.assertIn("3 pairs of planes", self.answer("width", self.file("unit.xyz", UNIT)))
 
     def test_flat_body(self):
@@ -48,9 +49,14 @@ class Width(CliTest):
 
     def test_methods_agree(self):
         path = self.file("slab.xyz", SLAB)
-        exact, naive = self.result("width", path), self.result("width", "--method", "naive", path)
-        self.assertEqual((exact.pop("method"), naive.pop("method")), ("exact", "naive"))
+        exact, naive = self.result("width", "--method", "exact", path), self.result("width", "--method", "naive", path)
+        shallow = self.result("width", "--method", "shallow", path)
+        self.assertEqual([result.pop("method") for result in (exact, naive, shallow)], ["exact", "naive", "shallow"])
         self.assertEqual(exact, naive)
+        self.assertEqual(exact, shallow)
+        auto = self.result("width", path)
+        self.assertEqual(auto.pop("method"), "certificate")
+        self.assertEqual(auto, exact)
 
     def test_stream_takes_body_a(self):
         slab = [[float(Fraction(x)) for x in point] for point in SLAB]

@@ -28,6 +28,20 @@ TEST(Width, EqualsCgalsCalipers) {
   EXPECT_GT(solids, 60U);
 }
 
+// Larger bodies, by both methods.
+TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
+  for (const char* name : {"random_sphere", "crossed_fans", "prisms_posed"}) {
+    for (const unsigned size : {100U, 400U}) {
+      const Case input = families::find_family(name)->make(1, size);
+      const mpq_class calipers = oracles::width_oracle(input.a.points).squared;
+      EXPECT_EQ(width(input.a.points).squared, calipers) << input.id;
+      Options options;
+      options.method = Method::certificate;
+      EXPECT_EQ(width(input.a.points, options).squared, calipers) << input.id;
+    }
+  }
+}
+
 // The optima of a body against itself come in opposite pairs, with the faces exchanged.
 TEST(Width, OptimaComeInOppositePairs) {
   for (const Case& input : testing::cases_of_all_families(1, 14)) {

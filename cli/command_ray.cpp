@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom ray --direction X,Y,Z A B | CASES.jsonl | -
+#include <fmt/format.h>
+
+#include "cli/case_stream.hpp"
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/ray_output.hpp"
+#include "cli/text_result.hpp"
+#include "reference/files/mesh.hpp"
+
+namespace fathom::cli {
+namespace {
+
+DirectionalDepth depth_of(const Case& pair, const Request& request, Progress& progress) {
+  const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
+  DirectionalDepth result = directional_depth(pair.a.points, pair.b.points, *request.direction, report);
+  progress.clear();
+  return result;
+}
+
+ExitCode ray_stream(const Request& request) {
+  std::size_t cases = 0, hulls = 0;
+  StreamWork work;
+  work.answer = [&](const Case& pair, Progress& progress) {
+    const DirectionalDepth depth = depth_of(pair, request, progress);
+    if (hull_note(pair, depth.extreme_a, depth.extreme_b)) ++hulls;
+    print(request.json ? ray_json(pair.id, depth, request) : ray_line(pair.id, depth));
+  };
+  if (request.json)
+    work.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };
+  const ExitCode code = for_each_case(request.inputs[0], work, &cases);
+  if (hulls > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls, cases));
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_ray(const Request& request) {
+  if (request.inputs.size() == 1) return ray_stream(request);
+  const std::string &a = request.inputs[0], &b = request.inputs[1];
+  const Case pair{a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)};
+  const Working working;
+  Progress progress;
+  const DirectionalDepth depth = depth_of(pair, request, progress);
+  if (const auto note = hull_note(pair, depth.extreme_a, depth.extreme_b)) talk(*note);
+  print(request.json ? ray_json(pair.id, depth, request) : ray_block(depth, request));
+  return fine;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pieces that JSON results are made of. For the .cpp files that write results: others need not know the library.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "kernels/vector.hpp"
+#include "reference/depth/depth.hpp"
+
+namespace fathom::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Exact numbers as strings.
+Json exact(const Point& p);
+Json exact(const Vector& v);
+
+/// A length by its exact square, with roundings, and an enclosure if digits are given.
+Json length(const mpq_class& squared, const std::optional<unsigned>& digits);
+/// A rational number, exact and rounded.
+Json number(const mpq_class& value);
+
+Json contact_object(const Contact& contact);
+Json witness_object(const Witness& witness);
+Json flat_array(bool a, bool b);
+
+/// Ids and file names may hold any bytes; what is not UTF-8 is replaced, never an error.
+std::string one_line(const Json& object);
+/// What stands in a stream of results for a case that has none: one line.
+std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error);
+
+}  // namespace fathom::cli

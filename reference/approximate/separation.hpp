@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies and a rational delta > 0.
+// Output  an exact separating translation t with depth <= |t| <= (1 + delta) depth.        [AGHRS, APPROX-SEPARATION, Theorem 3.2]
+// Time    O(1 / delta) rays of O(log^2(m + n)) steps each, once the hierarchies stand.
+// Departs from the paper: the grid, see grid/directions.hpp; and each ray offers the plane of the facet that it hits in place of the
+// hit point, which is never farther and often the optimum itself.                                   [proofs/approximate.md]
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "reference/approximate/body_pair.hpp"
+#include "reference/depth/depth.hpp"
+#include "reference/polytope/hierarchy.hpp"
+
+namespace fathom {
+
+/// In the unit of the lattice. With O on the boundary of P all lengths are 0; then, and outside, normal and ray are zero vectors.
+struct ApproxSeparation {
+  bool inside = false;      ///< whether O is in P, its boundary included. If not, nothing else is said.
+  std::uint64_t rays = 0;   ///< shot
+  std::uint64_t steps = 0;  ///< that they took
+  Vector normal{0, 0, 0};   ///< primitive outward normal of the nearest facet that was hit; of several, the least lexicographically
+  mpz_class height;         ///< of its plane above the viewpoint: the translation (height / <normal,normal>) normal separates
+  Vector ray{0, 0, 0};      ///< the direction of the grid in which the boundary of P is nearest
+  mpq_class reach_squared;  ///< squared distance of the boundary along that ray: |t|^2 <= reach_squared <= (1 + delta)^2 depth^2
+};
+
+/// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
+/// `progress` gets the share of rays that are shot, and returns false to stop (Interrupted is thrown).
+/// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-12.
+ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift = {0, 0, 0},
+                                   const std::function<bool(double)>& progress = {});
+
+/// For a body against itself: P is symmetric about O, and half of the rays suffice.                         [AGHRS, Corollary 3.3]
+ApproxSeparation approx_width(const Hierarchy& body, const mpq_class& delta, const std::function<bool(double)>& progress = {});
+
+/// A depth within a known factor: `depth.squared` is |t|^2 for depth.translation = t. One direction is told, without a claim that it is an
+/// optimum: `optima` is empty. The direction is the outward normal of a facet of P; there is a witness only where the foot of O on
+/// the facet's plane lies in the facet.
+struct ApproxDepth {
+  Depth depth;
+  mpq_class delta;
+  std::uint64_t rays = 0, steps = 0;
+  mpq_class bound_squared;  ///< a lower bound: bound <= the true depth <= |t| <= (1 + delta) bound
+};
+
+/// For all statuses and ranks. Throws std::invalid_argument when a body is empty or delta is below 1e-12, and Interrupted.
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, const ReportProgress& progress = {});
+
+/// The same for the width of one body, as the depth of the body against itself.
+ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, const ReportProgress& progress = {});
+
+}  // namespace fathom

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/approximate/shallow.hpp"
+
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "reference/approximate/shallow_walk.hpp"
+
+namespace fathom {
+namespace {
+
+constexpr std::uint64_t facets_between_reports = 256;
+
+const mpq_class& checked(const mpq_class& delta) {
+  if (delta <= 0 || delta > 2) throw std::invalid_argument("shallow penetration needs a delta with 0 < delta <= 2");
+  return delta;
+}
+
+/// The facets that the rays hit, each once.
+std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface, const Hierarchy& a, const Hierarchy& b) {
+  std::set<Vector, NearestPlanes::LexicographicOrder> normals;
+  for (const NearRay& ray : rays) normals.insert(ray.normal);
+  std::vector<SumFacet> facets;
+  for (const Vector& n : normals) facets.push_back(surface.facet(a.extreme_face(-n), b.extreme_face(n), n));
+  return facets;
+}
+
+/// Whether the sum of the faces with these vertices, which lie in parallel planes, is two-dimensional.
+bool span_a_facet(const Polytope& a, const std::vector<std::uint32_t>& face_a, const Polytope& b,
+                  const std::vector<std::uint32_t>& face_b) {
+  if (face_a.size() > 2 || face_b.size() > 2) return true;
+  if (face_a.size() < 2 || face_b.size() < 2) return false;
+  return !is_zero(cross(a.vertices[face_a[1]] - a.vertices[face_a[0]], b.vertices[face_b[1]] - b.vertices[face_b[0]]));
+}
+
+}  // namespace
+
+ShallowPenetration::ShallowPenetration(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta)
+    : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(delta / 4) {}
+
+ShallowResult ShallowPenetration::query(const Vector& shift, const std::function<bool(double)>& progress) const {
+  ShallowResult result;
+  if (shooter_.rank() < 3) return result;
+  const auto in_half = [&](int half, double share) { return progress((half + share) / 2); };
+  const NearRays rays =
+      grids_.shoot(shooter_, shift, progress ? [&](double share) { return in_half(0, share); } : std::function<bool(double)>());
+  result.inside = rays.inside;
+  result.rays = rays.rays;
+  result.rays_skipped = rays.skipped;
+  result.ray_steps = rays.steps;
+  if (!rays.inside) return result;
+  const mpq_class factor = 1 + delta_ / 2;
+  result.ball_radius_squared = factor * factor * rays.nearest_squared;
+  const Ball ball{shift, result.ball_radius_squared.get_num(), result.ball_radius_squared.get_den()};
+  const std::vector<SumFacet> starts = facets_hit(rays.in_reach, surface_, *a_, *b_);
+  result.starts = starts.size();
+  std::uint64_t visited = 0;
+  const WalkCounts counts = walk(surface_, ball, starts, [&](const SumFacet& facet, std::size_t waiting) {
+    result.nearest.offer(facet.normal, dot(facet.normal, surface_.point(facet) - shift));
+    if (!progress || ++visited % facets_between_reports != 0) return true;
+    return in_half(1, static_cast<double>(visited) / static_cast<double>(visited + waiting));
+  });
+  result.facets = counts.facets;
+  result.edges = counts.edges;
+  result.walk_steps = counts.steps;
+  return result;
+}
+
+Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift) {
+  Report report;
+  report.expect(result.inside != result.nearest.empty(), "nearest planes exactly if O is inside P");
+  const Polytope &hull_a = a.polytope(), &hull_b = b.polytope();
+  for (const Vector& n : result.nearest.directions()) {
+    const std::vector<std::uint32_t> face_a = a.extreme_face(-n), face_b = b.extreme_face(n);
+    report.expect(span_a_facet(hull_a, face_a, hull_b, face_b), "a nearest direction is not that of a facet");
+    const mpz_class height = dot(n, hull_b.vertices[face_b.front()] - hull_a.vertices[face_a.front()] - shift);
+    report.expect(height > 0 && height * height * result.nearest.denominator() == result.nearest.numerator() * dot(n, n),
+                  "a nearest facet is at another distance");
+  }
+  return report;
+}
+
+Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
+  checked(delta);
+  return penetration_depth(a, b, options, [&](const Polytope& hull_a, const Polytope& hull_b, Counters& counters) {
+    const auto progress = [&](const char* stage, double share) {
+      if (options.progress && !options.progress(stage, share)) throw Interrupted();
+      return true;
+    };
+    progress("hierarchies", 0);
+    const Hierarchy hierarchy_a(hull_a), hierarchy_b(hull_b);
+    const ShallowPenetration bodies(hierarchy_a, hierarchy_b, delta);
+    const ShallowResult result = bodies.query({0, 0, 0}, [&](double share) { return progress("facets near the origin", share); });
+    if (!result.inside) throw std::logic_error("O is inside P, and a ray from it found otherwise");
+    if (options.validate) insist(validate(result, hierarchy_a, hierarchy_b));
+    counters.rays = result.rays;
+    counters.facets_visited = result.facets;
+    return std::vector<Vector>(result.nearest.directions().begin(), result.nearest.directions().end());
+  });
+}
+
+}  // namespace fathom

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies and a rational delta, 0 < delta <= 2.
+// Output  the exact depth with every optimum, by looking at the facets of P = B (+) (-A) near O alone.
+//         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
+// Time    at most O(1 / delta) rays, and a walk over K_delta facets at most, those within (1 + delta) depth of O, once the hierarchies stand.
+// Departs from the paper: the grid is that for delta / 4, and a search starts from the facet that a ray hits.   [proofs/errata.md]
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "kernels/nearest.hpp"
+#include "kernels/report.hpp"
+#include "kernels/vector.hpp"
+#include "reference/approximate/ray.hpp"
+#include "reference/approximate/shallow_rays.hpp"
+#include "reference/approximate/shallow_surface.hpp"
+#include "reference/depth/depth.hpp"
+#include "reference/polytope/hierarchy.hpp"
+
+namespace fathom {
+
+struct ShallowResult {
+  bool inside = false;             ///< whether O is in the interior of P; if not, nothing more is found
+  NearestPlanes nearest;           ///< the planes of all nearest facets of P, in lattice units
+  std::uint64_t rays = 0;          ///< shot
+  std::uint64_t rays_skipped = 0;  ///< directions of the grids in which no ray was needed
+  std::uint64_t ray_steps = 0;     ///< that the rays took
+  std::uint64_t starts = 0;        ///< facets from which the walk sets out
+  std::uint64_t facets = 0;        ///< visited: at most K_delta
+  std::uint64_t edges = 0;         ///< of these facets
+  std::uint64_t walk_steps = 0;    ///< corners of faces and neighbours of vertices that were looked at
+  mpq_class ball_radius_squared;   ///< of the ball within which the walk stays
+};
+
+/// Two bodies made ready for queries from many places. Refers to the hierarchies and their polytopes, which must outlive it.
+class ShallowPenetration {
+ public:
+  /// O(m + n + 1 / delta), but for sorting. Throws std::invalid_argument unless 0 < delta <= 2.
+  ShallowPenetration(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta = mpq_class(1, 4));
+
+  /// The depth of A moved by `shift`, in lattice units: P seen from `shift` in place of O; nothing is prepared anew. Exact.
+  /// `progress` gets the share of the known work that is done, and returns false to stop (Interrupted is thrown).
+  [[nodiscard]] ShallowResult query(const Vector& shift = {0, 0, 0}, const std::function<bool(double)>& progress = {}) const;
+
+ private:
+  const Hierarchy* a_;
+  const Hierarchy* b_;
+  RayShooter shooter_;
+  SumSurface surface_;
+  mpq_class delta_;
+  RayGrids grids_;
+};
+
+/// Checks that each nearest plane is that of a facet of P, at the same distance, seen from `shift`; not that no facet is nearer.
+[[nodiscard]] Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift = {0, 0, 0});
+
+/// As penetration_depth, and with the same result in every field but the counters. For all statuses and ranks; `options.method` is not read.
+/// Throws std::invalid_argument when a body is empty and unless 0 < delta <= 2, and Interrupted.
+Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
+                    const mpq_class& delta = mpq_class(1, 4));
+
+}  // namespace fathom

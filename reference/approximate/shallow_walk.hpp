@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The facets of P near a point: breadth first, from facet to facet across the edges that meet a ball. P is never built.
+//                                                     [AGHRS, SHALLOW-PENETRATION, step 5; proofs/shallow.md]
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "kernels/vector.hpp"
+#include "reference/approximate/shallow_surface.hpp"
+
+namespace fathom {
+
+/// The closed ball of points x with denominator |x - centre|^2 <= numerator.
+struct Ball {
+  Vector centre;
+  mpz_class numerator, denominator = 1;  ///< >= 0 and > 0
+
+  [[nodiscard]] bool holds(const Vector& p) const;
+  /// Whether the segment from p to q, which differ, meets the ball. Exact.
+  [[nodiscard]] bool meets(const Vector& p, const Vector& q) const;
+};
+
+struct WalkCounts {
+  std::uint64_t facets = 0;  ///< visited
+  std::uint64_t edges = 0;   ///< of these facets, one that two of them share counted once
+  std::uint64_t steps = 0;   ///< corners of faces and neighbours of vertices that were looked at
+};
+
+/// Told of each facet once, with the number of facets that wait at that time. Returns false to stop.
+using VisitFacet = std::function<bool(const SumFacet& facet, std::size_t waiting)>;
+
+/// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted when told to stop.
+WalkCounts walk(const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit);
+
+}  // namespace fathom

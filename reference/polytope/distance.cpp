@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to three
+// differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does without.
+// |z| falls strictly, so that no triple comes back and the search ends.                                         [proofs/distance.md]
+#include "reference/polytope/distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "reference/polytope/position_search.hpp"
+
+namespace fathom {
+namespace {
+
+struct Corner {
+  Difference ids;
+  Vector p;
+};
+
+/// point / denominator, a convex combination with weights / denominator.
+struct Foot {
+  Vector point;
+  std::vector<mpz_class> weights;
+  mpz_class denominator;
+};
+
+Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+/// The foot of O on the affine hull of one to three affinely independent points; nothing unless all of its weights are positive.
+std::optional<Foot> foot(const std::vector<Corner>& corners) {
+  const Vector& p = corners[0].p;
+  if (corners.size() == 1) return Foot{p, {1}, 1};
+  const Vector e = corners[1].p - p;
+  if (corners.size() == 2) {
+    const mpz_class square = dot(e, e), w = -dot(p, e);
+    if (w <= 0 || w >= square) return std::nullopt;
+    return Foot{scaled(square, p) + scaled(w, e), {square - w, w}, square};
+  }
+  // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n, n>.
+  const Vector f = corners[2].p - p, n = cross(e, f);
+  const mpz_class square = dot(n, n), v = det(-p, f, n), w = det(e, -p, n);
+  mpz_class u = square - v - w;
+  if (u <= 0 || v <= 0 || w <= 0) return std::nullopt;
+  return Foot{scaled(dot(n, p), n), {std::move(u), v, w}, square};
+}
+
+bool nearest_of(const Foot& z, const std::vector<Corner>& corners) {
+  const mpz_class square = dot(z.point, z.point);
+  return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return z.denominator * dot(z.point, c.p) >= square; });
+}
+
+/// Keeps of two to four affinely independent corners those of the face that holds the point of their hull nearest to O in its relative
+/// interior. There is one such face; it has the last corner, and with O outside P at most three.
+Foot reduce(std::vector<Corner>& corners) {
+  const unsigned last = 1U << (corners.size() - 1);
+  for (unsigned subset = last; subset < 2 * last; ++subset) {
+    if (std::popcount(subset) > 3) continue;
+    std::vector<Corner> chosen;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (subset >> i & 1U) chosen.push_back(corners[i]);
+    std::optional<Foot> z = foot(chosen);
+    if (!z || !nearest_of(*z, corners)) continue;
+    corners = std::move(chosen);
+    return std::move(*z);
+  }
+  throw std::invalid_argument("nearest_points: the hulls have a point in common");
+}
+
+std::vector<Weight> marginal(const std::vector<Corner>& corners, const Foot& z, std::uint32_t Difference::*side) {
+  std::map<std::uint32_t, mpq_class> sums;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    mpq_class weight(z.weights[i], z.denominator);
+    weight.canonicalize();
+    sums[corners[i].ids.*side] += weight;
+  }
+  std::vector<Weight> weights;
+  for (const auto& [index, weight] : sums) weights.push_back({index, weight});
+  return weights;
+}
+
+/// The greatest <u, p>, in exact arithmetic only.
+mpz_class greatest_product(std::span<const Vector> points, const Vector& u) {
+  return dot(u, points[extreme_points_naive(points, u).front()]);
+}
+
+/// The weighted sum, if the weights are convex weights of points.
+std::optional<std::array<mpq_class, 3>> combined(std::span<const Vector> points, const std::vector<Weight>& weights) {
+  std::array<mpq_class, 3> sum;
+  mpq_class total;
+  for (const Weight& w : weights) {
+    if (w.index >= points.size() || w.weight <= 0) return std::nullopt;
+    total += w.weight;
+    sum[0] += w.weight * points[w.index].x;
+    sum[1] += w.weight * points[w.index].y;
+    sum[2] += w.weight * points[w.index].z;
+  }
+  if (total != 1) return std::nullopt;
+  return sum;
+}
+
+}  // namespace
+
+NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
+  if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");
+  if (a.exponent() != b.exponent()) throw std::invalid_argument("nearest_points: the clouds differ in their exponents");
+  Differences differences(a, b);
+  std::vector<Corner> corners{{{0, 0}, differences[{0, 0}]}};
+  Foot z = *foot(corners);
+  while (true) {
+    if (is_zero(z.point)) throw std::invalid_argument("nearest_points: the hulls have a point in common");
+    const Vector n = primitive(-z.point);
+    const Difference ids = differences.extreme(n);
+    const Vector p = differences[ids];
+    if (z.denominator * dot(n, p) <= dot(n, z.point)) {
+      return {n, dot(n, p), marginal(corners, z, &Difference::first), marginal(corners, z, &Difference::second), differences.scans()};
+    }
+    corners.push_back({ids, p});
+    z = reduce(corners);
+  }
+}
+
+Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b) {
+  Report report;
+  const Vector& n = answer.normal;
+  if (!report.expect(!a.empty() && !b.empty(), "an empty body")) return report;
+  if (!report.expect(!is_zero(n) && primitive(n) == n, "the normal is not a primitive vector")) return report;
+  report.expect(answer.height < 0, "the normal does not separate the bodies strictly");
+  report.expect(greatest_product(b, n) + greatest_product(a, -n) == answer.height, "the height is not that of the normal");
+  const auto in_a = combined(a, answer.a), in_b = combined(b, answer.b);
+  report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
+  report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
+  if (!in_a || !in_b) return report;
+  mpq_class factor(answer.height, dot(n, n));
+  factor.canonicalize();
+  const std::array<mpq_class, 3> z{factor * n.x, factor * n.y, factor * n.z};
+  for (std::size_t i = 0; i < 3; ++i) report.expect((*in_b)[i] - (*in_a)[i] == z[i], "the weighted points do not differ by the foot of O");
+  return report;
+}
+
+}  // namespace fathom

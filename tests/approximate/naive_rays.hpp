@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// P itself, as the hull of all vertex differences, and rays from O by a look at every facet: the naive twin of everything in
+// reference/approximate.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom::testing {
+
+inline mpq_class quotient(const mpz_class& numerator, const mpz_class& denominator) {
+  mpq_class q(numerator, denominator);
+  q.canonicalize();
+  return q;
+}
+
+/// P = B (+) (-A) in the unit of the lattice, moved by -shift.
+inline Polytope differences(const Lattice& lattice, const Vector& shift = {0, 0, 0}) {
+  const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+  std::vector<Vector> all;
+  for (const Vector& p : a.vertices) {
+    for (const Vector& q : b.vertices) all.push_back(q - p - shift);
+  }
+  return convex_hull(all);
+}
+
+inline mpz_class height(const Polytope& p, const Facet& facet) { return dot(facet.normal, p.vertices[p.corners[facet.begin]]); }
+
+/// Whether O is in the interior of P.
+inline bool holds_origin(const Polytope& p) {
+  if (p.rank < 3) return false;
+  for (const Facet& facet : p.facets) {
+    if (height(p, facet) <= 0) return false;
+  }
+  return true;
+}
+
+/// The factor by which u reaches the boundary of P, with O in its interior.
+inline mpq_class factor_naive(const Polytope& p, const Vector& u) {
+  std::optional<mpq_class> least;
+  for (const Facet& facet : p.facets) {
+    const mpz_class speed = dot(facet.normal, u);
+    if (speed <= 0) continue;
+    const mpq_class factor = quotient(height(p, facet), speed);
+    if (!least || factor < *least) least = factor;
+  }
+  return least.value();
+}
+
+/// Whether `normal` is that of a facet of P which holds the point factor * u.
+inline bool is_hit(const Polytope& p, const Vector& normal, const mpq_class& factor, const Vector& u) {
+  for (const Facet& facet : p.facets) {
+    if (facet.normal == normal) return factor * dot(normal, u) == height(p, facet);
+  }
+  return false;
+}
+
+}  // namespace fathom::testing

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rays through P against the hull of all vertex differences: the same factor, and a true facet of P at the hit point.
+#include "reference/approximate/ray.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "tests/approximate/naive_rays.hpp"
+#include "tests/support/prepared.hpp"
+#include "tests/support/vectors.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cases_of_all_families;
+using testing::operator*;
+
+/// Where O lies in P of any rank: -1 inside, 0 on the boundary or in a flat P, 1 outside.
+int place_of_origin(const Polytope& p) {
+  int place = p.rank == 3 ? -1 : 0;
+  for (const Facet& f : p.facets) place = std::max(place, -sgn(testing::height(p, f)));
+  if (p.rank == 3) return place;
+  std::vector<Vector> with_origin = p.vertices;
+  with_origin.emplace_back();
+  return convex_hull(with_origin).vertices == p.vertices ? 0 : 1;
+}
+
+/// A body with its hierarchy.
+struct Prepared {
+  explicit Prepared(std::span<const Vector> points) : polytope(convex_hull(points)), hierarchy(polytope) {}
+  Polytope polytope;
+  Hierarchy hierarchy;
+};
+
+/// All laws of one ray from O, where P stands at `p`, moved by -start.
+void expect_ray(const RayShooter& rays, const Polytope& p, const Vector& u, const Vector& start) {
+  const RayHit hit = rays.shoot(u, start);
+  const int place = place_of_origin(p);
+  ASSERT_EQ(rays.rank(), p.rank);
+  ASSERT_EQ(hit.hits, place <= 0);
+  ASSERT_EQ(hit.interior, place < 0);
+  ASSERT_EQ(primitive(hit.normal), hit.normal);
+  const mpz_class height = hit.height - dot(hit.normal, start);
+  const auto below = [&](const Vector& v) { return dot(hit.normal, v) <= height; };
+  ASSERT_TRUE(std::ranges::all_of(p.vertices, below));
+  ASSERT_TRUE(std::ranges::any_of(p.vertices, [&](const Vector& v) { return dot(hit.normal, v) == height; }));
+  if (!hit.hits) {
+    ASSERT_LT(height, 0);
+    ASSERT_EQ(hit.factor, 0);
+  } else if (p.rank < 3) {
+    ASSERT_EQ(hit.factor, 0);
+    ASSERT_GE(dot(hit.normal, u), 0);
+    ASSERT_TRUE(std::ranges::all_of(p.vertices, [&](const Vector& v) { return dot(hit.normal, v) == height; }));
+  } else {
+    ASSERT_EQ(hit.factor, testing::factor_naive(p, u));
+    ASSERT_TRUE(testing::is_hit(p, hit.normal, hit.factor, u));
+    ASSERT_GT(dot(hit.normal, u), 0);
+  }
+}
+
+/// Through vertices, edges and facets of P and at random; back from each, too.
+std::vector<Vector> telling_directions(const Polytope& p, std::mt19937_64& random) {
+  std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 1, -1}};
+  const auto vertex = [&](std::uint32_t i) { return p.vertices[i]; };
+  for (int i = 0; i < 3; ++i) {
+    directions.push_back(vertex(static_cast<std::uint32_t>(random() % p.vertices.size())));
+    if (!p.edges.empty()) {
+      const Edge& e = p.edges[random() % p.edges.size()];
+      directions.insert(directions.end(),
+                        {vertex(e.from) + vertex(e.to), vertex(e.from) - vertex(e.to), vertex(e.from) + 3 * vertex(e.to)});
+    }
+    if (!p.facets.empty()) {
+      const Facet& f = p.facets[random() % p.facets.size()];
+      directions.push_back(vertex(p.corners[f.begin]) + vertex(p.corners[f.begin + 1]) + vertex(p.corners[f.begin + 2]));
+      directions.push_back(f.normal);
+    }
+    directions.push_back(testing::random_direction(random, i == 0 ? 2 : 60));
+  }
+  for (std::size_t i = directions.size(); i-- > 0;) directions.push_back(-directions[i]);
+  std::erase_if(directions, is_zero);
+  return directions;
+}
+
+/// O, and a vertex of P, the sum of two or half of it: on the boundary, outside or somewhere in P.
+std::vector<Vector> telling_starts(const Polytope& p, std::mt19937_64& random) {
+  const Vector v = p.vertices[random() % p.vertices.size()], sum = v + p.vertices[random() % p.vertices.size()];
+  const std::array<Vector, 3> starts{v, sum, Vector{sum.x / 2, sum.y / 2, sum.z / 2}};
+  return {{0, 0, 0}, starts[random() % 3]};
+}
+
+void expect_rays(std::span<const Vector> a, std::span<const Vector> b, unsigned seed) {
+  const Prepared body_a(a), body_b(b);
+  const RayShooter rays(body_a.hierarchy, body_b.hierarchy), by_levels(body_a.hierarchy, body_b.hierarchy, 0);
+  Lattice lattice;
+  lattice.a.assign(a.begin(), a.end());
+  lattice.b.assign(b.begin(), b.end());
+  std::mt19937_64 random(seed);
+  const Polytope p = testing::differences(lattice);
+  for (const Vector& start : telling_starts(p, random)) {
+    Polytope moved = p;
+    for (Vector& v : moved.vertices) v = v - start;
+    for (const Vector& u : telling_directions(moved, random)) {
+      SCOPED_TRACE(::testing::Message() << "from " << start << " along " << u);
+      expect_ray(rays, moved, u, start);
+      if (seed++ % 3 == 0) expect_ray(by_levels, moved, u, start);
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(Ray, AgreesWithTheHullOfDifferencesOnAllFamilies) {
+  for (const Case& input : cases_of_all_families(2, 9)) {
+    SCOPED_TRACE(input.id);
+    const Lattice lattice = common_lattice(input.a.points, input.b.points);
+    expect_rays(lattice.a, lattice.b, static_cast<unsigned>(input.id.back()));
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+TEST(Ray, AgreesWithTheHullOfDifferencesOnSmallLattices) {
+  EXPECT_TRUE(rc::check("rays of small lattice bodies", [] {
+    const auto body = [] {
+      const int count = *rc::gen::inRange(1, 9), x = *rc::gen::inRange(1, 4), y = *rc::gen::inRange(1, 4), z = *rc::gen::inRange(1, 4);
+      std::vector<Vector> points;
+      for (int i = 0; i < count; ++i) points.push_back({*rc::gen::inRange(-x, x), *rc::gen::inRange(-y, y), *rc::gen::inRange(-z, z)});
+      return points;
+    };
+    const std::vector<Vector> a = body(), b = body();
+    expect_rays(a, b, *rc::gen::inRange(0U, 1000U));
+    RC_ASSERT(!::testing::Test::HasFatalFailure());
+  }));
+}
+
+/// Queries and steps of rays from points near O in P = B (+) (-A).
+struct Growth {
+  std::uint64_t queries = 0, steps = 0;  // the greatest of any ray
+};
+
+Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
+  const RayShooter rays(a, b);
+  std::mt19937_64 random(7);
+  Growth greatest;
+  for (int i = 0; i < 300; ++i) {
+    const Vector u = testing::random_direction(random, i % 2 ? 3 : 40);
+    const RayHit hit = rays.shoot(u);
+    EXPECT_TRUE(hit.interior);
+    EXPECT_EQ(hit.height, dot(hit.normal, b.cloud()[b.extreme(hit.normal)]) - dot(hit.normal, a.cloud()[a.extreme(-hit.normal)]));
+    EXPECT_EQ(hit.factor, testing::quotient(hit.height, dot(hit.normal, u)));
+    greatest.queries = std::max(greatest.queries, hit.queries);
+    greatest.steps = std::max(greatest.steps, hit.steps);
+  }
+  return greatest;
+}
+
+// Queries grow like log n, steps like its square; with room for about half as many again.
+void expect_growth(const char* family, unsigned n, bool with_itself) {
+  SCOPED_TRACE(std::string(family) + " " + std::to_string(n));
+  const Case input = families::find_family(family)->make(1, n);
+  const Lattice lattice = common_lattice(input.a.points, input.b.points);
+  const Prepared b(lattice.b);
+  const Growth growth =
+      with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy) : greatest_of_rays(Prepared(lattice.a).hierarchy, b.hierarchy);
+  const std::uint64_t doublings = std::bit_width(b.polytope.vertices.size());
+  std::cout << family << " vertices " << b.polytope.vertices.size() << " queries " << growth.queries << " steps " << growth.steps << '\n';
+  EXPECT_LE(growth.queries, 5 * doublings);
+  EXPECT_LE(growth.steps, 100 * doublings * doublings);
+}
+
+TEST(Ray, QueriesGrowLikeTheLogarithmAndStepsLikeItsSquare) {
+  for (const unsigned n : {100U, 1000U, 10000U}) expect_growth("random_sphere", n, false);
+  expect_growth("random_sphere", 100000, true);
+  for (const char* family : {"crossed_parabolas", "crossed_fans", "prisms_posed", "plates"})
+    for (const unsigned n : {100U, 2000U}) expect_growth(family, n, false);
+}
+
+/// Rings of the paraboloid z = -(x^2 + y^2) / 17 that shrink by a factor of 2: near the tip every portal is cut down ring by ring.
+std::vector<Vector> shrinking_rings(unsigned rings) {
+  std::vector<Vector> points;
+  for (unsigned i = 0; i < rings; ++i) {
+    const mpz_class s = testing::power_of_two(i);
+    for (const auto& [x, y] : {std::pair{4, 1}, {1, 4}, {-4, 1}, {-1, 4}, {4, -1}, {1, -4}, {-4, -1}, {-1, -4}})
+      points.push_back({s * x, s * y, -s * s});
+  }
+  return points;
+}
+
+// The worst case of portals is real; the descent of both hierarchies takes over, and bounds the steps of all.
+TEST(Ray, StepsStayPolylogarithmicWherePortalsAreSlow) {
+  const std::vector<Vector> corner{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const unsigned rings : {20U, 80U, 160U}) {
+    SCOPED_TRACE(rings);
+    const Prepared a(corner), b(shrinking_rings(rings));
+    const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0), by_portals(a.hierarchy, b.hierarchy, ~0UL);
+    const mpz_class height = testing::power_of_two(2 * rings - 4);
+    const std::uint64_t doublings = std::bit_width(b.polytope.vertices.size());
+    std::mt19937_64 random(2);
+    std::uint64_t most = 0;
+    for (int i = 0; i < 30; ++i) {
+      const mpz_class wide = testing::power_of_two(random() % rings);
+      const Vector u{wide * static_cast<long>(random() % 5), wide * static_cast<long>(random() % 7), height};
+      const RayHit hit = usual.shoot(u, {0, 0, -height}), slow = by_portals.shoot(u, {0, 0, -height}),
+                   down = by_levels.shoot(u, {0, 0, -height});
+      ASSERT_TRUE(hit.interior);
+      ASSERT_EQ(std::tie(hit.factor, hit.normal), std::tie(slow.factor, slow.normal));
+      ASSERT_EQ(std::tie(hit.factor, hit.normal), std::tie(down.factor, down.normal));
+      most = std::max(most, slow.queries);
+      EXPECT_LE(down.steps, 60 * doublings * doublings);
+      EXPECT_LE(hit.steps, 160 * doublings * doublings);
+    }
+    EXPECT_GE(most, rings);
+  }
+}
+
+TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
+  for (const char* family :
+       {"random_sphere", "crossed_parabolas", "prisms_posed", "crossed_prisms", "parallel_edges", "common_normals", "plates"}) {
+    SCOPED_TRACE(family);
+    const Case input = families::find_family(family)->make(2, 300);
+    const Lattice lattice = common_lattice(input.a.points, input.b.points);
+    const Prepared a(lattice.a), b(lattice.b);
+    const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0);
+    std::mt19937_64 random(3);
+    const Vector on = b.polytope.vertices[5] - a.polytope.vertices[7];
+    for (const Vector& start : {Vector{0, 0, 0}, on, Vector{on.x / 2, on.y / 2, on.z / 2}, on + on}) {
+      for (int i = 0; i < 4; ++i) {
+        const Vector u = i == 0 ? b.polytope.facets[9].normal : testing::random_direction(random, i == 1 ? 2 : 30);
+        const RayHit hit = usual.shoot(u, start), down = by_levels.shoot(u, start);
+        ASSERT_EQ(std::tie(hit.hits, hit.interior, hit.factor, hit.normal, hit.height),
+                  std::tie(down.hits, down.interior, down.factor, down.normal, down.height));
+      }
+    }
+  }
+}
+
+TEST(Ray, RefusesAZeroDirection) {
+  const Prepared cube(std::vector<Vector>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  EXPECT_THROW((void)shoot_ray(cube.hierarchy, cube.hierarchy, {0, 0, 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fathom

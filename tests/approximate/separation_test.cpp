@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guarantee of APPROX-SEPARATION, decided exactly against the exact depth.
+#include "reference/approximate/separation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/approximate/grid/directions.hpp"
+#include "reference/width/width.hpp"
+#include "tests/approximate/naive_rays.hpp"
+#include "tests/support/check_depth.hpp"
+#include "tests/support/prepared.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cases_of_all_families;
+using testing::differences;
+using testing::quotient;
+
+mpq_class squared_length(const Point& t) { return t.x * t.x + t.y * t.y + t.z * t.z; }
+
+mpq_class square(const mpq_class& q) { return q * q; }
+
+/// bound <= depth <= |t| <= (1 + delta) bound, and t separates along the direction that is told.
+void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<const Point> a, std::span<const Point> b,
+                      const std::string& what) {
+  const Depth& depth = approx.depth;
+  EXPECT_EQ(depth.status, exact.status) << what;
+  EXPECT_EQ(std::pair(depth.flat_a, depth.flat_b), std::pair(exact.flat_a, exact.flat_b)) << what;
+  EXPECT_TRUE(depth.optima.empty()) << what;
+  EXPECT_EQ(squared_length(depth.translation), depth.squared) << what;
+  EXPECT_LE(exact.squared, depth.squared) << what;
+  EXPECT_LE(depth.squared, square(1 + approx.delta) * approx.bound_squared) << what;
+  EXPECT_LE(approx.bound_squared, exact.squared) << what;
+  if (exact.status != Status::penetrating) {
+    EXPECT_EQ(depth.squared, 0) << what;
+    EXPECT_EQ(approx.bound_squared, 0) << what;
+    EXPECT_EQ(depth.direction, exact.direction) << what;
+    EXPECT_FALSE(depth.contact || depth.witness) << what;
+    return;
+  }
+  const Vector& n = *depth.direction;
+  const mpq_class h = testing::support(a, b, n), s = h / dot(n, n);
+  EXPECT_EQ(depth.translation, (Point{s * n.x, s * n.y, s * n.z})) << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
+  ASSERT_TRUE(depth.contact) << what;
+  EXPECT_EQ(depth.contact->kind, testing::kind_of(depth.contact->a.size(), depth.contact->b.size())) << what;
+  if (!depth.witness) return;
+  EXPECT_EQ(
+      (Point{depth.witness->b.x - depth.witness->a.x, depth.witness->b.y - depth.witness->a.y, depth.witness->b.z - depth.witness->a.z}),
+      depth.translation)
+      << what;
+  EXPECT_TRUE(testing::in_hull(depth.witness->a, a, depth.contact->a)) << what;
+  EXPECT_TRUE(testing::in_hull(depth.witness->b, b, depth.contact->b)) << what;
+}
+
+TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
+  std::size_t penetrating = 0, off = 0;
+  for (const Case& input : cases_of_all_families(2, 9)) {
+    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 4)}) {
+      const ApproxDepth approx = approx_depth(input.a.points, input.b.points, delta);
+      expect_guarantee(approx, exact, input.a.points, input.b.points, input.id);
+      EXPECT_EQ(approx.rays, exact.status == Status::penetrating ? DirectionGrid(delta).size() : 0) << input.id;
+      if (exact.status == Status::penetrating) ++penetrating;
+      if (exact.squared < approx.depth.squared) ++off;
+    }
+  }
+  EXPECT_GT(penetrating, 100U);
+  EXPECT_GT(off, 0U) << "all exact: nothing was put to the test";
+}
+
+TEST(Separation, KeepsItsGuaranteeWithManyRays) {
+  const std::vector<Case> cases = cases_of_all_families(1, 6);
+  for (const Case& input : cases) {
+    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 100)), exact, input.a.points, input.b.points, input.id);
+  }
+  for (const char* name : {"random_sphere", "near_ties"}) {
+    const Case input = families::find_family(name)->make(1, 8);
+    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 2500)), exact, input.a.points, input.b.points, input.id);
+  }
+}
+
+// The plane of a facet instead of the hit point: never farther than the nearest hit, which the naive twin finds too.
+TEST(Separation, TheReachIsThatOfTheNearestRay) {
+  const mpq_class delta(1, 4);
+  const DirectionGrid grid(delta);
+  std::size_t shorter = 0, moved = 0;
+  for (const Case& input : cases_of_all_families(1, 8)) {
+    const Lattice lattice = common_lattice(input.a.points, input.b.points);
+    const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+    const Hierarchy hierarchy_a(a), hierarchy_b(b);
+    for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 0, -2}}) {
+      const Polytope p = differences(lattice, shift);
+      if (!testing::holds_origin(p)) continue;
+      if (!is_zero(shift)) ++moved;
+      const ApproxSeparation found = approx_separation(hierarchy_a, hierarchy_b, delta, shift);
+      mpq_class reach = -1;
+      for (std::uint64_t i = 0; i < grid.size(); ++i) {
+        const Vector u = grid.centre(i);
+        const mpq_class squared = square(testing::factor_naive(p, u)) * dot(u, u);
+        if (reach < 0 || squared < reach) reach = squared;
+      }
+      EXPECT_TRUE(found.inside);
+      EXPECT_EQ(found.reach_squared, reach) << input.id;
+      EXPECT_EQ(square(testing::factor_naive(p, found.ray)) * dot(found.ray, found.ray), reach) << input.id;
+      const mpq_class squared = quotient(found.height * found.height, dot(found.normal, found.normal));
+      EXPECT_LE(squared, reach) << input.id;
+      if (squared < reach) ++shorter;
+      const auto facet = std::find_if(p.facets.begin(), p.facets.end(), [&](const Facet& f) { return f.normal == found.normal; });
+      ASSERT_NE(facet, p.facets.end()) << input.id << ": not the normal of a facet";
+      EXPECT_EQ(testing::height(p, *facet), found.height) << input.id;
+    }
+  }
+  EXPECT_GT(shorter, 10U);
+  EXPECT_GT(moved, 10U);
+}
+
+// With O on the boundary some ray leaves P at once; outside, no ray says anything.
+TEST(Separation, OffTheInterior) {
+  const std::vector<Vector> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  const std::vector<Vector> point{{0, 0, 0}};
+  const Polytope a = convex_hull(point), b = convex_hull(corners);
+  const Hierarchy hierarchy_a(a), hierarchy_b(b);
+  for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 1, 0}, Vector{1, 1, 2}, Vector{3, 0, 1}}) {
+    const ApproxSeparation found = approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), shift);
+    EXPECT_TRUE(found.inside);
+    EXPECT_EQ(found.reach_squared, 0);
+    EXPECT_EQ(found.height, 0);
+  }
+  for (const Vector& shift : {Vector{2, 2, 2}, Vector{-1, 1, 1}}) {
+    EXPECT_FALSE(approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), shift).inside);
+  }
+  const ApproxSeparation inside = approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), {1, 1, 1});
+  EXPECT_TRUE(inside.inside);
+  EXPECT_EQ(quotient(inside.height * inside.height, dot(inside.normal, inside.normal)), mpq_class(1, 3));
+}
+
+TEST(ApproxWidth, KeepsItsGuaranteeWithHalfOfTheRays) {
+  std::size_t solids = 0;
+  for (const Case& input : cases_of_all_families(2, 10)) {
+    const std::vector<Point>& points = input.a.points;
+    const Depth exact = width(points);
+    for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 10)}) {
+      const ApproxDepth approx = approx_width(points, delta);
+      expect_guarantee(approx, exact, points, points, input.id);
+      if (exact.status != Status::penetrating) continue;
+      ++solids;
+      EXPECT_EQ(approx.rays, DirectionGrid(delta).size() / 2) << input.id;
+    }
+  }
+  EXPECT_GT(solids, 100U);
+}
+
+TEST(Separation, RefusesWhatIsNoDelta) {
+  const std::vector<Point> one{{0, 0, 0}}, none;
+  EXPECT_THROW(approx_depth(one, one, 0), std::invalid_argument);
+  EXPECT_THROW(approx_depth(one, one, mpq_class(-1, 3)), std::invalid_argument);
+  EXPECT_THROW(approx_width(one, 0), std::invalid_argument);
+  EXPECT_THROW(approx_depth(one, none, 1), std::invalid_argument);
+}
+
+TEST(Separation, ProgressCanStopTheRun) {
+  const Case input = families::find_family("random_sphere")->make(1, 20);
+  std::size_t calls = 0, stages = 0;
+  approx_depth(input.a.points, input.b.points, mpq_class(1, 50), [&](const std::string&, double share) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+    ++stages;
+    return true;
+  });
+  EXPECT_GT(stages, 4U);
+  for (std::size_t stop = 1; stop <= stages; ++stop) {
+    calls = 0;
+    EXPECT_THROW(approx_depth(input.a.points, input.b.points, mpq_class(1, 50), [&](const std::string&, double) { return ++calls < stop; }),
+                 Interrupted);
+    EXPECT_EQ(calls, stop);
+  }
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case made ready for walks over P, with P itself to compare.
+#pragma once
+
+#include <set>
+
+#include "kernels/nearest.hpp"
+#include "reference/files/body.hpp"
+#include "reference/polytope/hierarchy.hpp"
+#include "tests/approximate/naive_rays.hpp"
+
+namespace fathom::testing {
+
+using NormalSet = std::set<Vector, NearestPlanes::LexicographicOrder>;
+
+/// Both bodies with their hierarchies, and P itself.
+struct Scene {
+  explicit Scene(const Case& input)
+      : lattice(common_lattice(input.a.points, input.b.points)),
+        hull_a(convex_hull(lattice.a)),
+        hull_b(convex_hull(lattice.b)),
+        a(hull_a),
+        b(hull_b),
+        sum(differences(lattice)) {}
+  Lattice lattice;
+  Polytope hull_a, hull_b;
+  Hierarchy a, b;
+  Polytope sum;
+};
+
+}  // namespace fathom::testing

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SHALLOW-PENETRATION against the exact pipeline over all families, by exact equality; and which facets of P it looks at.
+#include "reference/approximate/shallow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "tests/approximate/shallow_scene.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
+#include "verify/families/random_bodies.hpp"
+#include "verify/families/solids.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::NormalSet;
+using testing::Scene;
+
+// ---- the answer ----
+
+void expect_same(const Depth& depth, const Depth& exact) {
+  EXPECT_EQ(depth.status, exact.status);
+  EXPECT_EQ(depth.squared, exact.squared);
+  EXPECT_EQ(depth.optima, exact.optima);
+  EXPECT_EQ(depth.direction, exact.direction);
+  EXPECT_EQ(depth.translation, exact.translation);
+  EXPECT_EQ(depth.contact, exact.contact);
+  EXPECT_EQ(depth.witness, exact.witness);
+  EXPECT_EQ(depth.flat_a, exact.flat_a);
+  EXPECT_EQ(depth.flat_b, exact.flat_b);
+  EXPECT_EQ(depth.extreme_a, exact.extreme_a);
+  EXPECT_EQ(depth.extreme_b, exact.extreme_b);
+}
+
+class EveryFamily : public ::testing::TestWithParam<families::Family> {};
+
+TEST_P(EveryFamily, EqualsTheExactPipeline) {
+  for (const unsigned size : {1U, 5U, 10U}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const Case input = GetParam().make(seed, size);
+      SCOPED_TRACE(input.id);
+      const Depth exact = penetration_depth(input.a.points, input.b.points);
+      Options validated;
+      validated.validate = true;
+      const Depth depth = shallow_depth(input.a.points, input.b.points, validated, seed == 1 ? mpq_class(1, 4) : mpq_class(seed - 1));
+      expect_same(depth, exact);
+      EXPECT_EQ(depth.counters.facets_visited > 0, depth.status == Status::penetrating);
+      EXPECT_EQ(depth.counters.rays > 0, depth.status == Status::penetrating);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shallow, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Shallow, EqualsTheExactPipelineOnTheCatalogue) {
+  for (const families::CatalogueEntry& entry : families::catalogue()) {
+    SCOPED_TRACE(entry.name);
+    const Depth exact = penetration_depth(entry.pair.a.points, entry.pair.b.points);
+    for (const mpq_class& delta : {mpq_class(1, 4), mpq_class(1)}) {
+      const Depth depth = shallow_depth(entry.pair.a.points, entry.pair.b.points, {}, delta);
+      expect_same(depth, exact);
+      EXPECT_EQ(depth.optima.size(), entry.optima);
+    }
+  }
+}
+
+// ---- which facets it visits ----
+
+/// The squared distance of a facet of P from O: at its foot, or on its boundary.
+mpq_class squared_distance(const Polytope& p, const Facet& f) {
+  const Vector& n = f.normal;
+  const mpz_class h = testing::height(p, f), square = dot(n, n);
+  std::optional<mpq_class> least;
+  bool foot_inside = true;
+  for (std::uint32_t i = f.begin; i < f.end; ++i) {
+    const Vector &u = p.vertices[p.corners[i]], &v = p.vertices[p.corners[i + 1 == f.end ? f.begin : i + 1]];
+    const Vector d = v - u;
+    if (det(n, d, -u) < 0) foot_inside = false;  // the foot is O moved along n
+    const mpq_class t = std::clamp(testing::quotient(-dot(u, d), dot(d, d)), mpq_class(0), mpq_class(1));
+    const mpq_class here = dot(u, u) + t * (2 * mpq_class(dot(u, d)) + t * dot(d, d));
+    if (!least || here < *least) least = here;
+  }
+  return foot_inside ? testing::quotient(h * h, square) : *least;
+}
+
+// Visited facets meet the ball, and the ball is such that those are within Theorem 3.5's count, (1 + delta) depth of O.
+TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    const Case input = GetParam().make(seed, 7);
+    SCOPED_TRACE(input.id);
+    const Scene scene(input);
+    for (const mpq_class& delta : {mpq_class(1, 2), mpq_class(2)}) {
+      const ShallowResult result = ShallowPenetration(scene.a, scene.b, delta).query();
+      EXPECT_EQ(result.inside, testing::holds_origin(scene.sum));
+      if (!result.inside) continue;
+      const mpq_class depth_squared = testing::quotient(result.nearest.numerator(), result.nearest.denominator());
+      EXPECT_LE(result.ball_radius_squared, (1 + delta) * (1 + delta) * depth_squared);
+      EXPECT_GE(result.ball_radius_squared, (1 + delta / 2) * (1 + delta / 2) * depth_squared);
+      std::uint64_t within = 0;
+      for (const Facet& f : scene.sum.facets) within += squared_distance(scene.sum, f) <= result.ball_radius_squared ? 1 : 0;
+      EXPECT_LE(result.facets, within);
+      EXPECT_GE(result.facets, result.nearest.directions().size());
+      EXPECT_GE(result.facets, result.starts);
+    }
+  }
+}
+
+/// Unit spheres of points, B's centre almost 2 away from A's: only their near sides overlap.
+Case spheres_that_overlap_a_little(unsigned points, const mpq_class& apart) {
+  families::Random random(points);
+  const Body a = families::random_sphere_body(random, points), b = families::random_sphere_body(random, points);
+  return {"shallow", a, families::translated(b, {apart, 0, 0})};
+}
+
+TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
+  for (const unsigned points : {100U, 400U}) {
+    const Case input = spheres_that_overlap_a_little(points, mpq_class(15, 8));
+    const Depth exact = penetration_depth(input.a.points, input.b.points), depth = shallow_depth(input.a.points, input.b.points);
+    expect_same(depth, exact);
+    ASSERT_EQ(depth.status, Status::penetrating) << points;
+    EXPECT_GE(exact.counters.crossings, 2U * points) << "facets of P; there are others";
+    EXPECT_LE(depth.counters.facets_visited, 20U) << points;
+  }
+}
+
+TEST(Shallow, TheWalkDoesNotGrowWithTheBodies) {
+  for (const unsigned points : {1000U, 8000U}) {
+    const Case input = spheres_that_overlap_a_little(points, mpq_class(99, 50));
+    const Lattice lattice = common_lattice(input.a.points, input.b.points);
+    const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+    const Hierarchy a(hull_a), b(hull_b);
+    const ShallowResult result = ShallowPenetration(a, b).query();
+    ASSERT_TRUE(result.inside);
+    EXPECT_LE(result.facets, 40U) << points;
+    EXPECT_LE(result.walk_steps, 1000U) << points;
+  }
+}
+
+// Then it is only slower: all of P is within a few depths of O.
+TEST(Shallow, ADeepPenetrationTakesItThroughAllOfP) {
+  const Case input{"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)};
+  const Depth depth = shallow_depth(input.a.points, input.b.points, {}, 2);
+  EXPECT_EQ(depth.counters.facets_visited, 6U);
+  EXPECT_EQ(depth.optima.size(), 6U);
+}
+
+// ---- bodies that move ----
+
+TEST(Shallow, ABodyMovesWithoutNewPreparation) {
+  for (const char* name : {"random_lattice", "boxes_aligned", "random_sphere", "polygon_solid", "exact_ties"}) {
+    const families::Family* family = families::find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    const Case input = family->make(2, 8);
+    const Scene scene(input);
+    ASSERT_EQ(scene.sum.rank, 3);
+    const ShallowPenetration bodies(scene.a, scene.b);
+    const mpz_class& unit = scene.lattice.denominator;
+    std::size_t inside = 0;
+    for (int i = 0; i < 40; ++i) {
+      const mpz_class step = unit > 4 ? mpz_class(unit / 4) : mpz_class(1);
+      const Vector shift{step * (i % 5 - 2), step * (i / 5 % 4 - 1), step * (i / 20 - 1)};
+      const Point by{testing::quotient(shift.x, unit), testing::quotient(shift.y, unit), testing::quotient(shift.z, unit)};
+      const Depth exact = penetration_depth(families::translated(input.a, by).points, input.b.points);
+      const ShallowResult result = bodies.query(shift);
+      EXPECT_TRUE(validate(result, scene.a, scene.b, shift).ok());
+      ASSERT_EQ(result.inside, exact.status == Status::penetrating) << name << i;
+      if (!result.inside) {
+        EXPECT_TRUE(result.nearest.empty());
+        continue;
+      }
+      ++inside;
+      EXPECT_EQ(testing::quotient(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared) << name << i;
+      NormalSet directions;
+      for (const Optimum& o : exact.optima) directions.insert(o.direction);
+      EXPECT_TRUE(std::ranges::equal(directions, result.nearest.directions())) << name << i;
+    }
+    EXPECT_GT(inside, 0U) << name;
+  }
+}
+
+TEST(Shallow, ValidateSeesWhatIsBroken) {
+  const Scene scene({"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)});
+  const ShallowResult result = ShallowPenetration(scene.a, scene.b).query();
+  EXPECT_TRUE(validate(result, scene.a, scene.b).ok());
+  ShallowResult broken = result;
+  broken.inside = false;
+  EXPECT_FALSE(validate(broken, scene.a, scene.b).ok());
+  broken = {};
+  broken.inside = true;
+  broken.nearest.offer({1, 1, 0}, 6);  // supports P along an edge
+  EXPECT_FALSE(validate(broken, scene.a, scene.b).ok());
+  broken.nearest = {};
+  broken.nearest.offer({1, 0, 0}, 2);  // a facet of P, and at 3
+  EXPECT_FALSE(validate(broken, scene.a, scene.b).ok());
+  EXPECT_FALSE(validate(result, scene.a, scene.b, {1, 0, 0}).ok());
+}
+
+TEST(Shallow, FlatSumsAndPlacesOutsideHaveNoDepth) {
+  const families::Family* flat = families::find_family("segment_segment");
+  const Scene segments(flat->make(1, 4));
+  EXPECT_FALSE(ShallowPenetration(segments.a, segments.b).query().inside);
+  const Scene solids(families::find_family("boxes_aligned")->make(1, 8));
+  const ShallowPenetration bodies(solids.a, solids.b);
+  EXPECT_FALSE(bodies.query({1000000, 0, 0}).inside);
+  EXPECT_FALSE(bodies.query(solids.sum.vertices.front()).inside) << "a vertex of P";
+  EXPECT_EQ(bodies.query(solids.sum.vertices.front()).facets, 0U);
+}
+
+// ---- what may go wrong ----
+
+TEST(Shallow, RefusesADeltaThatIsNotBetweenZeroAndTwo) {
+  const Case input = families::find_family("boxes_aligned")->make(1, 8);
+  for (const mpq_class& delta : {mpq_class(0), mpq_class(-1, 4), mpq_class(9, 4)}) {
+    EXPECT_THROW(shallow_depth(input.a.points, input.b.points, {}, delta), std::invalid_argument) << delta;
+    const Scene scene(input);
+    EXPECT_THROW(ShallowPenetration(scene.a, scene.b, delta), std::invalid_argument) << delta;
+  }
+  EXPECT_THROW(shallow_depth({}, input.b.points), std::invalid_argument);
+  Options options;
+  options.method = Method::shallow;
+  EXPECT_THROW(penetration_depth(input.a.points, input.b.points, options), std::invalid_argument)
+      << "the room to the left has no such method";
+}
+
+TEST(Shallow, ReportsProgressAndStopsWhenAsked) {
+  const Case input = families::find_family("crossed_patch")->make(1, 40);
+  std::map<std::string, int> calls;
+  Options options;
+  options.progress = [&](const std::string& stage, double share) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+    ++calls[stage];
+    return true;
+  };
+  const Depth depth = shallow_depth(input.a.points, input.b.points, options);
+  ASSERT_EQ(depth.status, Status::penetrating);
+  EXPECT_GT(depth.counters.facets_visited, 1000U) << "near ties are all near O";
+  EXPECT_GT(calls["hierarchies"], 0);
+  EXPECT_GT(calls["facets near the origin"], 2);
+  int left = 0;
+  for (const auto& [stage, count] : calls) left += count;
+  for (int stop = 1; stop <= left; ++stop) {
+    int asked = 0;
+    options.progress = [&](const std::string&, double) { return ++asked < stop; };
+    EXPECT_THROW(shallow_depth(input.a.points, input.b.points, options), Interrupted);
+    EXPECT_EQ(asked, stop);
+  }
+}
+
+}  // namespace
+}  // namespace fathom

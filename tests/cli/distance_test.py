@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The distance of disjoint bodies in what `fathom depth` says: with it, one signed function of a sweep across contact."""
+import json
+import unittest
+from fractions import Fraction
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, ROOT, UNIT, CliTest, box, case
+
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
+
+
+def numbers(point):
+    return [Fraction(x) for x in point]
+
+
+class Distance(CliTest):
+    def check(self, result):
+        """The laws of the fields, and that the translation is as long as they say."""
+        VALIDATOR.validate(result)
+        if result["status"] != "disjoint":
+            self.assertNotIn("distance", result)
+            return
+        distance = result["distance"]
+        t, n = numbers(distance["translation"]), numbers(distance["direction"])
+        self.assertEqual(sum(x * x for x in t), Fraction(distance["squared"]))
+        self.assertLess(sum(x * y for x, y in zip(t, n)), 0)
+        self.assertEqual([t[0] * n[1], t[1] * n[2], t[2] * n[0]], [t[1] * n[0], t[2] * n[1], t[0] * n[2]], "parallel")
+        witness = distance["witness"]
+        self.assertEqual([y - x for x, y in zip(numbers(witness["a"]), numbers(witness["b"]))], t)
+
+    def test_fields(self):
+        corner = [[3, 3, 3], [4, 3, 3], [3, 4, 3], [3, 3, 4]]
+        result = self.result("depth", "--digits", "4", self.file("a.xyz", UNIT), self.file("b.xyz", corner))
+        self.check(result)
+        self.assertEqual(list(result), ["schema", "id", "status", "depth", "translation", "direction", "contact", "witness", "optima",
+                                        "distance", "flat", "method"])
+        self.assertEqual({key: value for key, value in result["distance"].items() if key != "rounded"},
+                         {"squared": "12", "value": 12 ** 0.5, "enclosure": ["3.464", "3.465"], "direction": ["-1", "-1", "-1"],
+                          "translation": ["2", "2", "2"], "witness": {"a": ["1", "1", "1"], "b": ["3", "3", "3"]}})
+
+    def test_text(self):
+        a, b = self.file("a.xyz", UNIT), self.file("b.xyz", box([3, 0, 0], [4, 1, 1]))
+        out = self.answer("depth", "--digits", "2", a, b).splitlines()
+        self.assertEqual(out[:6], ["disjoint", "depth       0", "depth^2     0", "distance    2", "distance^2  4", "enclosure   [2, 2]"])
+        self.assertRegex(out[6], r"^nearest     \(1, .*\) of A, \(3, .*\) of B$")
+        line = self.answer("depth", "-", stdin=case(UNIT, box([3, 0, 0], [4, 1, 1]), id="apart"))
+        self.assertTrue(line.startswith("apart: disjoint; depth 0; distance 2; direction (-1, "), line)
+
+    def test_a_sweep_across_contact_is_one_function(self):
+        stream = "".join(case(UNIT, box([f"{16 + step}/16", "1/4", 0], [4, 2, 1])) for step in range(-4, 5))
+        signed = []
+        for line in self.answer("depth", "--json", "-", stdin=stream).splitlines():
+            result = json.loads(line)
+            self.check(result)
+            signed.append(-Fraction(result["distance"]["squared"]) if "distance" in result else Fraction(result["depth"]["squared"]))
+        self.assertEqual(signed, [Fraction(-step * abs(step), 256) for step in range(-4, 5)])
+
+    def test_real_cases(self):
+        disjoint = 0
+        for line in self.answer("depth", "--json", DATA / "real_cases.jsonl").splitlines():
+            result = json.loads(line)
+            self.check(result)
+            disjoint += result["status"] == "disjoint"
+        self.assertGreater(disjoint, 3)
+
+    def test_the_schema_has_teeth(self):
+        good = self.result("depth", self.file("a.xyz", UNIT), self.file("b.xyz", box([3, 0, 0], [4, 1, 1])))
+        for change in ({"squared": "0"}, {"squared": "-4"}, {"witness": None}, {"direction": None}, {"more": 1}):
+            self.assertFalse(VALIDATOR.is_valid({**good, "distance": {**good["distance"], **change}}), change)
+        self.assertFalse(VALIDATOR.is_valid({**good, "status": "touching"}))
+
+
+if __name__ == "__main__":
+    unittest.main()
