@@ -25,7 +25,7 @@ struct Answer {
   std::string id;
   Depth depth;                             ///< for `width`: of the body against itself
   std::size_t points_a = 0, points_b = 0;  ///< as given
-  std::string certificate;                 ///< as text, if one was asked for
+  std::string certificate = {};            ///< as text, if one was asked for
   std::optional<Approximation> approximation = std::nullopt;
 };
 
