@@ -13,6 +13,7 @@
 #ifdef FATHOM_BULLET
 #include "tests/benchmark/bullet_epa.hpp"
 #endif
+#include "tests/benchmark/times_reporter.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"
 
@@ -80,20 +81,13 @@ void add_instance(const families::Family& family, unsigned size, std::size_t cou
 }
 
 // Remembers each instance's times, to print ratios at the end.
-class RatioReporter : public benchmark::ConsoleReporter {
+class RatioReporter : public benchmarks::TimesReporter {
  public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      const std::string name = run.run_name.function_name;
-      const std::size_t slash = name.rfind('/');
-      if (!run.error_occurred) times_[name.substr(0, slash)][name.substr(slash + 1)] = run.GetAdjustedCPUTime();
-    }
-  }
+  RatioReporter() : TimesReporter(Time::processor) {}
 
   void Finalize() override {
     std::printf("\nanswer with certificate (and its check): processor time as a multiple of\n");
-    for (const auto& [instance, times] : times_) {
+    for (const auto& [instance, times] : this->times()) {
       const auto written = times.find("answer_and_text"), all = times.find("all");
       if (written == times.end() || all == times.end()) continue;
       std::printf("%-28s", instance.c_str());
@@ -104,9 +98,6 @@ class RatioReporter : public benchmark::ConsoleReporter {
       std::printf("\n");
     }
   }
-
- private:
-  std::map<std::string, std::map<std::string, double>> times_;
 };
 
 void add_all() {

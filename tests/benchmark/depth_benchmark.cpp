@@ -17,6 +17,7 @@
 #ifdef FATHOM_SGM
 #include "tests/oracles/sgm/sgm_oracle.hpp"
 #endif
+#include "tests/benchmark/times_reporter.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom {
@@ -71,20 +72,13 @@ void register_all(const char* family, std::initializer_list<unsigned> sizes) {
 }
 
 // Remembers each case's times, to print ratios at the end.
-class RatioReporter : public benchmark::ConsoleReporter {
+class RatioReporter : public benchmarks::TimesReporter {
  public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      const std::string name = run.run_name.function_name;
-      const std::size_t slash = name.rfind('/');
-      if (!run.error_occurred) times_[name.substr(0, slash)][name.substr(slash + 1)] = run.GetAdjustedRealTime();
-    }
-  }
+  RatioReporter() : TimesReporter(Time::real) {}
 
   void Finalize() override {
     std::printf("\ntime as a multiple of the pipeline's\n");
-    for (const auto& [instance, times] : times_) {
+    for (const auto& [instance, times] : this->times()) {
       const auto base = times.find("pipeline");
       if (base == times.end()) continue;
       std::printf("%-28s", instance.c_str());
@@ -94,9 +88,6 @@ class RatioReporter : public benchmark::ConsoleReporter {
       std::printf("\n");
     }
   }
-
- private:
-  std::map<std::string, std::map<std::string, double>> times_;
 };
 
 }  // namespace
