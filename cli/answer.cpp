@@ -2,10 +2,13 @@
 #include "cli/answer.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "reference/certificate/certificate.hpp"
 
 namespace fathom::cli {
+
+namespace {
 
 Answer answer_to(const Case& single, const Request& request, const Solve& solve, Progress& progress) {
   Options options;
@@ -22,6 +25,13 @@ Answer answer_to(const Case& single, const Request& request, const Solve& solve,
   }
   progress.clear();
   return answer;
+}
+
+}  // namespace
+
+Answering answer_by(const Request& request, Solve solve) {
+  return
+      [&request, solve = std::move(solve)](const Case& single, Progress& progress) { return answer_to(single, request, solve, progress); };
 }
 
 std::string_view name(Status status) {

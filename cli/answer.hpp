@@ -29,8 +29,9 @@ struct Answer {
   std::optional<Approximation> approximation = std::nullopt;
 };
 
-/// Computes the answer with the method that was asked for. Throws Interrupted when the user has asked to stop.
-Answer answer_to(const Case& single, const Request& request, const Solve& solve, Progress& progress);
+/// Answers with the method that was asked for, and with a certificate if one was. The answering throws Interrupted when the user has asked
+/// to stop. `request` must outlive it.
+Answering answer_by(const Request& request, Solve solve);
 
 /// The names that results use.
 std::string_view name(Status status);

@@ -19,19 +19,20 @@ namespace {
 void count_extreme_points(const Request& request, const Case& single, Depth& depth) {
   constexpr std::size_t quick = 20000;
   if (depth.method != Method::certificate || single.a.points.size() + single.b.points.size() > quick) return;
-  const Lattice lattice = common_lattice(single.a.points, request.command == Command::width ? single.a.points : single.b.points);
+  const bool one_body = request.command == Command::width;
+  const Lattice lattice = common_lattice(single.a.points, one_body ? single.a.points : single.b.points);
   depth.extreme_a = static_cast<std::uint32_t>(convex_hull(lattice.a).vertices.size());
-  depth.extreme_b = static_cast<std::uint32_t>(convex_hull(lattice.b).vertices.size());
+  if (!one_body) depth.extreme_b = static_cast<std::uint32_t>(convex_hull(lattice.b).vertices.size());
 }
 
 }  // namespace
 
-ExitCode answer_single(const Request& request, const Case& single, const Solve& solve) {
+ExitCode answer_single(const Request& request, const Case& single, const Answering& answering) {
   const Working working;
   std::optional<CertificateFile> file;
   if (!request.certificate.empty()) file.emplace(request.certificate);
   Progress progress;
-  Answer answer = answer_to(single, request, solve, progress);
+  Answer answer = answering(single, progress);
   count_extreme_points(request, single, answer.depth);
   if (const auto note = hull_note(answer, request)) talk(*note);
   if (file) file->write(answer.certificate);

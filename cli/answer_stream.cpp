@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "cli/answer.hpp"
@@ -13,23 +11,20 @@
 
 namespace fathom::cli {
 
-ExitCode answer_stream(const Request& request, const Solve& solve) {
-  std::size_t cases = 0, hulls = 0;
+ExitCode answer_stream(const Request& request, const Answering& answering) {
   std::optional<CertificateFolder> folder;
   if (!request.certificate.empty()) folder.emplace(request.certificate);
   StreamWork work;
   work.answer = [&](const Case& single, Progress& progress) {
     std::optional<CertificateFile> file;
     if (folder) file.emplace(folder->file(single.id));
-    const Answer answer = answer_to(single, request, solve, progress);
-    if (hull_note(answer, request)) ++hulls;
+    const Answer answer = answering(single, progress);
     if (file) file->write(answer.certificate);
     print(request.json ? json_result(answer, request) : text_line(answer, request));
+    return hull_note(answer, request).has_value();
   };
   if (request.json) work.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
-  const ExitCode code = for_each_case(request.inputs[0], work, &cases);
-  if (hulls > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls, cases));
-  return code;
+  return for_each_case(request.inputs[0], work);
 }
 
 }  // namespace fathom::cli

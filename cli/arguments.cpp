@@ -50,16 +50,20 @@ std::string check_digits(const std::string& value) {
   return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, shown(value));
 }
 
-std::string check_seed(const std::string& value) {
+std::optional<std::uint64_t> seed_of(const std::string& value) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), seed);
-  if (!value.empty() && error == std::errc() && end == value.data() + value.size()) return "";
+  return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
+}
+
+std::string check_seed(const std::string& value) {
+  if (seed_of(value)) return "";
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", shown(value));
 }
 
 /// What the options say, before it is known whether they go together.
 struct Texts {
-  std::string method = "auto", closest_lines, seed = "1";
+  std::string method = "auto", closest_lines;
   bool exact_decimals = false;
   std::string wrong_cases;  ///< what does not go together in `cases`
 };
@@ -90,7 +94,9 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
                  "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
       ->check(one_of({"cutting", "sampled", "naive"}, {}))
       ->type_name("NAME");
-  app.add_option("--seed", texts.seed, "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
+  app.add_option_function<std::string>(
+         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); },
+         "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
       ->check(check_seed)
       ->type_name("N");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
@@ -204,7 +210,6 @@ Arguments completed(Request request, const Texts& texts) {
   request.method = method_of(texts.method, !texts.closest_lines.empty());
   if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
   if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
-  std::from_chars(texts.seed.data(), texts.seed.data() + texts.seed.size(), request.seed);
   return {std::move(request), "", fine};
 }
 

@@ -23,7 +23,7 @@ class Stream {
     progress_.about(fmt::format("line {}", item.line));
     if (!item.ok()) return report(item, item.error().what(), bad_input);
     try {
-      work_.answer(item.value(), progress_);
+      hulls_ += work_.answer(item.value(), progress_);
     } catch (const Interrupted&) {
       throw;
     } catch (const OutputError&) {
@@ -37,10 +37,9 @@ class Stream {
 
   ExitCode finish() const {
     if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
+    if (hulls_ > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls_, cases_));
     return code_;
   }
-
-  [[nodiscard]] std::size_t cases() const { return cases_; }
 
  private:
   void report(const CaseItem& item, const std::string& sentence, ExitCode code) {
@@ -52,13 +51,13 @@ class Stream {
 
   const StreamWork& work_;
   Progress progress_;
-  std::size_t cases_ = 0, failed_ = 0;
+  std::size_t cases_ = 0, failed_ = 0, hulls_ = 0;
   ExitCode code_ = fine;
 };
 
 }  // namespace
 
-ExitCode for_each_case(const std::string& input, const StreamWork& work, std::size_t* cases) {
+ExitCode for_each_case(const std::string& input, const StreamWork& work) {
   std::ios::sync_with_stdio(false);  // whole blocks at a time; a pipe still yields each line as it comes
   CaseStream items = CaseStream::open(input, std::cin);
   if (!work.header.empty()) print(work.header);
@@ -67,7 +66,6 @@ ExitCode for_each_case(const std::string& input, const StreamWork& work, std::si
     stream.take(*item);
     if (interrupt_requested()) throw Interrupted();
   }
-  if (cases != nullptr) *cases = stream.cases();
   return stream.finish();
 }
 

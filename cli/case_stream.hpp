@@ -2,7 +2,6 @@
 // A stream of cases, one after another: what the commands that answer streams have in common.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -14,8 +13,9 @@ namespace fathom::cli {
 
 /// What a command does with the cases of a stream.
 struct StreamWork {
-  /// Answers one case and prints the answer. May throw anything.
-  std::function<void(const Case&, Progress&)> answer;
+  /// Answers one case and prints the answer. Tells whether convex hulls were taken of points that are not all extreme: the end says of
+  /// how many cases. May throw anything.
+  std::function<bool(const Case&, Progress&)> answer;
   /// What stands among the results for a case that has none; without it, the sentence goes to standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
   /// Stands before all results; empty: nothing.
@@ -23,8 +23,8 @@ struct StreamWork {
 };
 
 /// Answers each case of the stream called `input` before the next one is read. A bad case gets its error and the stream goes on; the
-/// exit code tells. A stream without any case is an error. `cases` gets the number of cases.
+/// exit code tells. A stream without any case is an error.
 /// Throws InputError when the stream cannot be read, OutputError, Interrupted.
-ExitCode for_each_case(const std::string& input, const StreamWork& work, std::size_t* cases = nullptr);
+ExitCode for_each_case(const std::string& input, const StreamWork& work);
 
 }  // namespace fathom::cli

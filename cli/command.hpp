@@ -12,6 +12,9 @@
 
 namespace fathom::cli {
 
+class Progress;
+struct Answer;
+
 /// These throw InputError, OutputError, Interrupted; anything else is a fault of ours.
 ExitCode run_depth(const Request& request);
 ExitCode run_width(const Request& request);
@@ -27,12 +30,15 @@ ExitCode run_check(std::vector<std::string> words);
 /// What a command computes for one case.
 using Solve = std::function<Depth(const Case&, const Options&)>;
 
+/// How a case is answered: answer_by, or approximating.
+using Answering = std::function<Answer(const Case&, Progress&)>;
+
 /// Prints the answer to one case.
-ExitCode answer_single(const Request& request, const Case& single, const Solve& solve);
+ExitCode answer_single(const Request& request, const Case& single, const Answering& answering);
 
 /// Prints the answer to each case of the stream that is named by the only input, before the next case is read. A bad case gets an
 /// error line and the stream goes on; the exit code tells. A stream without any case is an error.
-ExitCode answer_stream(const Request& request, const Solve& solve);
+ExitCode answer_stream(const Request& request, const Answering& answering);
 
 /// What `error`, caught from anything that is no input's fault, is to be called.
 std::string fault_text(const std::exception& error);

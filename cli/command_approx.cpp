@@ -2,15 +2,7 @@
 // fathom approx --delta D A B | CASES.jsonl | -          fathom width --delta D A | CASES.jsonl | -
 #include "cli/command_approx.hpp"
 
-#include <fmt/format.h>
-
 #include "cli/answer.hpp"
-#include "cli/case_stream.hpp"
-#include "cli/command.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/json_result.hpp"
-#include "cli/output.hpp"
-#include "cli/text_result.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/files/mesh.hpp"
 
@@ -29,33 +21,14 @@ Answer approximate_answer(const Case& single, const Request& request, Progress& 
 
 }  // namespace
 
-ExitCode approximate_single(const Request& request, const Case& single) {
-  const Working working;
-  Progress progress;
-  const Answer answer = approximate_answer(single, request, progress);
-  if (const auto note = hull_note(answer, request)) talk(*note);
-  print(request.json ? json_result(answer, request) : text_block(answer, request));
-  return fine;
-}
-
-ExitCode approximate_stream(const Request& request) {
-  std::size_t cases = 0, hulls = 0;
-  StreamWork work;
-  work.answer = [&](const Case& single, Progress& progress) {
-    const Answer answer = approximate_answer(single, request, progress);
-    if (hull_note(answer, request)) ++hulls;
-    print(request.json ? json_result(answer, request) : text_line(answer, request));
-  };
-  if (request.json) work.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
-  const ExitCode code = for_each_case(request.inputs[0], work, &cases);
-  if (hulls > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls, cases));
-  return code;
+Answering approximating(const Request& request) {
+  return [&request](const Case& single, Progress& progress) { return approximate_answer(single, request, progress); };
 }
 
 ExitCode run_approx(const Request& request) {
-  if (request.inputs.size() == 1) return approximate_stream(request);
+  if (request.inputs.size() == 1) return answer_stream(request, approximating(request));
   const std::string &a = request.inputs[0], &b = request.inputs[1];
-  return approximate_single(request, {a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)});
+  return answer_single(request, {a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)}, approximating(request));
 }
 
 }  // namespace fathom::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B | CASES.jsonl | -
+#include "cli/answer.hpp"
 #include "cli/command.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/files/mesh.hpp"
@@ -11,9 +12,10 @@ ExitCode run_depth(const Request& request) {
     if (options.method == Method::shallow) return shallow_depth(pair.a.points, pair.b.points, options);
     return penetration_depth(pair.a.points, pair.b.points, options);
   };
-  if (request.inputs.size() == 1) return answer_stream(request, solve);
+  const Answering answering = answer_by(request, solve);
+  if (request.inputs.size() == 1) return answer_stream(request, answering);
   const std::string &a = request.inputs[0], &b = request.inputs[1];
-  return answer_single(request, {a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)}, solve);
+  return answer_single(request, {a + " " + b, read_mesh(a, request.decimals), read_mesh(b, request.decimals)}, answering);
 }
 
 }  // namespace fathom::cli

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom metric --ball Q A B | CASES.jsonl | -
-#include <fmt/format.h>
-
 #include "cli/case_stream.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -29,19 +27,16 @@ MetricResult depth_of(const Case& pair, const UnitBall& ball, Progress& progress
 }
 
 ExitCode metric_stream(const Request& request, const UnitBall& ball) {
-  std::size_t cases = 0, hulls = 0;
   StreamWork work;
   work.answer = [&](const Case& pair, Progress& progress) {
     const MetricResult result = depth_of(pair, ball, progress);
-    if (hull_note(pair, result.extreme_a, result.extreme_b)) ++hulls;
     print(request.json ? metric_json(pair.id, result, ball) : metric_line(pair.id, result, ball));
+    return hull_note(pair, result.extreme_a, result.extreme_b).has_value();
   };
   if (request.json) {
     work.error_line = [](const CaseItem& item, const std::string& fault) { return metric_json_error(item.id, item.line, fault); };
   }
-  const ExitCode code = for_each_case(request.inputs[0], work, &cases);
-  if (hulls > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls, cases));
-  return code;
+  return for_each_case(request.inputs[0], work);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
-#include <fmt/format.h>
-
 #include "cli/case_stream.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -21,18 +19,15 @@ DirectionalDepth depth_of(const Case& pair, const Request& request, Progress& pr
 }
 
 ExitCode ray_stream(const Request& request) {
-  std::size_t cases = 0, hulls = 0;
   StreamWork work;
   work.answer = [&](const Case& pair, Progress& progress) {
     const DirectionalDepth depth = depth_of(pair, request, progress);
-    if (hull_note(pair, depth.extreme_a, depth.extreme_b)) ++hulls;
     print(request.json ? ray_json(pair.id, depth, request) : ray_line(pair.id, depth));
+    return hull_note(pair, depth.extreme_a, depth.extreme_b).has_value();
   };
   if (request.json)
     work.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };
-  const ExitCode code = for_each_case(request.inputs[0], work, &cases);
-  if (hulls > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls, cases));
-  return code;
+  return for_each_case(request.inputs[0], work);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ ExitCode study_stream(const Request& request) {
   work.answer = [&](const Case& pair, Progress& progress) {
     const Study study = study_of(pair, request, progress);
     print(request.csv ? study_csv_row(pair.id, study) : request.json ? study_json(pair.id, study) : study_line(pair.id, study));
+    return false;
   };
   if (request.csv) {
     work.header = study_csv_header();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom width [--delta D] A | CASES.jsonl | -
+#include "cli/answer.hpp"
 #include "cli/command.hpp"
 #include "cli/command_approx.hpp"
 #include "reference/approximate/shallow.hpp"
@@ -24,10 +25,9 @@ ExitCode run_width(const Request& request) {
     return width(body.a.points, options);
   };
   const std::string& input = request.inputs[0];
-  if (request.delta && names_stream(input)) return approximate_stream(request);
-  if (request.delta) return approximate_single(request, {input, read_mesh(input, request.decimals), {}});
-  if (names_stream(input)) return answer_stream(request, solve);
-  return answer_single(request, {input, read_mesh(input, request.decimals), {}}, solve);
+  const Answering answering = request.delta ? approximating(request) : answer_by(request, solve);
+  if (names_stream(input)) return answer_stream(request, answering);
+  return answer_single(request, {input, read_mesh(input, request.decimals), {}}, answering);
 }
 
 }  // namespace fathom::cli
