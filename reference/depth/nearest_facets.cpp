@@ -80,15 +80,7 @@ class Pipeline {
     const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
     if (options_.validate) insist(validate(pairs, charts, a_, b_));
     counters_.vertex_facet_pairs += pairs.size();
-    for (const VertexFacetPair& pair : pairs) {
-      const bool facet_of_a = pair.facet_of == Colour::a;
-      const Polytope& body = facet_of_a ? a_ : b_;
-      const std::uint32_t on_facet = body.corners[body.facets[pair.facet].begin];
-      const Vector& p = a_.vertices[facet_of_a ? on_facet : pair.vertex];
-      const Vector& q = b_.vertices[facet_of_a ? pair.vertex : on_facet];
-      const Vector& n = charts.node(pair.facet_of, pair.facet).exact();
-      nearest_.offer(n, dot(n, q - p));
-    }
+    offer(pairs, charts, a_, b_, nearest_);
   }
 
   void offer_crossing_edges(const CanonicalSubsets& subsets, const Charts& charts, double share) {

@@ -28,16 +28,19 @@ bool exact_corners_clear(const Grid& grid, LineRun rows, std::size_t of_row, Lin
   return true;
 }
 
+// The filter's verdict on the block, or exact arithmetic's where it has none.
+bool clear(CornerVerdict verdict, const Grid& grid, LineRun rows, std::size_t of_row, LineRun columns, std::size_t of_column,
+           const NearestPlanes& nearest) {
+  if (verdict != CornerVerdict::unsure) return verdict == CornerVerdict::beyond;
+  return exact_corners_clear(grid, rows, of_row, columns, of_column, nearest);
+}
+
 }  // namespace
 
 bool Clearing::vertex_clears(Lines rows, Lines columns, const NearestPlanes& nearest, const LineBound& bound) const {
   const LineRun r = span_of(rows), c = span_of(columns);
-  switch (corners_beyond(rows_, r, middle(rows), columns_, c, middle(columns), bound)) {
-    case CornerVerdict::beyond: return true;
-    case CornerVerdict::within: return false;
-    case CornerVerdict::unsure: break;
-  }
-  return exact_corners_clear(grid_, r, middle(rows), c, middle(columns), nearest);
+  const CornerVerdict verdict = corners_beyond(rows_, r, middle(rows), columns_, c, middle(columns), bound);
+  return clear(verdict, grid_, r, middle(rows), c, middle(columns), nearest);
 }
 
 double Clearing::estimate(Lines rows, Lines columns) const {
@@ -54,12 +57,7 @@ bool vertex_clears(const Grid& grid, const NearestPlanes& nearest, const LineBou
   const LineRun rows{0, grid.rows()}, columns{0, grid.columns()};
   const LineImages a = grid.row_images({0, rows.middle(), grid.rows() - 1}),
                    b = grid.column_images({0, columns.middle(), grid.columns() - 1});
-  switch (corners_beyond(a, {0, 3}, 1, b, {0, 3}, 1, bound)) {
-    case CornerVerdict::beyond: return true;
-    case CornerVerdict::within: return false;
-    case CornerVerdict::unsure: break;
-  }
-  return exact_corners_clear(grid, rows, rows.middle(), columns, columns.middle(), nearest);
+  return clear(corners_beyond(a, {0, 3}, 1, b, {0, 3}, 1, bound), grid, rows, rows.middle(), columns, columns.middle(), nearest);
 }
 
 }  // namespace fathom

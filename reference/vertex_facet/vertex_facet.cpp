@@ -14,6 +14,18 @@ std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts) {
   return pairs;
 }
 
+void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b, NearestPlanes& nearest) {
+  for (const VertexFacetPair& pair : pairs) {
+    const bool facet_of_a = pair.facet_of == Colour::a;
+    const Polytope& body = facet_of_a ? a : b;
+    const std::uint32_t on_facet = body.corners[body.facets[pair.facet].begin];
+    const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex];
+    const Vector& q = b.vertices[facet_of_a ? pair.vertex : on_facet];
+    const Vector& n = charts.node(pair.facet_of, pair.facet).exact();
+    nearest.offer(n, dot(n, q - p));
+  }
+}
+
 Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b) {
   Report report;
   std::array<std::vector<int>, 2> seen{std::vector<int>(charts.wall_of[0].size()), std::vector<int>(charts.wall_of[1].size())};

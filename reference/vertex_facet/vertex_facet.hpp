@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
 #include "reference/chart/chart.hpp"
 
@@ -24,6 +25,9 @@ struct VertexFacetPair {
 
 /// One pair for each node of either colour in this hemisphere.
 std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts);
+
+/// Offers the facets' planes, h(n) from the pair's vertex: AGHRS, PENETRATION-DEPTH, step 1.
+void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b, NearestPlanes& nearest);
 
 /// Checks that each node of the hemisphere occurs once and that its vertex is extreme, by a linear scan: O(facets * vertices).
 [[nodiscard]] Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b);

@@ -58,16 +58,6 @@ struct Limits {
   unsigned sampled_size = 300000;
 };
 
-void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b, NearestPlanes& nearest) {
-  for (const VertexFacetPair& pair : pairs) {
-    const bool of_a = pair.facet_of == Colour::a;
-    const Polytope& body = of_a ? a : b;
-    const std::uint32_t on_facet = body.corners[body.facets[pair.facet].begin];
-    const Vector& n = charts.node(pair.facet_of, pair.facet).exact();
-    nearest.offer(n, dot(n, b.vertices[of_a ? pair.vertex : on_facet] - a.vertices[of_a ? on_facet : pair.vertex]));
-  }
-}
-
 Row measure(const families::Family& family, unsigned size, const Limits& limits) {
   Row row;
   row.size = size;
