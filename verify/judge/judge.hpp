@@ -17,7 +17,7 @@
 namespace fathom {
 
 /// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
-/// the bodies' boxes, the larger of the two; an ulp is that of the subject's precision at the depth.
+/// the bodies' boxes, the larger of the two; an ulp is that of the subject's precision at the depth. Below 0 counts as 0.
 struct Tolerance {
   mpq_class relative{1, 1000};
   mpq_class absolute{1, 1'000'000};
@@ -38,8 +38,9 @@ struct Truth {
 /// The points rounded to the precision (to nearest), which is what a subject of that precision sees. Nothing if one overflows.
 std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision);
 
-/// Throws std::invalid_argument when a body is empty; options.progress may stop it.
-Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options = {.method = Method::certificate});
+/// Throws std::invalid_argument when a body is empty; options.progress may stop it. Without options: Method::certificate.
+Truth truth_about(std::vector<Point> a, std::vector<Point> b);
+Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options);
 
 struct Judgement {
   Verdict verdict = Verdict::garbage;
@@ -47,8 +48,10 @@ struct Judgement {
   std::optional<Accuracy> accuracy;  ///< of a pass with a depth
 
   Status status = Status::disjoint;  ///< the truth
-  mpq_class depth_squared;           ///< the truth
+  mpq_class depth_squared;           ///< the truth; 0 unless penetrating
+  mpq_class distance_squared;        ///< the truth; 0 unless disjoint
 
+  // Residuals are those of the claim as it stands, conventions undone, whatever the verdict; infinite beyond binary64.
   // Of a claimed depth, correctly rounded to nearest: how much it is too deep (below 0: too shallow).
   std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of depth 0
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative where the bodies are apart.
@@ -67,7 +70,8 @@ struct Judgement {
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
                 const Tolerance& tolerance = {});
 
-/// The same for points in binary64, all of it in one call.
+/// The same for points in binary64, all of it in one call; they are rounded to the precision first. Throws std::invalid_argument when a
+/// body is empty, or a coordinate is not finite or beyond the precision.
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions = {},
                 Precision precision = Precision::binary64, const Tolerance& tolerance = {});
 
