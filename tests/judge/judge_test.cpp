@@ -207,6 +207,11 @@ TEST(Judge, WitnessPoints) {
   EXPECT_EQ(findings(cubes(), with_witness(reply, {}, Triple{0.4, -3, 0.5})), Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1, 0.5, 0.5}, Triple{0.4, 0.5, 0.6})), Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1, nan, 0.5}, {})), Findings{Verdict::nan});
+  Reply undirected = reply;
+  undirected.direction.reset();
+  EXPECT_EQ(findings(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.4, 0.5, 0.5})), Findings{});
+  EXPECT_EQ(findings(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})), Findings{Verdict::witness_off});
+  EXPECT_NEAR(*judge(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})).witness_gap, 0.1, 1e-15);
   const Judgement off = judge(cubes(), with_witness(reply, Triple{1.25, 0.5, 0.5}, Triple{0.4, -3, 0.5}));
   EXPECT_EQ(off.witness_a_squared, mpq_class(1, 16));
   EXPECT_EQ(off.witness_b_squared, 9);

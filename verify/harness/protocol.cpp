@@ -14,8 +14,9 @@
 namespace fathom::harness {
 namespace {
 
+/// Read by strtod or by strtof, or by strtod and then rounded, it is the same number.
 std::string number(const mpq_class& value, Precision precision) {
-  if (precision == Precision::binary32) return fmt::format("{}", round_binary32(value, Rounding::rn));
+  if (precision == Precision::binary32) return fmt::format("{}", static_cast<double>(round_binary32(value, Rounding::rn)));
   return fmt::format("{}", round_binary64(value, Rounding::rn));
 }
 

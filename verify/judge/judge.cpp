@@ -71,14 +71,17 @@ class Judge {
     if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = nearest_root_binary64(*gap);
   }
 
-  /// |(b - a) - d u / |u||^2 for the claim as it stands.
+  /// |(b - a) - d u / |u||^2 for the claim as it stands; where no direction is claimed, (|b - a| - d)^2.
   [[nodiscard]] std::optional<Surd> squared_gap() const {
-    if (!claim_.witness_a || !claim_.witness_b || !claim_.depth || !claim_.direction) return std::nullopt;
+    if (!claim_.witness_a || !claim_.witness_b || !claim_.depth) return std::nullopt;
     const Point &a = *claim_.witness_a, &b = *claim_.witness_b;
-    const Vector& u = *claim_.direction;
     const mpq_class x = b.x - a.x, y = b.y - a.y, z = b.z - a.z, d = *claim_.depth;
+    const mpq_class apart = x * x + y * y + z * z;
+    if (!reply_.direction) return Surd{apart + d * d, -4 * d * abs(d) * apart};
+    if (!claim_.direction) return std::nullopt;
+    const Vector& u = *claim_.direction;
     const mpq_class along = d * (x * u.x + y * u.y + z * u.z);
-    return Surd{x * x + y * y + z * z + d * d, -4 * along * abs(along) / dot(u, u)};
+    return Surd{apart + d * d, -4 * along * abs(along) / dot(u, u)};
   }
 
   void classification() {

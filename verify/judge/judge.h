@@ -98,7 +98,7 @@ typedef struct fathom_judgement {
   double inconsistency; /* the claimed depth less the price */
   double overlap_left;  /* travel less the claimed depth, if that is positive */
   double witness_a_distance, witness_b_distance; /* from their bodies; 0 inside */
-  double witness_gap;   /* length of (b - a) - translation */
+  double witness_gap;   /* length of (b - a) - translation; without a direction | |b - a| - depth | */
 } fathom_judgement;
 
 void fathom_claim_init(fathom_claim *claim);

@@ -59,7 +59,8 @@ struct Judgement {
   std::optional<mpq_class> travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
   std::optional<double> inconsistency;      ///< the claimed depth less the price
   std::optional<double> overlap_left;       ///< travel less the claimed depth, where that is positive
-  // Of witness points: squared distances from their bodies, exact, and the length of (b - a) - translation, rounded.
+  // Of witness points: squared distances from their bodies, exact, and the length of (b - a) - translation, rounded;
+  // where no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;
   std::optional<double> witness_gap;
 
