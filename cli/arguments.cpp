@@ -11,6 +11,7 @@
 
 #include "cli/approx_arguments.hpp"
 #include "cli/cases_arguments.hpp"
+#include "cli/certify_arguments.hpp"
 #include "cli/help.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "reference/files/source.hpp"
@@ -68,10 +69,13 @@ struct Texts {
   std::string wrong_cases;  ///< what does not go together in `cases`
 };
 
+void add_input(CLI::App& app, Request& request, const char* place) {
+  app.add_option_function<std::string>(place, [&request](const std::string& path) { request.inputs.push_back(path); });
+}
+
 void add_inputs(CLI::App& app, Request& request, Texts& texts) {
   // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
-  for (const char* input : {"first", "second"})
-    app.add_option_function<std::string>(input, [&request](const std::string& path) { request.inputs.push_back(path); });
+  for (const char* place : {"first", "second"}) add_input(app, request, place);
   app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
 }
 
@@ -168,7 +172,9 @@ bool is_mesh_name(const std::string& path) {
 std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
 
 /// What is wrong with the number of inputs, or nothing.
-std::string wrong_inputs(const Request& request) {
+std::string wrong_inputs(Request& request, const Texts& texts) {
+  if (request.command == Command::cases) return texts.wrong_cases;
+  if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);
   const std::vector<std::string>& inputs = request.inputs;
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
   if (request.command == Command::width)
@@ -193,8 +199,7 @@ Method method_of(const std::string& text, bool asks_for_lines) {
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
-  if (const std::string fault = request.command == Command::cases ? texts.wrong_cases : wrong_inputs(request); !fault.empty())
-    return refusal(fault, command);
+  if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
   if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
@@ -235,11 +240,15 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       add_command(app, "study", "What is degenerate about two bodies.", study_examples, "fathom study [OPTIONS] A B | CASES.jsonl | -");
   add_study_options(study, request, texts);
   CLI::App& cases = add_command(app, "cases", "Test cases by name, or from two meshes.", cases_examples,
-                                "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B");
+                                "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE");
+  CLI::App& certify = add_command(app, "certify", "Where another implementation is wrong, case by case.", certify_examples,
+                                  "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -");
+  add_certify_options(certify, request);
+  add_input(certify, request, "first");
   app.add_subcommand("check", "Check certificates, independently.");  // for the list alone: it has a command line of its own
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
-  const CLI::App* const apps[] = {&depth, &width, approx, ray, metric, &study, &cases};  // in the order of `commands`
+  const CLI::App* const apps[] = {&depth, &width, approx, ray, metric, &study, &cases, &certify};  // in the order of `commands`
   const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 
   if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};

@@ -45,6 +45,7 @@ std::string body(const Body& body, const std::optional<Pose>& pose) {
 std::string case_json(const CaseText& text) {
   std::string result = R"({"schema":"fathom/case/1","id":)" + quoted(text.id);
   result += ",\"a\":" + body(text.a, text.pose_a) + ",\"b\":" + body(text.b, text.pose_b);
+  if (text.pose_rounding) result += R"(,"pose_rounding":"binary64")";
   if (!text.flags.empty()) result += ",\"flags\":" + array(text.flags, quoted);
   if (!text.source.empty()) {
     std::string source;

@@ -21,6 +21,7 @@ struct CaseText {
   std::vector<std::string> flags;
   std::vector<std::pair<std::string, std::string>> source;  ///< keys and texts
   std::string comment;
+  bool pose_rounding = false;  ///< readers round the placed points once to binary64
 };
 
 /// One line, without its newline. A coordinate is a JSON number if it is a binary64 number, in the shortest text that reads back as it;

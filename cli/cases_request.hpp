@@ -9,12 +9,13 @@
 namespace fathom::cli {
 
 struct CasesRequest {
-  enum class What { family, catalogue, list, from };
+  enum class What { family, catalogue, list, from, from_fcl };
   What what = What::family;
   std::string family;
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;       ///< none: the family's usual size
   std::optional<std::string> pose_a, pose_b;
+  std::string fcl;  ///< the file with the text of FCL's exceptions
 };
 
 }  // namespace fathom::cli

@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::size_t longest_name = 255;  // of a file, in bytes
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw InputError(path, 0, "cannot write a certificate: " + why);
+[[noreturn]] void refuse(const std::string& path, const std::string& why, const std::string& what = "certificate") {
+  throw InputError(path, 0, "cannot write a " + what + ": " + why);
 }
 
 bool is_safe(unsigned char c) {
@@ -38,10 +38,10 @@ std::string resolved(const std::string& path) {
 
 }  // namespace
 
-CertificateFile::CertificateFile(std::string path) : path_(resolved(path)) {
+CertificateFile::CertificateFile(std::string path, std::string what) : what_(std::move(what)), path_(resolved(path)) {
   struct stat found {};
   const bool exists = ::stat(path_.c_str(), &found) == 0;
-  if (exists && S_ISDIR(found.st_mode)) refuse(path, "is a directory");
+  if (exists && S_ISDIR(found.st_mode)) refuse(path, "is a directory", what_);
   if (exists && !S_ISREG(found.st_mode)) {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
@@ -49,7 +49,7 @@ CertificateFile::CertificateFile(std::string path) : path_(resolved(path)) {
     temporary_ = (folder / fmt::format(".fathom-{}.tmp", ::getpid())).string();  // short, whatever the name to come
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   }
-  if (descriptor_ < 0) refuse(path, std::strerror(errno));
+  if (descriptor_ < 0) refuse(path, std::strerror(errno), what_);
 }
 
 CertificateFile::~CertificateFile() {
@@ -72,7 +72,7 @@ void CertificateFile::write(std::string_view text) {
 void CertificateFile::fail() {
   const std::string why = std::strerror(errno);
   if (descriptor_ < 0 && !temporary_.empty()) ::unlink(temporary_.c_str());  // else the destructor sees to it
-  throw OutputError(path_ + ": cannot write the certificate: " + why);
+  throw OutputError(path_ + ": cannot write the " + what_ + ": " + why);
 }
 
 CertificateFolder::CertificateFolder(std::string path) : path_(std::move(path)) {

@@ -8,11 +8,11 @@
 
 namespace fathom::cli {
 
-/// A file that appears with all of its content or not at all. Made before the content is known, so that a hopeless path is found out early.
+/// A file, of a certificate or a report, that appears with all of its content or not at all. Made before the content is known, so that a hopeless path is found out early.
 class CertificateFile {
  public:
-  /// Throws InputError when nothing can be written there.
-  explicit CertificateFile(std::string path);
+  /// `what` is for messages. Throws InputError when nothing can be written there.
+  explicit CertificateFile(std::string path, std::string what = "certificate");
   ~CertificateFile();
   CertificateFile(const CertificateFile&) = delete;
   CertificateFile& operator=(const CertificateFile&) = delete;
@@ -23,7 +23,7 @@ class CertificateFile {
  private:
   [[noreturn]] void fail();
 
-  std::string path_, temporary_;  // no temporary: what exists is no regular file, and is written to as it is
+  std::string what_, path_, temporary_;  // no temporary: what exists is no regular file, and is written to as it is
   int descriptor_ = -1;
 };
 

@@ -23,6 +23,7 @@ ExitCode run_ray(const Request& request);
 ExitCode run_metric(const Request& request);
 ExitCode run_study(const Request& request);
 ExitCode run_cases(const Request& request);
+ExitCode run_certify(const Request& request);
 
 /// Takes the words behind "check"; says itself what is wrong with them.
 ExitCode run_check(std::vector<std::string> words);

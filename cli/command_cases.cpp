@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom cases --family NAME | --catalogue | --list | --from A B
+// fathom cases --family NAME|all | --catalogue | --list | --from A B | --from-fcl FILE
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/cases_fcl.hpp"
 #include "cli/cases_json.hpp"
 #include "cli/cases_pose.hpp"
 #include "cli/command.hpp"
@@ -21,6 +22,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr std::size_t suggestions = 3, longest_name = 60;
+constexpr std::string_view every_family = "all";
 
 /// The least number of letters to insert, delete or replace.
 std::size_t edits(std::string_view from, std::string_view to) {
@@ -49,25 +51,34 @@ std::vector<std::string_view> nearest_names(std::string_view name) {
   return names;
 }
 
+void print_case_of(const families::Family& family, std::uint64_t seed, const CasesRequest& request) {
+  const unsigned size = request.size.value_or(family.usual_size);
+  const Case pair = family.make(seed, size);
+  print(case_json({pair.id,
+                   pair.a,
+                   pair.b,
+                   {},
+                   {},
+                   {},
+                   {{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}},
+                   ""}));
+}
+
+/// Each family in turn with the first seed, then each with the second, until there are enough.
+ExitCode print_all_families(const CasesRequest& request) {
+  const auto all = families::families();
+  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(all[i % all.size()], request.seed + i / all.size(), request);
+  return fine;
+}
+
 ExitCode print_family(const CasesRequest& request) {
+  if (request.family == every_family) return print_all_families(request);
   const families::Family* family = families::find_family(request.family);
   if (!family)
     throw InputError("--family", 0,
                      fmt::format("{} is unknown (nearest: {}; --list lists all)", shown(request.family),
                                  fmt::join(nearest_names(request.family), ", ")));
-  const unsigned size = request.size.value_or(family->usual_size);
-  for (std::uint64_t i = 0; i < request.count; ++i) {
-    const std::uint64_t seed = request.seed + i;
-    const Case pair = family->make(seed, size);
-    print(case_json({pair.id,
-                     pair.a,
-                     pair.b,
-                     {},
-                     {},
-                     {},
-                     {{"family", request.family}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}},
-                     ""}));
-  }
+  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(*family, request.seed + i, request);
   return fine;
 }
 
@@ -110,6 +121,7 @@ ExitCode run_cases(const Request& request) {
     case CasesRequest::What::catalogue: return print_catalogue();
     case CasesRequest::What::list: return print_list();
     case CasesRequest::What::from: return print_meshes(request);
+    case CasesRequest::What::from_fcl: return print_fcl_cases(request.cases.fcl);
   }
   return internal_error;
 }

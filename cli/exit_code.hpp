@@ -4,12 +4,13 @@
 
 namespace fathom::cli {
 
-/// Exit codes; 1 (a verdict failed, a certificate was refused) and 4 (incomplete) belong to commands that judge.
-/// In a stream the largest that occurred counts.
+/// Exit codes; in a stream the largest that occurred counts.
 enum ExitCode : int {
   fine = 0,
+  judged_wrong = 1,    ///< a verdict failed, a certificate was refused
   bad_input = 2,       ///< usage; or input malformed, missing, unreadable, empty, a directory
   internal_error = 3,  ///< a fault of fathom itself, or output cannot be written
+  incomplete = 4,      ///< not every case could be put to the subject
   interrupted = 130,   ///< Ctrl-C
 };
 

@@ -19,6 +19,8 @@ inline constexpr std::string_view general_examples =
     "  fathom metric --ball q.off a.off b.stl   depth in a polyhedral norm or gauge with the unit ball q.off\n"
     "  fathom study a.off b.stl                 what is degenerate about two bodies, by name and in counts\n"
     "  fathom cases --family near_ties          test cases by name, as input for the others\n"
+    "  fathom certify --adapter libccd-epa cases.jsonl\n"
+    "                                           where is a library wrong, and by how much?\n"
     "  fathom check proof.cert                  is this certificate a proof? by a checker that shares nothing with the rest\n"
     "  fathom depth --help                      every option of a command\n";
 
@@ -86,19 +88,40 @@ inline constexpr std::string_view cases_examples =
     "                                           generated and answered\n"
     "  fathom cases --catalogue                 all named degenerate pairs\n"
     "  fathom cases --from a.obj b.obj --pose-b \"0 -1 0 1/2; 1 0 0 0; 0 0 1 0\"\n"
-    "                                           two meshes as one case; B turned and moved\n";
+    "                                           two meshes as one case; B turned and moved\n"
+    "  fathom cases --from-fcl error.log | fathom depth -\n"
+    "                                           the pairs that FCL printed when it threw\n";
+
+inline constexpr std::string_view certify_examples =
+    "Examples\n"
+    "  fathom certify --list-adapters           the libraries for which a subject is built\n"
+    "  fathom certify --adapter libccd-epa tests/data/real_cases.jsonl\n"
+    "                                           every case through libccd's EPA; a table of verdicts\n"
+    "  fathom certify --subject ./mine --report verdicts.jsonl cases.jsonl\n"
+    "                                           your own program, by the protocol of verify/PROTOCOL.md\n"
+    "  fathom certify --subject ./mine --report verdicts.jsonl --resume cases.jsonl\n"
+    "                                           goes on where a run was cut short\n"
+    "  fathom certify --replay replies.jsonl cases.jsonl\n"
+    "                                           answers that were recorded elsewhere\n"
+    "  fathom cases --family near_ties --count 500 | fathom certify --adapter bullet-epa --metamorphic -\n"
+    "                                           each case also swapped, moved, reordered and scaled\n"
+    "  fathom certify --subject ./mine --expect-fail known.txt --junit junit.xml cases.jsonl\n"
+    "                                           in continuous integration: strict about known failures\n"
+    "  fathom certify --adapter libccd-epa --shrink small --html page.html cases.jsonl\n"
+    "                                           the smallest case of each verdict, and a page to look at\n";
 
 inline constexpr std::string_view footer =
     "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.\n"
     "Results go to standard output, everything else to standard error.\n"
-    "Exit codes: 0 fine; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error; 130 interrupted.\n";
+    "Exit codes: 0 fine; 1 a verdict failed; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error;\n"
+    "4 incomplete; 130 interrupted.\n";
 
 inline std::string footer_text() { return std::string(footer); }
 
 /// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "check"};
+inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "certify", "check"};
 
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"certify", "golden", "explain"};
+inline constexpr std::string_view absent_commands[] = {"golden", "explain"};
 
 }  // namespace fathom::cli

@@ -47,7 +47,7 @@ void Progress::about(std::string what) {
 bool Progress::report(const std::string& stage, double share) {
   const std::lock_guard lock(mutex_);
   stage_ = stage;
-  share_ = std::clamp(share, 0.0, 1.0);
+  share_ = std::min(share, 1.0);
   active_ = true;
   return !interrupt_requested();
 }
@@ -66,12 +66,13 @@ void Progress::keep_drawing() {
 }
 
 void Progress::draw() {
-  const int filled = static_cast<int>(share_ * bar_width);
+  const int filled = static_cast<int>(std::max(share_, 0.0) * bar_width);
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin_).count();
   line_is_open(true);
   drawn_ = true;
-  put(fmt::format("\r\033[K{}[{:#<{}}{:.<{}}] {:3.0f}% {} {} s", what_.empty() ? "" : what_ + " ", "", filled, "", bar_width - filled,
-                  100 * share_, stage_, seconds));
+  const std::string what = what_.empty() ? "" : what_ + " ";
+  if (share_ < 0) return put(fmt::format("\r\033[K{}{} {} s", what, stage_, seconds));
+  put(fmt::format("\r\033[K{}[{:#<{}}{:.<{}}] {:3.0f}% {} {} s", what, "", filled, "", bar_width - filled, 100 * share_, stage_, seconds));
 }
 
 void Progress::erase() {

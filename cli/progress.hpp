@@ -19,7 +19,7 @@ class Progress {
 
   /// Names what the next reports are about: "line 12". Does not restart the clock.
   void about(std::string what);
-  /// For Options::progress. False once the user has asked to stop.
+  /// For Options::progress. False once the user has asked to stop. A share below 0 is unknown, and has no bar.
   bool report(const std::string& stage, double share);
   /// Takes the bar off the screen until the next report, so that other text can be printed.
   void clear();

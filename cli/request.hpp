@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "cli/cases_request.hpp"
+#include "cli/certify_request.hpp"
 #include "kernels/number/parse.hpp"
 #include "reference/depth/depth.hpp"
 
 namespace fathom::cli {
 
-enum class Command { depth, width, approx, ray, metric, study, cases };
+enum class Command { depth, width, approx, ray, metric, study, cases, certify };
 
 struct Request {
   Command command = Command::depth;
@@ -32,6 +33,7 @@ struct Request {
   std::optional<Point> direction;  ///< ray
   std::string ball;                ///< metric: a mesh
   CasesRequest cases;
+  CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# After `cmake --install`, a foreign project says find_package(fathom), links fathom::reference and includes <fathom/fathom.hpp>.
+# After `cmake --install`, a foreign project says find_package(fathom), links fathom::reference and includes <fathom/fathom.hpp>; or links
+# fathom::judge and includes <fathom/verify/judge/judge.hpp>, or in C <fathom/verify/judge/judge.h>.
 # It needs GMP, MPFR and fmt, which the static libraries link; CGAL and nlohmann-json were used in their making only.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -9,7 +10,10 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fathom)
 target_sources(fathom_reference PUBLIC FILE_SET umbrella TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/cmake
   FILES ${PROJECT_SOURCE_DIR}/cmake/fathom.hpp)
 
-foreach(room kernels reference)
+target_sources(fathom_judge PUBLIC FILE_SET c_interface TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+  FILES ${PROJECT_SOURCE_DIR}/verify/judge/judge.h)
+
+foreach(room kernels reference judge)
   set_target_properties(fathom_${room} PROPERTIES EXPORT_NAME ${room})
   add_library(fathom::${room} ALIAS fathom_${room})
 endforeach()
@@ -21,10 +25,13 @@ install(TARGETS fathom_kernels EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAK
 install(TARGETS fathom_reference EXPORT fathom
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom
   FILE_SET umbrella DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
+install(TARGETS fathom_judge EXPORT fathom
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom
+  FILE_SET c_interface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
 install(TARGETS fathom_check EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
 install(TARGETS fathom-check)
 install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
-install(FILES verify/check/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES verify/check/FORMAT.md verify/judge/VERDICTS.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/fathomConfig.cmake.in ${PROJECT_BINARY_DIR}/fathomConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -52,6 +52,18 @@ class Families(CasesTest):
         largest = self.cases("--family", "random_ball", "--count", 2, "--seed", 2**64 - 1)
         self.assertEqual([case["id"] for case in largest], [f"random_ball-n20-s{2**64 - 1}", "random_ball-n20-s0"])
 
+    def test_all_families_in_turn(self):
+        names = self.families()
+        self.assertNotIn("all", names)
+        cases = self.cases("--family", "all", "--count", 2 * len(names) + 1, "--seed", 5, "--size", 6)
+        self.assertEqual([case["source"]["family"] for case in cases], names + names + names[:1])
+        self.assertEqual([case["source"]["seed"] for case in cases], ["5"] * len(names) + ["6"] * len(names) + ["7"])
+        self.assertEqual(len({case["id"] for case in cases}), len(cases))
+        for case in cases[::20]:
+            self.assertEqual(self.cases("--family", case["source"]["family"], "--seed", case["source"]["seed"], "--size", 6), [case])
+        usual, = self.cases("--family", "all")
+        self.assertEqual(self.cases("--family", names[0]), [usual])
+
     def test_numbers_are_exact_for_every_reader(self):
         """What a program in doubles reads is the coordinate itself: a number when it is one, a string when it is not."""
         kinds = set()
@@ -157,7 +169,7 @@ class Misuse(CasesTest):
                 self.assertIn(f"{option}: expected an integer from {low} to {high}", self.refused("cases", "--family", "cube", f"{option}={value}"))
 
     def test_what_does_not_go_together(self):
-        one_of = "cases expects one of --family, --catalogue, --list and --from"
+        one_of = "cases expects one of --family, --catalogue, --list, --from and --from-fcl"
         self.assertIn(one_of + ", found none", self.refused("cases"))
         self.assertIn(one_of + ", found none", self.refused("cases", A, B))
         self.assertIn(one_of + ", found several", self.refused("cases", "--list", "--catalogue"))
@@ -174,7 +186,7 @@ class Misuse(CasesTest):
     def test_help(self):
         out = self.answer("cases", "--help")
         self.assertTrue(out.startswith("Examples\n  fathom cases "), out)
-        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--from", "--pose-a", "--pose-b", "--exact-decimals"):
+        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
             self.assertIn(f"\n  {option} ", out)
 
 

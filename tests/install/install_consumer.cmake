@@ -15,11 +15,20 @@ file(RENAME ${WORK}/first "${WORK}/moved here")
 set(prefix "${WORK}/moved here")
 
 run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/consumer
-  "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=Release)
+  "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=Release
+  -DEXAMPLES=${CMAKE_CURRENT_LIST_DIR}/../../verify/examples)
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
 if(NOT output STREQUAL "depth^2 1/100 along -1 0 0\n")
   message(FATAL_ERROR "the consumer printed '${output}'")
+endif()
+run(${WORK}/consumer/judge_c)
+if(NOT output STREQUAL "too-deep: too deep by 0.4392: 1.0392 is claimed, the depth is 0.6\n")
+  message(FATAL_ERROR "the consumer in C printed '${output}'")
+endif()
+run(${WORK}/consumer/judge_in_googletest)
+if(NOT output MATCHES "PASSED  .* 3 tests")
+  message(FATAL_ERROR "the example with GoogleTest printed '${output}'")
 endif()
 
 file(GLOB_RECURSE headers "${prefix}/include/*.hpp")

@@ -138,6 +138,14 @@ grep -q '50% tests passed, 1 tests failed out of 2' "$work/out" || broken "closi
 grep -q '100% tests passed, 0 tests failed out of 1' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
 "$tree/check" -R no-such-test >"$work/out" 2>"$work/talk" && broken 'no test at all is no success'
 
+law='a part with packages of its own is asked for by its option alone, and before it is built'
+printf '[build]\nbash\n[test]\nbash\n[subjects]\nno-such-adapter-package\n' >"$tree/cmake/packages.txt"
+expect 0 five "$tree/fathom"
+expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom" certify --adapter some
+expect_talk 'apt-get install -y --no-install-recommends no-such-adapter-package'
+expect 3 'five|certify|--subject|some' "$tree/fathom" certify --subject some
+expect 3 'five|certify|--|--adapter' "$tree/fathom" certify -- --adapter
+
 law='after check, fathom has nothing to do'
 expect 0 five "$tree/fathom"
 expect_silence

@@ -3,7 +3,7 @@
 """Checks the laws that keep the rooms apart; prints one line per breach and exits with 1 if there is any.
 
 order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by name
-doors     the headers of kernels and reference include only the standard library, GMP and each other
+doors     the headers of kernels, reference and verify/judge include only the standard library, GMP and each other
 cgal      only the files listed in cmake/cgal_files.txt include CGAL or Boost, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
@@ -27,12 +27,18 @@ ORDER = [
     ["reference/width"],
     ["reference/approximate", "reference/certificate"],
     ["cmake"],  # the umbrella header
-    ["verify/check", "verify/families", "verify/study"],
+    ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples"],
+    ["verify/judge"],
+    ["verify/harness", "verify/golden"],
     ["cli"],
     ["tests"],
 ]
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
+CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
+ALONE = ("verify/subjects", "verify/examples")  # programs of their own: they know other libraries, and nothing of ours
+DOORS = ("kernels/", "reference/", "verify/judge/")
+APACHE = ("verify/check/", "verify/examples/")
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 350
@@ -60,8 +66,10 @@ def room_of(path):
 def order_breach(room, target):
     if room == target:
         return None
-    if target == CLOSED and room not in ("cli", "tests"):
+    if target == CLOSED and room not in CLOSED_TO_ALL_BUT:
         return f"{CLOSED} shares nothing with {room}"
+    if room in ALONE or target in ALONE:
+        return f"{room if room in ALONE else target} stands alone"
     return None if PLACE[target] < PLACE[room] else f"{target} is not to the left of {room}"
 
 
@@ -71,7 +79,7 @@ def include_breaches(root, path, text, listed):
     if room is None:
         yield "order", "this folder is no known room: give it a place in tests/layers/layers.py"
         return
-    door = name.endswith(".hpp") and name.startswith(("kernels/", "reference/")) and not name.endswith("_cgal.hpp")
+    door = name.endswith(".hpp") and name.startswith(DOORS) and not name.endswith("_cgal.hpp")
     for quote, target in INCLUDE.findall(text):
         if target.startswith(("CGAL/", "boost/")):
             if name not in listed:
@@ -101,7 +109,7 @@ def source_breaches(root, path, text, listed):
 def licence_breaches(name, text):
     lines = text.split("\n", 2)
     line = lines[1] if lines[0].startswith("#!") and len(lines) > 1 else lines[0]
-    licence = "Apache-2.0" if name.startswith(CLOSED + "/") else "GPL-3.0-or-later"
+    licence = "Apache-2.0" if name.startswith(APACHE) else "GPL-3.0-or-later"
     if not re.fullmatch(rf"(//|#) SPDX-License-Identifier: {re.escape(licence)}", line):
         yield "licence", f"the first line is not SPDX-License-Identifier: {licence}"
 

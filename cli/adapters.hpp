@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The subjects that come with fathom, by name.                                                    [verify/subjects/README.md]
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fathom::cli {
+
+struct Adapter {
+  std::string name;     ///< "libccd-epa"
+  std::string program;  ///< "fathom-subject-libccd"
+  std::string argument;
+  std::string description;
+};
+
+const std::vector<Adapter>& adapters();
+
+/// The file of the adapter's program: beside fathom's own, or in ../libexec/fathom from there. Empty if it is in neither place.
+std::string program_of(const Adapter& adapter);
+
+/// The shell command for "NAME" or "NAME,key=value,...". InputError when there is no such adapter, or its program was not built.
+std::string adapter_command(const std::string& words);
+
+}  // namespace fathom::cli

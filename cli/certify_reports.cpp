@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/certify_reports.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "cli/certificate_file.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "reference/certificate/certificate.hpp"
+#include "verify/check/check.hpp"
+#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/junit.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using harness::ExpectedFailures;
+using harness::HtmlFailure;
+using harness::Outcome;
+
+/// The proof of the truth about a case, accepted by the checker.
+std::string certificate_of(const Case& seen, Progress& progress) {
+  Options options;
+  options.method = Method::certificate;
+  options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
+  const Depth depth = penetration_depth(seen.a.points, seen.b.points, options);
+  Certificate certificate = make_certificate(seen.a.points, seen.b.points, depth, options);
+  certificate.id = seen.id;
+  const std::string text = certificate_text(certificate);
+  if (const fathom_check::Verdict verdict = fathom_check::verify(text); !verdict.accepted())
+    throw std::logic_error("the certificate of case " + seen.id + " was refused: " + verdict.reason);
+  return text;
+}
+
+/// Writes one certificate for each failing case; by index of the outcome, the file's name.
+std::map<std::size_t, std::string> write_certificates(const CertifyRequest& certify, Collector& found) {
+  std::map<std::size_t, std::string> names;
+  if (certify.certificates.empty()) return names;
+  CertificateFolder folder(certify.certificates);
+  for (const FailedCase& failed : found.failed()) {
+    const Outcome& outcome = found.outcomes()[failed.outcome];
+    const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
+    CertificateFile(path).write(certificate_of(failed.seen, found.progress()));
+    names[failed.outcome] = path;
+    if (interrupt_requested()) throw Interrupted();
+  }
+  return names;
+}
+
+std::vector<HtmlFailure> shown_failures(const Collector& found, const std::map<std::size_t, std::string>& certificates) {
+  std::map<std::size_t, const Case*> cases;
+  for (const FailedCase& failed : found.failed()) cases[failed.outcome] = &failed.seen;
+  std::vector<HtmlFailure> shown;
+  for (const std::size_t index : harness::failures_to_show(found.outcomes())) {
+    const auto certificate = certificates.find(index);
+    shown.push_back({found.outcomes()[index], *cases.at(index), certificate == certificates.end() ? "" : certificate->second});
+  }
+  return shown;
+}
+
+}  // namespace
+
+void probe_reports(const CertifyRequest& certify) {
+  for (const std::string* path : {&certify.junit, &certify.html, &certify.write_expect_fail})
+    if (!path->empty()) CertificateFile(*path, "report");
+  for (const std::string* path : {&certify.certificates, &certify.shrink})
+    if (!path->empty()) CertificateFolder{*path};
+}
+
+void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
+                   const std::optional<ExpectedFailures::Check>& known) {
+  const std::map<std::size_t, std::string> certificates = write_certificates(certify, found);
+  if (!certify.junit.empty())
+    CertificateFile(certify.junit, "report").write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check())));
+  if (!certify.html.empty())
+    CertificateFile(certify.html, "report")
+        .write(harness::html_page(info, found.outcomes(), shown_failures(found, certificates), certify.tolerance));
+  if (!certify.write_expect_fail.empty())
+    CertificateFile(certify.write_expect_fail, "list").write(harness::expected_failures_text(info, found.outcomes()));
+  found.progress().clear();
+}
+
+ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::optional<ExpectedFailures::Check>& known) {
+  const std::size_t allowed = certify.max_errors.value_or(0);
+  const harness::Summary& summary = found.summary();
+  if (known)
+    for (const std::string& surprise : known->surprises) talk(surprise);
+  const bool as_listed = !known || known->fixed + known->changed + known->unmet == 0;
+  const std::size_t failures = known ? known->unlisted : summary.failures();
+  if (!as_listed || failures > allowed) return judged_wrong;
+  if (summary.failures() + summary.passes() > 0) return fine;
+  talk(summary.total() == 0 ? "no case was judged" : "no case was judged: the subject declined all of them");
+  return incomplete;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `fathom certify` was asked for.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/judge/judge.hpp"
+
+namespace fathom::cli {
+
+struct CertifyRequest {
+  std::string subject, adapter, replay;  ///< just one of them; or
+  bool list_adapters = false;
+  std::optional<unsigned> jobs;  ///< none: as many as there are processors
+  double time_out = 10;          ///< seconds
+  Tolerance tolerance;
+  std::string report;
+  bool resume = false;
+  std::string metamorphic;                                                        ///< as typed: "all", or a list with commas
+  std::vector<std::string> variants;                                              ///< the same, taken apart
+  std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
+  std::optional<std::size_t> max_errors;
+};
+
+}  // namespace fathom::cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rounding by an enclosure that is refined until both of its ends round alike (Ziv's strategy): an irrational number is no border
+// between two roundings, so that this ends, and a rational one is rounded as such.                        [proofs/judge.md]
+#include "kernels/number/surd.hpp"
+
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "kernels/number/rounding.hpp"
+
+namespace fathom {
+namespace {
+
+long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+
+/// The signed root if it is rational.
+std::optional<mpq_class> rational_root(const mpq_class& x) {
+  const mpz_class n = abs(x.get_num());
+  if (!mpz_perfect_square_p(n.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
+  mpq_class root(sqrt(n), sqrt(x.get_den()));
+  root.canonicalize();
+  return sgn(x) < 0 ? mpq_class(-root) : root;
+}
+
+/// value * 2^exponent.
+mpq_class shifted(const mpz_class& value, long exponent) {
+  mpq_class result(value);
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+struct Interval {
+  mpq_class low, high;
+};
+
+/// Around sqrt(x), x > 0, to `bits` bits or one more.
+Interval enclosed_root(const mpq_class& x, long bits) {
+  const long shift = bits - (bit_length(x.get_num()) - bit_length(x.get_den())) / 2;
+  mpz_class numerator = x.get_num(), denominator = x.get_den();
+  if (shift >= 0) numerator <<= static_cast<mp_bitcnt_t>(2 * shift);
+  else denominator <<= static_cast<mp_bitcnt_t>(-2 * shift);
+  const mpz_class square = numerator / denominator, root = sqrt(square);
+  return {shifted(root, -shift), shifted(mpz_class(root + 1), -shift)};
+}
+
+/// Around a value with an irrational root.
+Interval enclosed(const Surd& value, long bits) {
+  const Interval root = enclosed_root(abs(value.root), bits);
+  if (sgn(value.root) > 0) return {value.rational + root.low, value.rational + root.high};
+  return {value.rational - root.high, value.rational - root.low};
+}
+
+template <class Round>
+double refined(const Surd& value, const Round& round) {
+  for (long bits = 128;; bits *= 2) {
+    const Interval range = enclosed(value, bits);
+    const double low = round(range.low);
+    if (low == round(range.high)) return low + 0.0;  // -0 becomes 0
+  }
+}
+
+}  // namespace
+
+int sign(const Surd& value) {
+  const int a = sgn(value.rational), b = sgn(value.root);
+  if (a * b >= 0) return a != 0 ? a : b;
+  const int larger = cmp(mpq_class(value.rational * value.rational), abs(value.root));
+  return larger == 0 ? 0 : larger > 0 ? a : b;
+}
+
+int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y) {
+  const int a = sgn(rational), b = sgn(mpq_class(x + y));  // the signed root is increasing and odd
+  if (a * b >= 0) return a != 0 ? a : b;
+  const int larger = sign({rational * rational - abs(x) - abs(y), -4 * x * y});
+  return larger == 0 ? 0 : larger > 0 ? a : b;
+}
+
+double nearest_binary64(const Surd& value) {
+  const auto round = [](const mpq_class& x) { return round_binary64(x, Rounding::rn); };
+  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root)) + 0.0;
+  return refined(value, round);
+}
+
+double nearest_root_binary64(const Surd& value) {
+  if (sign(value) < 0) throw std::domain_error("the square root of a negative number was asked for");
+  const auto round = [](const mpq_class& x) { return sgn(x) > 0 ? root_binary64(x, Rounding::rn) : 0.0; };
+  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root));
+  return refined(value, round);
+}
+
+}  // namespace fathom

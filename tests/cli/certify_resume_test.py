@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever is killed at whatever moment: no verdict that was found is lost, none is found twice."""
+import json
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import threading
+import time
+import unittest
+
+from certify_harness import CertifyTest, boxes, liar
+from harness import EXECUTABLE, PATIENCE
+
+COUNT = 40
+STREAM = "".join(boxes(i, marked=i % 10 == 3) for i in range(COUNT))
+EXPECTED = {f"box::{i}": "too-deep" if i % 10 == 3 else "pass" for i in range(COUNT)}
+
+
+def children(pid):
+    """The processes below one, however deep."""
+    below = {}
+    for entry in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+        except (OSError, ValueError, IndexError):
+            continue
+        below.setdefault(parent, []).append(int(entry.name))
+    found = list(below.get(pid, []))
+    for child in found:
+        found += below.get(child, [])
+    return found
+
+
+class Killed(CertifyTest):
+    def setUp(self):
+        super().setUp()
+        self.cases = self.file("cases.jsonl", STREAM)
+        self.report = self.folder / "report.jsonl"
+        self.words = ["certify", "--jobs", "2", "--subject", liar("too-deep", 0.01), "--report", str(self.report), self.cases]
+
+    def lines(self):
+        return [json.loads(line) for line in self.report.read_text().splitlines()]
+
+    def whole_lines(self):
+        """Of a report that may end in the middle of a line; without a summary, which a resumed run takes away and writes anew."""
+        text = self.report.read_text() if self.report.exists() else ""
+        return [line for line in text.split("\n")[:-1] if '"type":"summary"' not in line]
+
+    def check_complete(self):
+        lines = self.lines()
+        self.assertEqual([line["type"] for line in lines], ["header"] + COUNT * ["case"] + ["summary"])
+        self.assertEqual(self.verdicts(lines), EXPECTED)
+        self.assertEqual({k: v for k, v in lines[-1].items() if isinstance(v, int)},
+                         {"cases": COUNT, "passed": COUNT - 4, "failed": 4, "unsupported": 0})
+
+    def test_fathom(self):
+        """kill -9 at random moments, until a run comes through."""
+        rng = random.Random(7)
+        kills, kept = 0, []
+        while True:
+            resume = ["--resume"] if self.report.exists() else []
+            with subprocess.Popen([EXECUTABLE, *self.words, *resume], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+                try:
+                    _, err = process.communicate(timeout=rng.uniform(0.05, 0.35) if kills < 12 else PATIENCE)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.communicate()
+                    kills += 1
+                    now = self.whole_lines()
+                    self.assertTrue(now[:len(kept)] == kept, "a line was lost or changed")
+                    kept = now
+                    continue
+            self.assertEqual((process.returncode, err), (1, b""))
+            break
+        self.assertGreater(kills, 1)
+        self.assertTrue(self.whole_lines()[:len(kept)] == kept, "a line was lost or changed")
+        self.check_complete()
+
+    def test_subjects(self):
+        """kill -9 of the subjects at random moments: only the cases at hand are blamed, and there are no others than these."""
+        rng = random.Random(8)
+        with subprocess.Popen([EXECUTABLE, *self.words], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            done = threading.Event()
+            kills = []
+
+            def kill():
+                while len(self.whole_lines()) < 3 and not done.wait(0.01):
+                    pass
+                while not done.wait(rng.uniform(0.03, 0.12)) and len(kills) < 6:
+                    if victims := children(process.pid):
+                        try:
+                            os.kill(rng.choice(victims), signal.SIGKILL)
+                            kills.append(1)
+                        except ProcessLookupError:
+                            pass
+
+            killer = threading.Thread(target=kill)
+            killer.start()
+            process.communicate(timeout=PATIENCE)
+            done.set()
+            killer.join()
+        lines = self.lines()
+        self.assertEqual(process.returncode, 4 if lines[-1]["type"] != "summary" else 1)
+        found = self.verdicts(lines)
+        crashed = {i for i, verdict in found.items() if verdict == "crash"}
+        self.assertLessEqual(len(crashed), len(kills))
+        others = found.keys() - crashed
+        self.assertEqual({i: found[i] for i in others}, {i: EXPECTED[i] for i in others})
+        if lines[-1]["type"] == "summary":
+            self.assertEqual(found.keys(), EXPECTED.keys())
+
+    def test_interrupted(self):
+        with subprocess.Popen([EXECUTABLE, *self.words], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            while len(self.whole_lines()) < 6:
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=PATIENCE)
+        self.assertEqual((process.returncode, out), (130, b""))
+        self.assertIn(b"--resume goes on from there", err)
+        self.assertTrue(err.endswith(b"fathom: interrupted\n"))
+        code, _, err = self.run_cli(*self.words, "--resume")
+        self.assertEqual((code, err), (1, ""))
+        self.check_complete()
+
+
+class Resumed(CertifyTest):
+    def run_again(self, *more, cases=STREAM, way="too-deep", resume=True):
+        return self.run_cli("certify", "--report", self.folder / "r", *(["--resume"] if resume else []), "--subject", liar(way), *more,
+                            self.file("cases.jsonl", cases))
+
+    def test_nothing_is_run_again(self):
+        first = self.run_again(resume=False)
+        before = (self.folder / "r").read_text()
+        again = self.run_again()
+        self.assertEqual((first[0], again[0]), (1, 1))
+        self.assertEqual(first[1], again[1], "the same table")
+        self.assertEqual((self.folder / "r").read_text(), before)
+        _, lines, _ = self.certify("--report", self.folder / "r", "--resume", "--subject", liar("too-deep"), self.folder / "cases.jsonl")
+        self.assertEqual(self.verdicts(lines), EXPECTED)
+
+    def test_more_and_changed_cases(self):
+        self.run_again(cases=boxes(0) + boxes(1))
+        self.run_again(cases=boxes(0) + boxes(1, marked=True) + boxes(2))
+        lines = [json.loads(line) for line in (self.folder / "r").read_text().splitlines()]
+        self.assertEqual([(line["id"], line["verdict"]) for line in lines if line["type"] == "case" and line["id"] == "box::1"],
+                         [("box::1", "pass"), ("box::1", "too-deep")])
+        self.assertEqual(sum(line["type"] == "case" for line in lines), 4)
+        self.assertEqual(lines[-1]["cases"], 3)
+
+    def test_refusals(self):
+        self.run_again(resume=False)
+        before = (self.folder / "r").read_text()
+        code, out, err = self.run_again(resume=False)
+        self.assertEqual((code, out), (2, ""))
+        self.assertIn("--resume goes on with a report that is there", err)
+        for more, way in ((["--tol-rel", "1/7"], "too-deep"), ([], "binary32")):
+            code, out, err = self.run_again(*more, way=way)
+            self.assertEqual((code, out), (2, ""))
+            self.assertIn("r:1: this report is of another subject, version, setting or tolerance", err)
+        self.assertEqual((self.folder / "r").read_text(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom certify: its options, its exit codes, replays, the worked subjects, and that every line obeys the schemas."""
+import json
+import os
+import pty
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import unittest
+
+import jsonschema  # Debian: python3-jsonschema
+from certify_harness import CertifyTest, boxes, liar
+from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, box, case
+from signals_test import run_on_terminal
+
+SUBJECT = json.loads((ROOT / "schemas" / "subject.schema.json").read_text())
+VERDICT = json.loads((ROOT / "schemas" / "verdict.schema.json").read_text())
+EXAMPLES = ROOT / "verify" / "examples"
+PYTHON = f"exec '{sys.executable}' -B '{EXAMPLES / 'subject.py'}'"
+# Passes on what a subject and fathom say to each other, and writes it down.
+TEE = """
+import subprocess, sys, threading
+log = open(sys.argv[1], "a")
+child = subprocess.Popen(sys.argv[2:], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+def copy(source, target, mark):
+    for line in source:
+        log.write(mark + line.decode())
+        log.flush()
+        target.write(line)
+        target.flush()
+    target.close()
+thread = threading.Thread(target=copy, args=(sys.stdin.buffer, child.stdin, "> "))
+thread.start()
+copy(child.stdout, sys.stdout.buffer, "< ")
+thread.join()
+sys.exit(child.wait())
+"""
+
+
+def validator(schema, part=None):
+    base = "https://schemas.invalid/"  # nothing is fetched
+    store = {base + "subject.schema.json": SUBJECT}
+    part = {**schema, "oneOf": [{"$ref": f"#/$defs/{name}"} for name in part]} if part else schema
+    return jsonschema.Draft202012Validator(part, resolver=jsonschema.RefResolver(base, part, store=store))
+
+
+class Subjects(CertifyTest):
+    def traffic(self, words, stream):
+        """Runs a subject on the stream and checks every line that is said."""
+        log, tee = self.folder / "log", self.file("tee.py", TEE)
+        command = shlex.join([sys.executable, tee, str(log), *words])
+        code, lines, err = self.certify("--jobs", "1", "--subject", command, "-", stdin=stream)
+        self.assertEqual(err, "")
+        for line in lines:
+            validator(VERDICT).validate(line)
+        said = log.read_text().splitlines()
+        for line in said:
+            validator(SUBJECT, ("hello_to_subject", "run", "stop") if line[0] == ">" else ("hello", "reply")).validate(json.loads(line[2:]))
+        self.assertEqual([json.loads(line[2:])["type"] for line in said[:2]], ["hello", "hello"])
+        self.assertEqual(json.loads(said[-1][2:]), {"type": "stop"})
+        return code, lines, said
+
+    def check(self, words):
+        stream = boxes(0) + boxes(7)
+        stream += case(UNIT, box([2, 0, 0], [3, 1, 1]), id="apart") + case(UNIT, box([1, 0, 0], [2, 1, 1]), id="touching")
+        stream += case([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [["1/10", "1/3", 0.1], [1, 1, 0], [0, 1, 1], ["1e-3", 0, 1]],
+                       id="tilted", expected={"depth": 1}, comment="never sent")
+        code, lines, said = self.traffic(words, stream)
+        self.assertEqual(code, 0)
+        self.assertEqual(self.verdicts(lines), {"box::0": "pass", "box::7": "pass", "apart": "pass", "touching": "touching-by-convention",
+                                                "tilted": "pass"})
+        self.assertEqual(sum('"type":"run"' in line for line in said), 5)
+        for secret in ("box::", "tilted", "expected", "never sent"):
+            self.assertNotIn(secret, "".join(said))
+
+    def test_worked_subject_in_python(self):
+        self.check([sys.executable, "-B", str(EXAMPLES / "subject.py")])
+
+    def test_worked_subject_in_c(self):
+        program = str(self.folder / "subject")
+        flags = ["-O2", "-Wall", "-Wextra", "-Werror", "-std=c11"]
+        subprocess.run([shutil.which("cc"), *flags, str(EXAMPLES / "subject.c"), "-o", program, "-lm"], check=True)
+        self.check([program])
+
+    def test_flat_bodies_have_no_faces(self):
+        code, lines, said = self.traffic([sys.executable, "-B", str(EXAMPLES / "subject.py")],
+                                         case(UNIT, [[0.5, 0.5, 0.5]], id="flat") + boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (0, {"flat": "unsupported", "box::0": "pass"}))
+        run = json.loads(next(line for line in said if '"run"' in line)[2:])
+        self.assertEqual((len(run["a"]["faces"]), "faces" in run["b"]), (6, False))
+
+    def test_the_page_tells_the_truth(self):
+        """The example of PROTOCOL.md, replayed."""
+        page = (ROOT / "verify" / "PROTOCOL.md").read_text()
+        said = [json.loads(line) for line in re.findall(r"^ +(?:fathom|subject) +(\{.*\})$", page, re.MULTILINE)]
+        hello, run, reply = said[1:4]
+        for message in said:
+            validator(SUBJECT).validate(message)
+        replay = self.file("replay.jsonl", json.dumps(hello) + "\n" + json.dumps(reply) + "\n")
+        code, lines, err = self.certify("--replay", replay, "-", stdin=case(run["a"]["vertices"], run["b"]["vertices"], id="1"))
+        self.assertEqual((code, self.verdicts(lines)), (0, {"1": "pass"}), err)
+        self.assertIn(lines[1]["judgement"]["accuracy"], ("correctly rounded", "4 ulp"))
+
+    def test_schemas(self):
+        for schema in (SUBJECT, VERDICT):
+            jsonschema.Draft202012Validator.check_schema(schema)
+        _, lines, _ = self.certify("--metamorphic", "--subject", liar("nan"), "-", stdin=boxes(0) + boxes(1, marked=True))
+        for line in lines:
+            validator(VERDICT).validate(line)
+        self.assertEqual({line.get("variant") for line in lines}, {None, "swap", "translate", "permute", "scale"})
+        for line in lines:
+            for field in line:
+                self.assertFalse(validator(VERDICT).is_valid({k: v for k, v in line.items() if k != field})
+                                 and field not in ("variant", "detail", "judgement"), field)
+            self.assertFalse(validator(VERDICT).is_valid({**line, "more": 1}))
+        good = {"type": "reply", "id": "1", "overlap": True, "depth": "0x1.8p3", "direction": [1, "nan", "-inf"]}
+        validator(SUBJECT).validate(good)
+        for wrong in ({"overlap": 1}, {"depth": "deep"}, {"direction": [1, 2]}, {"witness": {"a": 1}}, {"id": None}, {"type": "repl"}):
+            self.assertFalse(validator(SUBJECT).is_valid({**good, **wrong}), wrong)
+
+
+class Runs(CertifyTest):
+    def test_table(self):
+        code, out, err = self.run_cli("certify", "--subject", liar("too-deep"), "-", stdin=boxes(0) + boxes(1, marked=True))
+        self.assertEqual((code, err), (1, ""))
+        self.assertTrue(out.startswith("liar 1 (binary64)\n"), out)
+        self.assertTrue(out.endswith("2 cases: 1 pass, 1 fail\n"), out)
+
+    def test_jobs_find_the_same(self):
+        stream = "".join(boxes(i, marked=i % 5 == 0) for i in range(30))
+        found = [self.certify("--jobs", jobs, "--subject", liar("crash"), "-", stdin=stream) for jobs in ("1", "4")]
+        self.assertEqual(*(self.verdicts(lines) for _, lines, _ in found))
+        self.assertEqual(sum(v == "crash" for v in self.verdicts(found[0][1]).values()), 6)
+
+    def test_bad_cases_among_good_ones(self):
+        stream = "noise\n" + boxes(0) + boxes(0) + '{"id": "cut"\n' + boxes(1)
+        code, lines, err = self.certify("--subject", liar("honest"), "-", stdin=stream)
+        self.assertEqual((code, self.verdicts(lines)), (2, {"box::0": "pass", "box::1": "pass"}))
+        self.assertIn("<stdin>:3: the id 'box::0' was there before", err)
+        self.assertEqual(err.count("\n"), 3, err)
+
+    def test_no_cases(self):
+        for stream in ("", "\n\n", "noise\n"):
+            code, lines, err = self.certify("--subject", liar("honest"), "-", stdin=stream)
+            self.assertIn(code, (2, 4), err)
+            self.assertEqual(self.verdicts(lines), {})
+
+    def test_tolerance(self):
+        stream = boxes(1, marked=True)
+        for words, code in ((["--tol-rel", "0.6"], 0), (["--tol-rel", "1/3"], 1), (["--tol-abs", "1"], 0),
+                            (["--tol-ulps", "18446744073709551615"], 0)):
+            self.assertEqual(self.certify(*words, "--subject", liar("too-deep"), "-", stdin=stream)[0], code, words)
+
+    def test_max_errors(self):
+        stream = boxes(0) + boxes(1, marked=True) + boxes(2, marked=True)
+        for most, code in ((0, 1), (1, 1), (2, 0)):
+            self.assertEqual(self.certify("--max-errors", most, "--subject", liar("nan"), "-", stdin=stream)[0], code)
+
+    def test_metamorphic(self):
+        code, lines, _ = self.certify("--metamorphic=swap,scale", "--subject", liar("honest"), "-", stdin=boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (0, {"box::0": "pass", "box::0~swap": "pass", "box::0~scale": "pass"}))
+        self.assertEqual(lines[-1]["cases"], 3)
+        # Scaled by 1024, the first point of A is where the liar lies.
+        code, lines, _ = self.certify("--metamorphic=scale", "--subject", liar("too-deep"), "-", stdin=boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (1, {"box::0": "pass", "box::0~scale": "too-deep"}))
+
+    def test_certificates(self):
+        folder = self.folder / "proofs"
+        stream = boxes(0) + boxes(1, marked=True)
+        code, _, _ = self.run_cli("certify", "--certificates", folder, "--subject", liar("crash"), "-", stdin=stream)
+        self.assertEqual((code, [path.name for path in folder.iterdir()]), (1, ["box%3A%3A1.cert"]))
+        out = self.answer("check", folder / "box%3A%3A1.cert")
+        self.assertTrue(out.startswith("s VERIFIED penetrating depth_squared="), out)
+
+    def test_adapters(self):
+        names = [line.split()[0] for line in self.answer("certify", "--list-adapters").splitlines()]
+        self.assertEqual(len(names), len(set(names)))
+        self.assertIn("libccd-epa", names)
+        self.refused("certify", "--adapter", "libccd", DATA / "real_cases.jsonl")
+
+    def test_output_that_cannot_be_written(self):
+        for option in ("--report", "--junit", "--html", "--write-expect-fail"):
+            err = self.refused("certify", option, "/nowhere/file", "--subject", liar("honest"), "-", stdin=boxes(0))
+            self.assertIn("/nowhere/file", err)
+        with open("/dev/full", "wb") as full:
+            code, _, err = self.run_cli("certify", "--subject", liar("honest"), "-", stdin=boxes(0), stdout=full)
+        self.assertEqual((code, err), (3, "fathom: cannot write to standard output: No space left on device\n"))
+
+
+class Replays(CertifyTest):
+    REPLY = '{"type":"reply","id":"box::0","overlap":true,"depth":0.5,"direction":[-1,0,0]}\n'
+
+    def replay(self, replies, stream):
+        return self.certify("--replay", self.file("replies.jsonl", replies), "-", stdin=stream)
+
+    def test_whole(self):
+        code, lines, err = self.replay(self.REPLY, boxes(0))
+        self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
+        self.assertEqual(lines[0]["subject"]["name"], "replay")
+
+    def test_hello_and_order(self):
+        hello = ('{"type":"hello","protocol":"fathom/subject/1","name":"mine","version":"3","precision":"binary32",'
+                 '"conventions":{"touching":"either","depth":"negative","moves":"b","unit":true}}\n')
+        mirrored = self.REPLY.replace("-1,", "1,")
+        replies = mirrored.replace("0.5", "-0.4").replace("::0", "::100") + mirrored.replace("0.5", "-0.5")
+        code, lines, err = self.replay(hello + replies, boxes(0) + boxes(100))
+        self.assertEqual((code, set(self.verdicts(lines).values()), lines[0]["subject"]["precision"]), (0, {"pass"}, "binary32"), err)
+
+    def test_lacks_a_case(self):
+        code, lines, err = self.replay(self.REPLY, boxes(0) + boxes(1))
+        self.assertEqual((code, self.verdicts(lines), lines[-1]["type"]), (4, {"box::0": "pass"}, "case"))
+        self.assertIn("no reply to case 'box::1'", err)
+
+    def test_more_than_asked(self):
+        code, lines, err = self.replay(self.REPLY + self.REPLY.replace("::0", "::9"), boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (0, {"box::0": "pass"}))
+        self.assertIn("the reply to 'box::9' is to no case", err)
+
+    def test_two_replies(self):
+        code, lines, _ = self.replay(self.REPLY + self.REPLY, boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (1, {"box::0": "garbage"}))
+
+    def test_bad_lines(self):
+        code, lines, err = self.replay(self.REPLY + "noise\n" + self.REPLY[:30], boxes(0))
+        self.assertEqual((code, self.verdicts(lines)), (2, {"box::0": "pass"}))
+        self.assertIn("replies.jsonl:2: expected a JSON object, found 'noise'", err)
+        self.assertIn("replies.jsonl:3: ", err)
+
+    def test_empty(self):
+        self.refused("certify", "--replay", self.file("empty.jsonl", "\n"), "-", stdin=boxes(0))
+        self.refused("certify", "--replay", self.file("hello.jsonl", '{"type":"hello"}\n'), "-", stdin=boxes(0))
+        self.refused("certify", "--replay", self.folder / "missing", "-", stdin=boxes(0))
+
+
+class Bar(CertifyTest):
+    def test_rate_time_left_and_worst_error(self):
+        path = self.file("cases.jsonl", boxes(0, marked=True) + "".join(boxes(i) for i in range(1, 300)))
+        code, out, seen = run_on_terminal("certify", "--jobs", "1", "--subject", liar("too-deep", 0.02), path, stop_at=b"worst error")
+        self.assertEqual((code, out), (130, b""))
+        self.assertRegex(seen, rb"\r\x1b\[K\[#*\.+\] +\d+% \d+ of 300 cases, [0-9.]+/s, \d+ s left, 1 failed, worst error 0\.5; \d+ s")
+
+    def test_of_a_pipe(self):
+        """Of which nobody knows how much is to come."""
+        ours, theirs = pty.openpty()
+        stream = "".join(boxes(i) for i in range(150))
+        with subprocess.Popen([EXECUTABLE, "certify", "--jobs", "1", "--subject", liar("honest", 0.02), "-"], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=theirs) as process:
+            os.close(theirs)
+            process.communicate(stream.encode(), timeout=PATIENCE)
+        seen = os.read(ours, 1 << 20)
+        os.close(ours)
+        self.assertRegex(seen, rb"^\r\x1b\[K\d+ cases, [0-9.]+/s, 0 failed, worst error [0-9.e-]+; \d+ s")
+
+
+class Usage(CertifyTest):
+    def test_refusals(self):
+        for words in ([], ["x.jsonl"], ["--subject", "x"], ["--subject", "x", "--replay", "y", "z"], ["--subject", "x", "a", "b"],
+                      ["--subject", "x", "--resume", "z"], ["--subject", "x", "--jobs", "0", "z"],
+                      ["--subject", "x", "--time-out", "0", "z"],
+                      ["--subject", "x", "--tol-rel", "-1", "z"], ["--subject", "x", "--tol-ulps", "1.5", "z"],
+                      ["--subject", "x", "--metamorphic=turn", "z"], ["--replay", "x", "--metamorphic", "z"],
+                      ["--replay", "x", "--shrink", "d", "z"],
+                      ["--list-adapters", "z"], ["--subject", "x", "--max-errors", "-1", "z"],
+                      ["--subject", "true", "/nowhere/cases.jsonl"],
+                      ["--subject", "true", "--expect-fail", "/nowhere/list", "-"]):
+            with self.subTest(words):
+                self.refused("certify", *words)
+
+    def test_help(self):
+        out = self.answer("certify", "--help")
+        for option in ("--subject", "--adapter", "--replay", "--jobs", "--time-out", "--tol-rel", "--report", "--resume", "--json",
+                       "--metamorphic", "--expect-fail", "--max-errors", "--junit", "--html", "--certificates", "--shrink", "--list-adapters"):
+            self.assertIn(option, out)
+        self.assertLess(out.index("Examples"), out.index("Usage"))
+        self.assertLessEqual(max(map(len, out.splitlines())), 140)
+
+
+if __name__ == "__main__":
+    unittest.main()

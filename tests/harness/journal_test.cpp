@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A journal that was cut anywhere goes on, and loses nothing that was whole.
+#include "verify/harness/journal.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "reference/files/body.hpp"
+
+namespace fathom::harness {
+namespace {
+
+Outcome rich(const std::string& id) {
+  Outcome outcome;
+  outcome.id = id;
+  outcome.variant = "swap";
+  outcome.digest = "0123456789abcdef";
+  outcome.verdict = Verdict::not_invariant;
+  outcome.detail = "a line\nwith \"quotes\" and \x01";
+  outcome.seconds = 0.1 + 0.2;
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = std::numeric_limits<double>::quiet_NaN();
+  reply.direction = {-std::numeric_limits<double>::infinity(), 5e-324, -0.0};
+  reply.witness_b = {1, 2, 1.7976931348623157e308};
+  outcome.reply = reply;
+  Judgement j;
+  j.verdict = Verdict::too_deep;
+  j.findings = {Verdict::too_deep, Verdict::witness_off};
+  j.accuracy = Accuracy::u_r_16;
+  j.status = Status::penetrating;
+  j.depth_squared = mpq_class(1, 3);
+  j.error = 0.1;
+  j.error_ulps = std::numeric_limits<double>::infinity();
+  j.error_relative = -1e-300;
+  j.error_u_r = 3;
+  j.price_squared = mpq_class(-7, 9);
+  j.travel_squared = mpq_class("123456789012345678901234567890");
+  j.inconsistency = -0.5;
+  j.overlap_left = 0.25;
+  j.witness_a_squared = 0;
+  j.witness_b_squared = mpq_class(1, 7);
+  j.witness_gap = 2;
+  j.sentence = "too deep by 0.1";
+  outcome.judgement = j;
+  return outcome;
+}
+
+TEST(Lines, RoundTrip) {
+  Outcome bare;
+  bare.id = "a::b";
+  bare.digest = "0";
+  bare.verdict = Verdict::crash;
+  for (const Outcome& outcome : {rich("x"), bare}) {
+    const std::string line = outcome_line(outcome);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    const std::optional<Outcome> read = read_outcome(line);
+    ASSERT_TRUE(read) << line;
+    EXPECT_EQ(outcome_line(*read), line);
+  }
+  const Outcome read = *read_outcome(outcome_line(rich("x")));
+  EXPECT_TRUE(std::isnan(*read.reply->depth));
+  EXPECT_EQ((*read.reply->direction)[1], 5e-324);
+  EXPECT_FALSE(read.reply->witness_a);
+  EXPECT_EQ(read.judgement->price_squared, mpq_class(-7, 9));
+  EXPECT_EQ(read.judgement->verdict, Verdict::too_deep);
+  EXPECT_EQ(read.verdict, Verdict::not_invariant);
+}
+
+TEST(Lines, EveryPrefixIsNoOutcome) {
+  const std::string line = outcome_line(rich("x"));
+  for (std::size_t size = 0; size < line.size(); ++size) EXPECT_FALSE(read_outcome(line.substr(0, size)));
+  EXPECT_FALSE(read_outcome("{}"));
+  EXPECT_FALSE(read_outcome(R"({"schema":"fathom/verdict/1","type":"case","id":"x"})"));
+}
+
+class Journals : public testing::Test {
+ protected:
+  Journals() : path_(testing::TempDir() + "journal_test_" + std::to_string(::getpid()) + ".jsonl") { std::remove(path_.c_str()); }
+  ~Journals() override { std::remove(path_.c_str()); }
+
+  [[nodiscard]] std::string text() const {
+    std::ostringstream text;
+    text << std::ifstream(path_).rdbuf();
+    return text.str();
+  }
+  void write(const std::string& text) const { std::ofstream(path_) << text; }
+  std::vector<std::string> resumed(const std::string& header, const std::string& more = "") {
+    std::vector<std::string> ids;
+    Journal journal = Journal::resume(path_, header, [&](const Outcome& outcome) { ids.push_back(outcome.id); });
+    if (!more.empty()) journal.add(more);
+    return ids;
+  }
+  static std::string header(const char* name = "s", Tolerance tolerance = {}) {
+    SubjectInfo info;
+    info.name = name;
+    return header_line(info, tolerance);
+  }
+  std::string path_;
+};
+
+TEST_F(Journals, CutAnywhere) {
+  const std::string lines = outcome_line(rich("one")) + '\n' + outcome_line(rich("two")) + '\n';
+  const std::string whole = header() + '\n' + lines + summary_line({2, 0, 2, 0}) + '\n';
+  const std::size_t first = header().size() + 1, second = first + outcome_line(rich("one")).size() + 1, third = first + lines.size();
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    const auto is_near = [size](std::size_t end) { return size + 2 >= end && size <= end + 2; };
+    if (size % 41 != 0 && !is_near(first) && !is_near(second) && !is_near(third) && !is_near(whole.size())) continue;
+    write(whole.substr(0, size));
+    std::vector<std::string> expected;
+    if (size >= second) expected.emplace_back("one");
+    if (size >= third) expected.emplace_back("two");
+    ASSERT_EQ(resumed(header(), "more"), expected) << size;
+    const std::size_t kept = size >= third ? third : size >= second ? second : first;
+    ASSERT_EQ(text(), whole.substr(0, kept) + "more\n") << size;
+  }
+}
+
+TEST_F(Journals, OfAnotherRun) {
+  write(header() + '\n');
+  EXPECT_THROW(resumed(header("other")), InputError);
+  Tolerance tolerance;
+  tolerance.relative = mpq_class(1, 7);
+  EXPECT_THROW(resumed(header("s", tolerance)), InputError);
+  EXPECT_EQ(text(), header() + '\n') << "untouched";
+}
+
+TEST_F(Journals, WithAForeignLine) {
+  write(header() + "\nnonsense\n" + outcome_line(rich("one")) + '\n');
+  EXPECT_THROW(resumed(header()), InputError);
+}
+
+TEST_F(Journals, NothingIsOverwritten) {
+  write("x");
+  EXPECT_THROW(Journal::create(path_, header()), InputError);
+  EXPECT_EQ(text(), "x");
+  write("");
+  { Journal::create(path_, header()).add("line"); }
+  EXPECT_EQ(text(), header() + "\nline\n");
+}
+
+TEST_F(Journals, OneRunAtATime) {
+  Journal journal = Journal::create(path_, header());
+  EXPECT_THROW(resumed(header()), InputError);
+}
+
+TEST_F(Journals, FullDisk) {
+  EXPECT_THROW(Journal::create("/dev/full", header()), std::runtime_error);
+  EXPECT_THROW(Journal::create("/nowhere/journal", header()), InputError);
+}
+
+TEST(Families, OfIds) {
+  EXPECT_EQ(family_of("real::fcl-545"), "real");
+  EXPECT_EQ(family_of("near_ties-n20-s7"), "near_ties");
+  EXPECT_EQ(family_of("a-n1-n20-s7"), "a-n1");
+  for (const char* id : {"", "x", "17", "-n20-s7", "a-n20", "a-s7", "a-n-s7", "a-n20-s", "a-s7-n20", "::x"})
+    EXPECT_EQ(family_of(id), "") << id;
+}
+
+}  // namespace
+}  // namespace fathom::harness

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/shrink/shrink.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "reference/files/cases.hpp"
+#include "tests/harness/fake_subject.hpp"
+#include "verify/check/check.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/shrink/simplify.hpp"
+#include "verify/harness/shrink/size.hpp"
+#include "verify/harness/shrink/write_shrunk.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using namespace fathom::testing;
+
+std::size_t above(const Body& body) {
+  return static_cast<std::size_t>(std::ranges::count_if(body.points, [](const Point& p) { return p.z > 0; }));
+}
+
+/// Twice the depth, whenever A has more than five points above z = 0.
+const Examine doubled = judged([](const Case& pair, Reply& reply) {
+  if (reply.overlap && above(pair.a) > 5) reply.depth = 2 * *reply.depth;
+});
+
+bool accepted(const std::string& certificate) { return fathom_check::verify(certificate).accepted(); }
+
+TEST(Shrink, LeavesWhatTheFailureNeedsAndNothingElse) {
+  const Case pair = family_case("random_ball", 30, 2);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  const Shrunk shrunk = shrink(pair, verdict, doubled);
+  EXPECT_TRUE(shrunk.reproduced);
+  EXPECT_EQ(shrunk.outcome.verdict, verdict);
+  EXPECT_EQ(shrunk.pair.a.points.size(), 6u);
+  EXPECT_EQ(above(shrunk.pair.a), 6u);
+  EXPECT_EQ(shrunk.pair.b.points.size(), 4u);
+  for_each_coordinate(shrunk.pair, [](const mpq_class& value) {
+    EXPECT_EQ(value.get_den(), 1);
+    EXPECT_LE(abs(value), 4);
+  });
+  EXPECT_TRUE(accepted(shrunk.certificate));
+  EXPECT_LT(shrunk.tried, 2000u);
+}
+
+TEST(Shrink, NoPointOfTheResultCanBeDropped) {
+  const Case pair = family_case("random_sphere", 25, 5);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  ShrinkSettings settings;
+  settings.keep_solid = false;
+  const Case smallest = shrink(pair, verdict, doubled, {}, {}, settings).pair;
+  for (Body Case::*body : {&Case::a, &Case::b})
+    for (std::size_t i = 0; (smallest.*body).points.size() > 1 && i < (smallest.*body).points.size(); ++i) {
+      Case less = smallest;
+      (less.*body).points.erase((less.*body).points.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_NE(doubled(less).verdict, verdict) << i;
+    }
+}
+
+TEST(Shrink, EachStepIsSmallerCertifiedAndOfThePrecision) {
+  const Case pair = family_case("random_ball", 30, 2, Precision::binary32);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  std::vector<Shrunk> steps;
+  ShrinkSettings settings;
+  settings.precision = Precision::binary32;
+  const Shrunk last = shrink(
+      pair, verdict, doubled, [&](const Shrunk& step) { steps.push_back(step); }, {}, settings);
+  ASSERT_GT(steps.size(), 5u);
+  EXPECT_EQ(last.kept + 1, steps.size());
+  EXPECT_EQ(steps.front().pair.a.points, pair.a.points);
+  EXPECT_EQ(steps.back().pair.a.points, last.pair.a.points);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(doubled(steps[i].pair).verdict, verdict);
+    EXPECT_TRUE(accepted(steps[i].certificate));
+    EXPECT_TRUE(i == 0 || size_of(steps[i].pair) < size_of(steps[i - 1].pair)) << i;
+    for_each_coordinate(steps[i].pair, [](const mpq_class& value) { EXPECT_TRUE(representable(value, Precision::binary32)); });
+  }
+}
+
+TEST(Shrink, IsTheSameEachTime) {
+  const Case pair = family_case("random_ball", 24, 2);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  const Shrunk first = shrink(pair, verdict, doubled), again = shrink(pair, verdict, doubled);
+  EXPECT_EQ(case_line(first.pair), case_line(again.pair));
+  EXPECT_EQ(first.tried, again.tried);
+}
+
+TEST(Shrink, StopsWhenItIsToldTo) {
+  const Case pair = family_case("random_ball", 30, 2);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  std::size_t examined = 0;
+  const Examine counted = [&](const Case& c) {
+    ++examined;
+    return doubled(c);
+  };
+  const Shrunk stopped = shrink(pair, verdict, counted, {}, [&] { return examined >= 7; });
+  EXPECT_EQ(examined, 7u);
+  EXPECT_EQ(stopped.tried, 7u);
+  EXPECT_EQ(doubled(stopped.pair).verdict, verdict);
+  examined = 0;
+  ShrinkSettings settings;
+  settings.tries = 20;
+  EXPECT_EQ(shrink(pair, verdict, counted, {}, {}, settings).tried, 20u);
+  EXPECT_EQ(examined, 20u);
+}
+
+TEST(Shrink, SaysWhenTheVerdictDoesNotComeAgain) {
+  const Case pair = family_case("random_ball", 12, 1);
+  std::size_t better = 0;
+  const Shrunk shrunk = shrink(pair, Verdict::crash, doubled, [&](const Shrunk&) { ++better; });
+  EXPECT_FALSE(shrunk.reproduced);
+  EXPECT_EQ(shrunk.tried, 1u);
+  EXPECT_EQ(shrunk.kept, 0u);
+  EXPECT_EQ(better, 0u);
+  EXPECT_EQ(shrunk.pair.a.points, pair.a.points);
+}
+
+TEST(Shrink, OfACrashNeedsNoJudgement) {
+  // Ends on any pair where both bodies have three points or more.
+  const Examine crashing = [](const Case& pair) {
+    const bool ends = pair.a.points.size() > 2 && pair.b.points.size() > 2;
+    return speechless(pair, ends ? Verdict::crash : Verdict::pass);
+  };
+  const Case pair = family_case("random_lattice", 20, 1);
+  const Shrunk solid = shrink(pair, Verdict::crash, crashing);
+  EXPECT_EQ(solid.pair.a.points.size(), 4u);
+  EXPECT_EQ(solid.pair.b.points.size(), 4u);
+  const Depth depth = truth_about(solid.pair.a.points, solid.pair.b.points).depth;
+  EXPECT_FALSE(depth.flat_a || depth.flat_b);
+  ShrinkSettings settings;
+  settings.keep_solid = false;
+  const Shrunk shrunk = shrink(pair, Verdict::crash, crashing, {}, {}, settings);
+  EXPECT_EQ(shrunk.pair.a.points.size(), 3u);
+  EXPECT_EQ(shrunk.pair.b.points.size(), 3u);
+  for_each_coordinate(shrunk.pair, [](const mpq_class& value) { EXPECT_EQ(value, 0); });
+  EXPECT_TRUE(accepted(shrunk.certificate));
+}
+
+TEST(Shrink, WaitsForFewTimeOuts) {
+  std::size_t examined = 0;
+  const Examine hanging = [&](const Case& pair) {
+    ++examined;
+    return speechless(pair, pair.a.points.size() > 90 ? Verdict::time_out : Verdict::pass);
+  };
+  shrink(family_case("random_ball", 200, 1), Verdict::time_out, hanging);
+  EXPECT_LE(examined, 100u);
+}
+
+TEST(Shrink, KeepsOneUlpThatMatters) {
+  // Wrong whenever some coordinate of A is no multiple of 2^-40.
+  const Examine picky = judged([](const Case& pair, Reply& reply) {
+    const auto is_fine = [](const Point& p) { return p.x != 0 && lowest_bit(p.x) < -40; };
+    const bool fine = std::ranges::any_of(pair.a.points, is_fine);
+    if (reply.overlap && fine) reply.depth = *reply.depth / 2;
+  });
+  Case pair = family_case("random_ball", 30, 2);
+  pair.a.points[3].x += scaled(1, -50);
+  const Verdict verdict = picky(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  const Case smallest = shrink(pair, verdict, picky).pair;
+  std::size_t dear = 0;
+  for_each_coordinate(smallest, [&](const mpq_class& value) { dear += cost(value) > 20 ? 1 : 0; });
+  EXPECT_EQ(dear, 1u) << case_line(smallest);
+}
+
+TEST(Shrink, OfAnAnswerThatAVariantChanges) {
+  // Wrong by half the tolerance, one way or the other, by which of the bodies has more points.
+  const Tolerance tolerance{mpq_class(1, 100), 0, 0};
+  const Examine lopsided = judged(
+      [](const Case& pair, Reply& reply) {
+        if (reply.overlap) reply.depth = *reply.depth * (pair.a.points.size() > pair.b.points.size() ? 1.008 : 0.992);
+      },
+      tolerance);
+  const Examine swapped = examine_variant(lopsided, "swap", Precision::binary64, tolerance);
+  Case pair = family_case("random_ball", 12, 3);
+  pair.b.points.pop_back();
+  ASSERT_EQ(swapped(pair).verdict, Verdict::not_invariant);
+  const Shrunk shrunk = shrink(pair, Verdict::not_invariant, swapped);
+  EXPECT_EQ(shrunk.outcome.variant, "swap");
+  EXPECT_EQ(shrunk.outcome.verdict, Verdict::not_invariant);
+  EXPECT_EQ(shrunk.pair.a.points.size() + shrunk.pair.b.points.size(), 9u);
+}
+
+TEST(Shrink, RefusesAnOutcomeThatContradictsTheProof) {
+  const Examine lying = [](const Case& pair) {
+    Outcome outcome = doubled(pair);
+    outcome.judgement->depth_squared *= 4;
+    return outcome;
+  };
+  const Case pair = family_case("random_ball", 30, 2);
+  EXPECT_THROW(shrink(pair, doubled(pair).verdict, lying), std::logic_error);
+  EXPECT_THROW(shrink({"none", {}, pair.b}, Verdict::crash, doubled), std::invalid_argument);
+}
+
+TEST(Size, PrefersFewPointsThenSmallIntegers) {
+  EXPECT_EQ(cost(0), 0u);
+  EXPECT_LT(cost(1), cost(2));
+  EXPECT_EQ(cost(-3), cost(3));
+  EXPECT_LT(cost(1000), cost(mpq_class(1, 2)));
+  EXPECT_LT(cost(mpq_class(3, 4)), cost(mpq_class(1023, 1024)));
+  EXPECT_LT(cost(mpq_class(3, 4)), cost(scaled(3, -300)));
+  EXPECT_LT(size_of({"", {{{9, 9, 9}}}, {{{9, 9, 9}}}}), size_of({"", {{{}, {}}}, {{{}}}}));
+}
+
+TEST(Simplify, RoundsAndOffersOnlyCheaperNumbers) {
+  EXPECT_EQ(nearest_integer(mpq_class(5, 2)), 3);
+  EXPECT_EQ(nearest_integer(mpq_class(-5, 2)), -2);
+  EXPECT_EQ(nearest_integer(mpq_class(-8, 3)), -3);
+  EXPECT_EQ(to_multiple(mpq_class(11, 16), -2), mpq_class(3, 4));
+  EXPECT_EQ(to_bits(mpq_class(11, 16), 2), mpq_class(3, 4));
+  EXPECT_EQ(to_bits(1000, 1), 1024);
+  EXPECT_TRUE(simpler(0).empty());
+  for (const mpq_class& value : {mpq_class(-1), mpq_class(77), mpq_class(-1001, 1024), scaled(12345, 400)})
+    for (const mpq_class& other : simpler(value)) {
+      EXPECT_NE(other, value);
+      EXPECT_TRUE(cost(other) < cost(value) || (cost(other) == cost(value) && value < 0 && other >= 0)) << other << " for " << value;
+    }
+}
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "fathom-shrink-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  static std::string text_of(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  std::filesystem::path folder;
+};
+
+TEST_F(Files, HoldTheCaseItsProofAndASnippet) {
+  const Case pair = family_case("random_ball", 30, 2);
+  const Verdict verdict = doubled(pair).verdict;
+  ASSERT_TRUE(fails(verdict));
+  SubjectInfo info;
+  info.name = "fake";
+  const std::filesystem::path place = folder / "deep" / "er";
+  std::vector<std::string> paths;
+  const Shrunk shrunk = shrink(pair, verdict, doubled, [&](const Shrunk& step) {
+    paths = write_shrunk(place.string(), step, info);
+    EXPECT_TRUE(accepted(text_of(paths.at(1))));
+  });
+  ASSERT_EQ(paths.size(), 3u);
+  EXPECT_EQ(paths[0], (place / (std::string(name(verdict)) + ".case.json")).string());
+  const CaseItem item = parse_case(text_of(paths[0]), paths[0]);
+  ASSERT_TRUE(item.ok());
+  EXPECT_EQ(item.value().a.points, shrunk.pair.a.points);
+  EXPECT_EQ(item.value().b.points, shrunk.pair.b.points);
+  EXPECT_EQ(text_of(paths[1]), shrunk.certificate);
+  EXPECT_NE(text_of(paths[2]).find("fathom::judge"), std::string::npos);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place), {}), 3);
+}
+
+TEST_F(Files, ThatCannotBeWrittenAreNamed) {
+  std::ofstream(folder / "file") << "taken";
+  Shrunk shrunk;
+  shrunk.pair = family_case("random_ball", 4, 1);
+  EXPECT_THROW(write_shrunk((folder / "file").string(), shrunk, {}), InputError);
+}
+
+TEST(CaseLine, ReadsBackExactly) {
+  for (const char* family : {"random_ball", "wild_coordinates", "boxes_posed"}) {
+    const Case pair = families::find_family(family)->make(1, 8);
+    const CaseItem item = parse_case(case_line(pair, "a \"comment\"\n"), "line");
+    ASSERT_TRUE(item.ok()) << family;
+    EXPECT_EQ(item.value().a.points, pair.a.points);
+    EXPECT_EQ(item.value().b.points, pair.b.points);
+    EXPECT_EQ(item.id, pair.id);
+  }
+}
+
+}  // namespace
+}  // namespace fathom::harness

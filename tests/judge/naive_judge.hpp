@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The findings of VERDICTS.md once more, straight from the page, in floating-point numbers of thousands of bits: roots are taken, the
+// hull of all differences is at hand, nothing is squared. Differences below 2^-2000 count as 0.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "kernels/number/parse.hpp"
+#include "tests/approximate/naive_rays.hpp"
+#include "tests/judge/pairs.hpp"
+
+namespace fathom::testing {
+
+class NaiveJudge {
+ public:
+  NaiveJudge(const Truth& truth, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
+      : truth_(truth),
+        conventions_(conventions),
+        precision_(precision),
+        tolerance_(tolerance),
+        p_(differences(common_lattice(truth.a, truth.b))) {
+    denominator_ = common_lattice(truth.a, truth.b).denominator;
+    depth_ = root(real(truth.depth.squared));
+    distance_ = truth.depth.distance ? root(real(truth.depth.distance->squared)) : real(0);
+    tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),
+                     real(real(mpq_class(tolerance.ulps)) * ulp())});
+  }
+
+  /// For finite numbers, and without witness points.
+  std::vector<Verdict> findings(const Reply& reply) const {
+    std::vector<Verdict> found;
+    const Status status = truth_.depth.status;
+    const bool overlap = reply.overlap, has_depth = overlap && reply.depth.has_value();
+    mpf_class d = has_depth ? real(exact_value(*reply.depth)) : real(0);
+    if (conventions_.depth == Conventions::Sign::negative) d = -d;
+    if (status == Status::penetrating && !overlap && more(depth_, tol_)) found.push_back(Verdict::false_separation);
+    if (status == Status::disjoint && overlap && (more(distance_, tol_) || more(d, tol_))) found.push_back(Verdict::false_overlap);
+    if (status == Status::touching && overlap && conventions_.touching == Conventions::Touching::separate)
+      found.push_back(Verdict::false_overlap);
+    if (status == Status::touching && !overlap && conventions_.touching == Conventions::Touching::overlap)
+      found.push_back(Verdict::false_separation);
+    if (!has_depth) return found;
+    if (more(real(-tol_), d) && !more(real(abs(real(-d - depth_))), tol_)) {
+      found.push_back(Verdict::wrong_sign);
+      d = -d;
+    }
+    if (more(real(d - depth_), tol_)) found.push_back(Verdict::too_deep);
+    if (more(real(depth_ - d), tol_)) found.push_back(Verdict::too_shallow);
+    if (reply.direction) judge_direction(exact(*reply.direction), d, found);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  [[nodiscard]] const mpf_class& tol() const { return tol_; }
+  [[nodiscard]] const mpf_class& depth() const { return depth_; }
+  /// h(u) / |u|.
+  [[nodiscard]] mpf_class price(const Point& u) const {
+    mpq_class low = along(u, truth_.a.front()), high = along(u, truth_.b.front());
+    for (const Point& p : truth_.a) low = std::min(low, along(u, p));
+    for (const Point& p : truth_.b) high = std::max(high, along(u, p));
+    return real(real(mpq_class(high - low)) / length(u));
+  }
+  [[nodiscard]] mpf_class travel(const Point& u) const {
+    if (truth_.depth.status != Status::penetrating) return real(0);
+    const mpz_class d = lcm(lcm(u.x.get_den(), u.y.get_den()), u.z.get_den());
+    const Vector v{mpq_class(d * u.x).get_num(), mpq_class(d * u.y).get_num(), mpq_class(d * u.z).get_num()};
+    return real(real(mpq_class(factor_naive(p_, v) * d / denominator_)) * length(u));
+  }
+
+ private:
+  static constexpr mp_bitcnt_t bits = 6000;
+  static mpf_class real(const mpf_class& x) { return mpf_class(x, bits); }
+  static mpf_class real(const mpq_class& x) { return mpf_class(mpf_class(x.get_num(), bits) / mpf_class(x.get_den(), bits), bits); }
+  static mpf_class real(int x) { return mpf_class(x, bits); }
+  static mpf_class root(const mpf_class& x) { return mpf_class(sqrt(x), bits); }
+  static bool more(const mpf_class& x, const mpf_class& y) {
+    mpf_class hair(1, bits);
+    mpf_div_2exp(hair.get_mpf_t(), hair.get_mpf_t(), 2000);
+    return mpf_class(x - y, bits) > hair;
+  }
+  static Point exact(const Triple& u) { return {exact_value(u[0]), exact_value(u[1]), exact_value(u[2])}; }
+  static mpq_class along(const Point& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
+  static mpf_class length(const Point& u) { return root(real(along(u, u))); }
+
+  void judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found) const {
+    if (given == Point{0, 0, 0}) return found.push_back(Verdict::not_a_direction);
+    const mpq_class u16 = precision_ == Precision::binary64 ? exact_value(0x1p-49) : exact_value(0x1p-20);
+    const mpf_class slack = real(std::max(tolerance_.relative, u16));
+    if (conventions_.unit && more(real(abs(real(length(given) - 1))), slack)) found.push_back(Verdict::not_a_direction);
+    const bool b_moves = conventions_.moves == Conventions::Body::b;
+    const Point opposite{-given.x, -given.y, -given.z}, u = b_moves ? opposite : given, v = b_moves ? given : opposite;
+    const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), tol_); };
+    const auto separates = [&](const Point& x) { return truth_.depth.status != Status::penetrating || !more(real(travel(x) - d), tol_); };
+    if (consistent(u) && separates(u)) return;
+    if (consistent(v) && separates(v)) return found.push_back(Verdict::wrong_sign);
+    if (!separates(u)) found.push_back(Verdict::not_separating);
+    if (!consistent(u)) found.push_back(Verdict::inconsistent);
+  }
+
+  [[nodiscard]] mpf_class extent() const {
+    mpq_class result;
+    for (const std::vector<Point>* body : {&truth_.a, &truth_.b}) {
+      for (const Point& p : *body) {
+        for (const Point& q : *body) result = std::max({result, mpq_class(p.x - q.x), mpq_class(p.y - q.y), mpq_class(p.z - q.z)});
+      }
+    }
+    return real(result);
+  }
+
+  /// Half of the way from the number below the rounded-down depth's successor: the distance of neighbours, by asking for them.
+  [[nodiscard]] mpf_class ulp() const {
+    if (precision_ == Precision::binary64) {
+      const double low = root_binary64(truth_.depth.squared, Rounding::rd);
+      return real(mpq_class(exact_value(std::nextafter(low, 1e308)) - exact_value(low)));
+    }
+    const float low = root_binary32(truth_.depth.squared, Rounding::rd);
+    return real(mpq_class(exact_value(std::nextafter(low, 1e38F)) - exact_value(low)));
+  }
+
+  const Truth& truth_;
+  Conventions conventions_;
+  Precision precision_;
+  Tolerance tolerance_;
+  Polytope p_;
+  mpz_class denominator_;
+  mpf_class depth_{0, bits}, distance_{0, bits}, tol_{0, bits};
+};
+
+}  // namespace fathom::testing

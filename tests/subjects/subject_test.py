@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One adapter, FATHOM_SUBJECT, spoken to directly: its hello, pairs with known answers that prove the conventions it declares, and lines
+that are not of the protocol."""
+import os
+import unittest
+
+from client import HELLO, MODES, Client
+
+PROGRAM = os.environ["FATHOM_SUBJECT"]
+OWN = [mode for program, mode in MODES if program == PROGRAM]
+
+
+def box(low, high):
+    return [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+
+
+CUBE = box([0, 0, 0], [1, 1, 1])
+WEDGE = [[-4, 0, 0], [4, 0, 0], [0, -4, 4], [0, 4, 4]]  # an edge along x below, one along y on top
+# name, A, B, exact depth; each has one best direction, and all coordinates are binary32 numbers.
+PENETRATING = [
+    ("a cube before a box, along x", CUBE, box([0.875, -0.25, -0.125], [2, 0.875, 1.25]), 0.125),
+    ("a cube on a box, along y", CUBE, box([-0.25, -1.5, -0.375], [1.5, 0.25, 1.25]), 0.25),
+    ("a plate under a tall box, along z", box([-2, -2, 0], [2, 2, 1]), box([-1.25, -1, 0.5], [1, 1.5, 4]), 0.5),
+    ("the corner of a tetrahedron in a facet", [[0.25, 0.125, -0.25], [3, 0, 2], [-2, 2, 2], [-1, -3, 2]], box([-4, -4, -3], [4, 4.5, 0]), 0.25),
+    ("an edge across an edge", WEDGE, [[x + 0.25, y - 0.5, z - 3.5] for x, y, z in WEDGE], 0.5)]
+APART = [("apart by a quarter, along x", CUBE, box([1.25, -0.5, -0.25], [2, 0.5, 1.5])),
+         ("apart across a corner", CUBE, box([1.5, 1.25, -3], [2.5, 3, -0.5]))]
+TRIANGLE = [[0.25, 0.25, 0.75], [0.5, 1, 3], [1, 0.5, 3]]
+
+# FCL and libccd stop within 1e-6 of these; Bullet in binary32, whose bodies are round by their margin, within 1e-4 of its own.
+TOLERANCE = 5e-5 if PROGRAM == "bullet" else 2e-6
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
+class Conversation(unittest.TestCase):
+    maxDiff = None
+
+    def each_mode(self):
+        self.assertTrue(OWN)
+        for mode in OWN:
+            with self.subTest(mode=mode), Client(PROGRAM, mode) as subject:
+                yield mode, subject
+
+    def ends(self, subject, code):
+        got, talk = subject.wait()
+        self.assertEqual((got, subject.line()), (code, ""), talk)
+        return talk
+
+
+class Hello(Conversation):
+    def test_fields(self):
+        for mode, subject in self.each_mode():
+            hello = subject.hello
+            self.assertEqual({key: hello[key] for key in HELLO}, HELLO)
+            self.assertEqual(hello["name"], f"{PROGRAM}-{mode}")
+            self.assertEqual(hello["library"], PROGRAM.removesuffix("64"))
+            self.assertRegex(hello["version"], r"\d\.\d")
+            self.assertEqual(hello["precision"], "binary32" if PROGRAM == "bullet" else "binary64")
+            self.assertEqual(set(hello["conventions"]), {"touching", "depth", "moves", "unit"})
+            self.assertEqual(hello["capabilities"], {"faces": PROGRAM in ("fcl", "ode")})
+            self.assertTrue(hello["settings"])
+            self.assertEqual({str}, {type(text) for text in hello["settings"].values()})
+
+    def test_margins_are_told(self):
+        for mode, subject in self.each_mode():
+            margin = {"epa": "0", "pair": "0.04"}[mode] if PROGRAM.startswith("bullet") else None
+            self.assertEqual(subject.hello["settings"].get("margin"), margin)
+
+    def test_settings_from_the_command_line(self):
+        key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance", "fcl-collide": "gjk_tolerance",
+               "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin", "ode-collide": "contacts"}
+        for mode in OWN:
+            name = key.get(f"{PROGRAM}-{mode}")
+            if name is None:
+                continue  # btGjkEpaSolver2 takes no parameters
+            value = "7" if name == "contacts" else "0.0009765625"
+            with Client(PROGRAM, mode, f"{name}={value}") as subject:
+                self.assertEqual(subject.hello["settings"][name], value)
+
+    def test_wrong_command_lines(self):
+        for words in ([], ["all"], [OWN[0], "speed=1"], [OWN[0], "margin"], [OWN[0], "=1"], [OWN[0], "a=1", "a=1"],
+                      *([mode, key + "=x"] for mode in OWN for key in ("margin", "contacts", "epa_tolerance", "max_iterations"))):
+            subject = Client(PROGRAM, *words)
+            self.assertIn(f"fathom-subject-{PROGRAM}: ", self.ends(subject, 2))
+
+
+class Answers(Conversation):
+    def check(self, hello, a, b, depth, reply):
+        """The depth is right, and A is behind a plane across the direction once it has moved as the conventions say."""
+        self.assertEqual(reply["overlap"], True)
+        sign = -1 if hello["conventions"]["depth"] == "negative" else 1
+        self.assertAlmostEqual(sign * reply["depth"], depth, delta=TOLERANCE)
+        moves = {"a": 1, "b": -1}[hello["conventions"]["moves"]]
+        ways = []
+        if "direction" in reply:
+            self.assertAlmostEqual(dot(reply["direction"], reply["direction"]), 1, delta=TOLERANCE)
+            ways.append([moves * depth * x for x in reply["direction"]])
+        if "witness" in reply:
+            ways.append([y - x for x, y in zip(reply["witness"]["a"], reply["witness"]["b"])])
+        self.assertTrue(ways)
+        for way in ways:
+            length = dot(way, way)**0.5
+            self.assertAlmostEqual(length, depth, delta=TOLERANCE)
+            lowest, highest = min(dot(way, v) for v in a) / length + length, max(dot(way, v) for v in b) / length
+            self.assertAlmostEqual(lowest, highest, delta=4 * TOLERANCE)
+
+    def test_penetrating(self):
+        for _, subject in self.each_mode():
+            for name, a, b, depth in PENETRATING:
+                for one, two in ((a, b), (b, a)):
+                    with self.subTest(name, swapped=one is b):
+                        self.check(subject.hello, one, two, depth, subject.ask(one, two))
+
+    def test_points_that_are_no_corners(self):
+        """Points inside, in a facet, in an edge, and one that comes twice change nothing."""
+        _, a, b, depth = PENETRATING[0]
+        more = [[0.5, 0.5, 0.5], [1, 0.5, 0.75], [0, 0, 0.5], [0, 0, 0]]
+        for _, subject in self.each_mode():
+            for one, two in ((more + a, b), (b, more + a)):
+                self.check(subject.hello, one, two, depth, subject.ask(one, two))
+
+    def test_apart(self):
+        for _, subject in self.each_mode():
+            for name, a, b in APART:
+                with self.subTest(name):
+                    self.assertEqual(subject.ask(a, b)["overlap"], False)
+                    self.assertEqual(subject.ask(b, a)["overlap"], False)
+
+    def test_margin_is_undone(self):
+        """Any margin gives the depth of the bodies themselves, to that margin's rounding."""
+        if not PROGRAM.startswith("bullet"):
+            self.skipTest("this library has none")
+        for margin in ("0", "0.0625", "0.25"):
+            with self.subTest(margin=margin), Client(PROGRAM, "pair", f"margin={margin}") as subject:
+                for _, a, b, depth in PENETRATING:
+                    self.check(subject.hello, a, b, depth, subject.ask(a, b))
+                for _, a, b in APART:
+                    self.assertEqual(subject.ask(a, b)["overlap"], False)
+
+    def test_flat_bodies(self):
+        """Point sets are tried; a library whose bodies are made of faces is not asked."""
+        for _, subject in self.each_mode():
+            for a, b in ((TRIANGLE, CUBE), (CUBE, TRIANGLE)):
+                reply = subject.ask(a, b)
+                if subject.hello["capabilities"]["faces"]:
+                    self.assertIn("flat", reply["unsupported"])
+                    self.assertNotIn("overlap", reply)
+                else:
+                    self.assertIs(reply["overlap"], True)
+
+
+class Lines(Conversation):
+    def test_stop_and_end(self):
+        for _, subject in self.each_mode():
+            subject.ask(*APART[0][1:])
+            subject.send({"type": "stop"})
+            self.assertEqual(self.ends(subject, 0), "")
+        for _, subject in self.each_mode():
+            self.assertEqual(self.ends(subject, 0), "")
+
+    def test_unknown_fields_and_any_id(self):
+        body = {"vertices": CUBE, "faces": [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]}
+        for _, subject in self.each_mode():
+            subject.send({"type": "run", "id": "\u00fc \"7\"", "a": {**body, "colour": 1}, "b": body, "flags": []})
+            reply = subject.receive()
+            self.assertEqual((reply["id"], reply["overlap"]), ("\u00fc \"7\"", True))
+
+    def test_lines_that_are_not_of_the_protocol(self):
+        run = {"type": "run", "id": "1", "a": {"vertices": CUBE}, "b": {"vertices": CUBE}}
+        with_faces = {"vertices": CUBE, "faces": [[0, 1, 8]]}
+        for line in ("", "{", "[]", "7", {}, {"type": "go"}, {"type": 1}, {**HELLO, "protocol": "fathom/subject/2"}, {"type": "run", "id": "1"},
+                     {**run, "b": {}}, {**run, "b": {"vertices": []}}, {**run, "b": {"vertices": [[0, 0]]}},
+                     {**run, "b": {"vertices": [["x", 0, 0]]}}, {**run, "a": with_faces}, {**run, "a": {"vertices": CUBE, "faces": [[0, 1]]}},
+                     {key: run[key] for key in ("type", "a", "b")}):
+            with self.subTest(line=line), Client(PROGRAM, OWN[0]) as subject:
+                subject.send(line)
+                self.assertIn("line 2: ", self.ends(subject, 2))
+
+
+if __name__ == "__main__":
+    unittest.main()

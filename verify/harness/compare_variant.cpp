@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) - sqrt(q) > t is decided without a root.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::harness {
+namespace {
+
+std::string short_text(double value) { return fmt::format("{:.6g}", value); }
+
+/// The square root of a signed square, rounded.
+double signed_root(const mpq_class& square) {
+  const double root = root_binary64(abs(square), Rounding::rn);
+  return square < 0 ? -root : root;
+}
+
+/// Whether two lengths, given by their signed squares, differ by more than the square root of `allowed`.
+bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
+  const mpq_class rest = abs(p) + abs(q) - allowed, product = 4 * abs(p) * abs(q);
+  if ((p < 0) == (q < 0) || p == 0 || q == 0) return rest > 0 && rest * rest > product;  // |p| + |q| - allowed > 2 sqrt(pq)
+  return rest > 0 || rest * rest < product;                                              // the lengths add up
+}
+
+/// Both answers, the variant's in the units of the original.
+class Comparison {
+ public:
+  Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
+      : original_(original), variant_(variant), made_(made) {
+    if (!original.judgement) return;
+    allowed_ = allowed_squared(tolerance, original.judgement->depth_squared, scaled(extent(made.seen), -made.exponent), made.precision);
+  }
+
+  /// What differs; empty: nothing beyond the tolerance.
+  [[nodiscard]] std::string difference() const {
+    if (!original_.reply || !original_.judgement || original_.verdict == Verdict::nan)
+      return fmt::format("the case itself ends in {}, {} of it does not", name(original_.verdict), of_variant());
+    if (original_.reply->overlap != variant_.reply->overlap && fails(original_.verdict))
+      return fmt::format("overlap is {} of the case itself, and {} of {}", original_.reply->overlap ? "claimed" : "denied",
+                         variant_.reply->overlap ? "claimed" : "denied", of_variant());
+    if (std::string text = of_depths(); !text.empty()) return text;
+    return of_prices();
+  }
+
+ private:
+  [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
+
+  /// The claimed depth in the units of the original; 0 where no overlap is claimed.
+  [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
+    if (!reply.overlap) return mpq_class(0);
+    if (!reply.depth || !std::isfinite(*reply.depth)) return std::nullopt;
+    return scaled(exact_value(*reply.depth), -exponent);
+  }
+
+  [[nodiscard]] std::string of_depths() const {
+    const std::optional<mpq_class> here = claimed(*original_.reply, 0), there = claimed(*variant_.reply, made_.exponent);
+    if (!here || !there) return "";
+    const mpq_class difference = abs(*here - *there);
+    if (difference * difference <= allowed_) return "";
+    std::string text = fmt::format("the depths of the case and of {} differ by {}: {} and {}", of_variant(),
+                                   short_text(round_binary64(difference, Rounding::rn)), short_text(round_binary64(*here, Rounding::rn)),
+                                   short_text(round_binary64(*there, Rounding::rn)));
+    if (const auto [p, q] = prices(); p && q && *p != *q)
+      text += fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
+    return text;
+  }
+
+  [[nodiscard]] std::string of_prices() const {
+    const auto [p, q] = prices();
+    if (!p || !q || !differ(*p, *q, allowed_)) return "";
+    return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(signed_root(*p)),
+                       short_text(signed_root(*q)));
+  }
+
+  [[nodiscard]] std::pair<std::optional<mpq_class>, std::optional<mpq_class>> prices() const {
+    std::optional<mpq_class> there = variant_.judgement->price_squared;
+    if (there) there = scaled(*there, -2 * made_.exponent);
+    return {original_.judgement->price_squared, there};
+  }
+
+  const Outcome &original_, &variant_;
+  const Variant& made_;
+  mpq_class allowed_;
+};
+
+}  // namespace
+
+Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance) {
+  Outcome result = variant;
+  result.variant = made.name;
+  if (!passes(variant.verdict) || !variant.reply || !variant.judgement || original.verdict == Verdict::unsupported) return result;
+  const std::string difference = Comparison(original, variant, made, tolerance).difference();
+  if (difference.empty()) return result;
+  result.verdict = result.judgement->verdict = Verdict::not_invariant;
+  result.judgement->findings.push_back(Verdict::not_invariant);
+  result.judgement->sentence = difference + (made.exponent == 0 ? "" : ", scaled back");
+  return result;
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/coordinates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "verify/judge/allowance.hpp"
+
+namespace fathom::harness {
+namespace {
+
+mpq_class longest_side(const Body& body) {
+  mpq_class longest = 0;
+  for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto less = [axis](const Point& p, const Point& q) { return p.*axis < q.*axis; };
+    const auto [low, high] = std::ranges::minmax_element(body.points, less);
+    longest = std::max(longest, mpq_class(*high.*axis - *low.*axis));
+  }
+  return longest;
+}
+
+}  // namespace
+
+mpq_class scaled(const mpq_class& value, long exponent) {
+  mpq_class result;
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+long exponent_of(const mpq_class& value) {
+  const long guess =
+      static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+  return abs(value) < scaled(1, guess) ? guess - 1 : guess;  // 2^(guess-1) < |value| < 2^(guess+1)
+}
+
+long lowest_bit(const mpq_class& value) {
+  if (value.get_den() != 1) return 1 - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+  return static_cast<long>(mpz_scan1(value.get_num_mpz_t(), 0));
+}
+
+std::optional<mpq_class> rounded(const mpq_class& value, Precision precision) {
+  const double nearest =
+      precision == Precision::binary32 ? static_cast<double>(round_binary32(value, Rounding::rn)) : round_binary64(value, Rounding::rn);
+  if (!std::isfinite(nearest)) return std::nullopt;
+  return exact_value(nearest);
+}
+
+bool representable(const mpq_class& value, Precision precision) { return rounded(value, precision) == value; }
+
+mpq_class largest_coordinate(const Case& pair) {
+  mpq_class largest = 0;
+  for_each_coordinate(pair, [&](const mpq_class& value) { largest = std::max(largest, mpq_class(abs(value))); });
+  return largest;
+}
+
+mpq_class extent(const Case& pair) { return std::max(longest_side(pair.a), longest_side(pair.b)); }
+
+mpq_class allowed_squared(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& extent, Precision precision) {
+  const mpq_class relative = std::max(tolerance.relative, mpq_class(0)), absolute = std::max(tolerance.absolute, mpq_class(0)) * extent;
+  const mpq_class ulps = ulp_at_root(depth_squared, precision) * tolerance.ulps;
+  return std::max({mpq_class(relative * relative * depth_squared), mpq_class(absolute * absolute), mpq_class(ulps * ulps)});
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coordinates as numbers of the subject's precision, and lengths against a tolerance: exact.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+
+#include "kernels/vector.hpp"
+#include "reference/files/body.hpp"
+#include "verify/judge/judge.hpp"
+
+namespace fathom::harness {
+
+/// value * 2^exponent.
+mpq_class scaled(const mpq_class& value, long exponent);
+
+/// floor(log2 |value|); the value must not be 0.
+long exponent_of(const mpq_class& value);
+
+/// The largest e for which value is a multiple of 2^e; the value must be a binary fraction, and not 0.
+long lowest_bit(const mpq_class& value);
+
+/// `value` to nearest in the precision. Nothing if it overflows.
+std::optional<mpq_class> rounded(const mpq_class& value, Precision precision);
+
+/// Whether `value` is a finite number of the precision.
+bool representable(const mpq_class& value, Precision precision);
+
+/// Applies change(mpq_class&) to every coordinate of both bodies.
+template <class Change>
+void for_each_coordinate(Case& pair, Change change) {
+  for (Body* body : {&pair.a, &pair.b})
+    for (Point& p : body->points)
+      for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
+}
+template <class Look>
+void for_each_coordinate(const Case& pair, Look look) {
+  for (const Body* body : {&pair.a, &pair.b})
+    for (const Point& p : body->points)
+      for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
+}
+
+/// The largest |coordinate|; 0 if all are 0.
+mpq_class largest_coordinate(const Case& pair);
+
+/// The longest side of the bodies' boxes, the larger of the two.
+mpq_class extent(const Case& pair);
+
+/// The square of the length that `tolerance` allows for bodies of this depth^2 and extent.
+mpq_class allowed_squared(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& extent, Precision precision);
+
+}  // namespace fathom::harness

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/journal.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "reference/files/body.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr mode_t as_umask_allows = 0666;
+
+bool is_summary(std::string_view line) { return line.starts_with(R"({"schema":"fathom/verdict/1","type":"summary")"); }
+
+bool exists_and_holds_something(const std::string& path) {
+  struct stat about = {};
+  return ::stat(path.c_str(), &about) == 0 && (!S_ISREG(about.st_mode) || about.st_size > 0);
+}
+
+/// Reads the lines of a journal, and finds how many of its bytes are to be kept.
+std::size_t kept_bytes(const std::string& text, const std::string& path, const std::string& header,
+                       const std::function<void(Outcome)>& known) {
+  std::size_t kept = 0, number = 0;
+  for (std::size_t newline = text.find('\n'); newline != std::string::npos; newline = text.find('\n', kept)) {
+    const std::string_view line = std::string_view(text).substr(kept, newline - kept);
+    ++number;
+    if (number == 1 && line != header)
+      throw InputError(
+          path, 1, "this report is of another subject, version, setting or tolerance: expected " + header + ", found " + std::string(line));
+    if (number > 1 && is_summary(line)) return kept;
+    if (number > 1) {
+      std::optional<Outcome> outcome = read_outcome(line);
+      if (!outcome) throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + shown(line));
+      known(*std::move(outcome));
+    }
+    kept = newline + 1;
+  }
+  return kept;
+}
+
+}  // namespace
+
+Journal::Journal(std::string path)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, as_umask_allows)) {
+  if (file_ < 0) throw InputError(path_, 0, std::string("cannot be written: ") + std::strerror(errno));
+  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(file_);
+  throw InputError(path_, 0, "another run is writing it");
+}
+
+Journal::Journal(Journal&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+
+Journal::~Journal() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Journal Journal::create(const std::string& path, const std::string& header) {
+  if (exists_and_holds_something(path))
+    throw InputError(path, 0, "it exists; --resume goes on with a report that is there, or name another file");
+  Journal journal(path);
+  journal.add(header);
+  return journal;
+}
+
+Journal Journal::resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known) {
+  Journal journal(path);
+  const std::string text = read_file(path);
+  const std::size_t kept = kept_bytes(text, path, header, known);
+  if (kept < text.size() && ::ftruncate(journal.file_, static_cast<off_t>(kept)) != 0)
+    throw InputError(path, 0, std::string("its last line cannot be cut off: ") + std::strerror(errno));
+  if (kept == 0) journal.add(header);
+  return journal;
+}
+
+void Journal::add(const std::string& line) {
+  const std::string text = line + '\n';
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t count = ::write(file_, text.data() + written, text.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw JournalError(path_ + ": cannot be written: " + std::strerror(errno));
+    written += static_cast<std::size_t>(count);
+  }
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outcomes on disk as they come: one line each, written whole, so that a run that was cut short can go on.
+//                                                                             [schemas/verdict.schema.json; verify/PROTOCOL.md]
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+/// One line, without the newline, of schema fathom/verdict/1; and back. What can be read gives the same outcome; anything else, nothing.
+std::string outcome_line(const Outcome& outcome);
+std::optional<Outcome> read_outcome(std::string_view line);
+
+/// The first line: whose outcomes they are, and by which tolerance they were judged.
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance);
+/// The last line of a run that met every case.
+struct Totals {
+  std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0;
+};
+std::string summary_line(const Totals& totals);
+
+/// A journal could not be written: full disk, for one.
+struct JournalError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A journal on disk. Each line is one write(2) to the end of the file: whatever kills the process, lines written before are whole. A
+/// second process that opens it meanwhile is refused with an InputError.
+class Journal {
+ public:
+  /// Starts a new one. InputError if the file exists and is not empty, or cannot be made.
+  static Journal create(const std::string& path, const std::string& header);
+  /// Goes on with the one that is there, if it is there: calls `known` for each outcome in it, then cuts off a summary and a torn last
+  /// line. InputError, naming the line, if its header is another one, or a line is none of ours.
+  static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known);
+
+  ~Journal();
+  Journal(Journal&& other) noexcept;
+  Journal& operator=(Journal&&) = delete;
+
+  /// Throws JournalError.
+  void add(const std::string& line);
+
+ private:
+  explicit Journal(std::string path);
+  std::string path_;
+  int file_ = -1;
+};
+
+}  // namespace fathom::harness

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What became of one case in the hands of one subject.                                                [design section 8]
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "reference/files/body.hpp"
+#include "verify/judge/judge.hpp"
+
+namespace fathom::harness {
+
+/// What a subject says of itself in its hello.
+struct SubjectInfo {
+  std::string name, version;  ///< "libccd-epa", "2.1"
+  std::string library;        ///< which snippet a failing case is printed as: "libccd", "fcl", "bullet", "ode"; may be empty
+  Precision precision = Precision::binary64;
+  Conventions conventions;
+  bool wants_faces = false;                     ///< the facets of the hulls come with each case, as polygons of point indices
+  std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: told, never read
+};
+
+struct Outcome {
+  std::string id;       ///< of the case
+  std::string variant;  ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale"
+  std::string digest;   ///< of the points as the subject saw them: 16 hexadecimal digits
+  Verdict verdict = Verdict::garbage;
+  std::string detail;                  ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line
+  std::optional<Reply> reply;          ///< if one was understood
+  std::optional<Judgement> judgement;  ///< if the reply was judged
+  double seconds = 0;                  ///< wall time until the answer
+};
+
+/// The family that an id names: what stands before "::", or before "-n<size>-s<seed>"; else empty.
+std::string family_of(const std::string& id);
+
+/// Puts one case to the subject and judges what comes back. Never throws for anything that a subject does.
+using Examine = std::function<Outcome(const Case&)>;
+
+}  // namespace fathom::harness

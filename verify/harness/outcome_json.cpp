@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outcomes as lines of schema fathom/verdict/1.
+#include <gmpxx.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "kernels/number/parse.hpp"
+#include "verify/harness/journal.hpp"
+#include "verify/harness/protocol.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json line_of(const char* type) { return {{"schema", "fathom/verdict/1"}, {"type", type}}; }
+
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+Json triple(const Triple& t) { return {number(t[0]), number(t[1]), number(t[2])}; }
+
+const char* status_name(Status status) {
+  return status == Status::penetrating ? "penetrating" : status == Status::touching ? "touching" : "disjoint";
+}
+
+Json reply_json(const Reply& reply) {
+  Json json = {{"overlap", reply.overlap}};
+  if (reply.depth) json["depth"] = number(*reply.depth);
+  if (reply.direction) json["direction"] = triple(*reply.direction);
+  if (reply.witness_a) json["witness"]["a"] = triple(*reply.witness_a);
+  if (reply.witness_b) json["witness"]["b"] = triple(*reply.witness_b);
+  return json;
+}
+
+void put(Json& json, const char* name, const std::optional<double>& value) {
+  if (value) json[name] = number(*value);
+}
+void put(Json& json, const char* name, const std::optional<mpq_class>& value) {
+  if (value) json[name] = exact_text(*value);
+}
+
+Json judgement_json(const Judgement& j) {
+  Json json = {{"verdict", name(j.verdict)}, {"status", status_name(j.status)}, {"depth_squared", exact_text(j.depth_squared)}};
+  json["findings"] = Json::array();
+  for (const Verdict finding : j.findings) json["findings"].push_back(name(finding));
+  if (j.accuracy) json["accuracy"] = name(*j.accuracy);
+  put(json, "error", j.error);
+  put(json, "error_ulps", j.error_ulps);
+  put(json, "error_relative", j.error_relative);
+  put(json, "error_u_r", j.error_u_r);
+  put(json, "price_squared", j.price_squared);
+  put(json, "travel_squared", j.travel_squared);
+  put(json, "inconsistency", j.inconsistency);
+  put(json, "overlap_left", j.overlap_left);
+  put(json, "witness_a_squared", j.witness_a_squared);
+  put(json, "witness_b_squared", j.witness_b_squared);
+  put(json, "witness_gap", j.witness_gap);
+  json["sentence"] = j.sentence;
+  return json;
+}
+
+}  // namespace
+
+std::string outcome_line(const Outcome& outcome) {
+  Json json = line_of("case");
+  json["id"] = outcome.id;
+  if (!outcome.variant.empty()) json["variant"] = outcome.variant;
+  json["digest"] = outcome.digest;
+  json["verdict"] = name(outcome.verdict);
+  if (!outcome.detail.empty()) json["detail"] = outcome.detail;
+  json["seconds"] = number(outcome.seconds);
+  if (outcome.reply) json["reply"] = reply_json(*outcome.reply);
+  if (outcome.judgement) json["judgement"] = judgement_json(*outcome.judgement);
+  return dumped(json);
+}
+
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance) {
+  Json json = line_of("header");
+  json["subject"] = Json::parse(hello_text(info));
+  json["tolerance"] = {
+      {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
+  return dumped(json);
+}
+
+std::string summary_line(const Totals& totals) {
+  Json json = line_of("summary");
+  json["cases"] = totals.cases;
+  json["passed"] = totals.passed;
+  json["failed"] = totals.failed;
+  json["unsupported"] = totals.unsupported;
+  return dumped(json);
+}
+
+}  // namespace fathom::harness

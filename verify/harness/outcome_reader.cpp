@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of schema fathom/verdict/1 back as outcomes. Whatever is not exactly as it was written is refused by an exception inside.
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "kernels/number/parse.hpp"
+#include "verify/harness/journal.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Unreadable {};
+
+double number(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  const std::string text = json.get<std::string>();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text == "inf") return std::numeric_limits<double>::infinity();
+  if (text == "-inf") return -std::numeric_limits<double>::infinity();
+  throw Unreadable();
+}
+
+mpq_class exact(const Json& json) {
+  const ParsedNumber parsed = parse_number(json.get_ref<const std::string&>(), Decimals::exact);
+  if (!parsed.value) throw Unreadable();
+  return *parsed.value;
+}
+
+std::optional<Triple> triple(const Json& json, const char* name) {
+  if (!json.contains(name)) return std::nullopt;
+  const Json& list = json.at(name);
+  return Triple{number(list.at(0)), number(list.at(1)), number(list.at(2))};
+}
+
+Verdict verdict(const Json& json) {
+  const std::optional<Verdict> verdict = verdict_named(json.get_ref<const std::string&>());
+  if (!verdict) throw Unreadable();
+  return *verdict;
+}
+
+Status status(const Json& json) {
+  const auto& text = json.get_ref<const std::string&>();
+  if (text == "penetrating") return Status::penetrating;
+  if (text == "touching") return Status::touching;
+  if (text == "disjoint") return Status::disjoint;
+  throw Unreadable();
+}
+
+Accuracy accuracy(const Json& json) {
+  for (const Accuracy a : {Accuracy::correctly_rounded, Accuracy::ulps_4, Accuracy::u_r_16, Accuracy::millionth, Accuracy::tolerance})
+    if (json.get_ref<const std::string&>() == name(a)) return a;
+  throw Unreadable();
+}
+
+void take(const Json& json, const char* name, std::optional<double>& value) {
+  if (json.contains(name)) value = number(json.at(name));
+}
+void take(const Json& json, const char* name, std::optional<mpq_class>& value) {
+  if (json.contains(name)) value = exact(json.at(name));
+}
+
+Reply reply(const Json& json) {
+  Reply reply;
+  reply.overlap = json.at("overlap").get<bool>();
+  take(json, "depth", reply.depth);
+  reply.direction = triple(json, "direction");
+  if (json.contains("witness")) {
+    reply.witness_a = triple(json.at("witness"), "a");
+    reply.witness_b = triple(json.at("witness"), "b");
+  }
+  return reply;
+}
+
+Judgement judgement(const Json& json) {
+  Judgement j;
+  j.verdict = verdict(json.at("verdict"));
+  j.status = status(json.at("status"));
+  j.depth_squared = exact(json.at("depth_squared"));
+  for (const Json& finding : json.at("findings")) j.findings.push_back(verdict(finding));
+  if (json.contains("accuracy")) j.accuracy = accuracy(json.at("accuracy"));
+  take(json, "error", j.error);
+  take(json, "error_ulps", j.error_ulps);
+  take(json, "error_relative", j.error_relative);
+  take(json, "error_u_r", j.error_u_r);
+  take(json, "price_squared", j.price_squared);
+  take(json, "travel_squared", j.travel_squared);
+  take(json, "inconsistency", j.inconsistency);
+  take(json, "overlap_left", j.overlap_left);
+  take(json, "witness_a_squared", j.witness_a_squared);
+  take(json, "witness_b_squared", j.witness_b_squared);
+  take(json, "witness_gap", j.witness_gap);
+  j.sentence = json.at("sentence").get<std::string>();
+  return j;
+}
+
+Outcome outcome(const Json& json) {
+  if (json.at("schema") != "fathom/verdict/1" || json.at("type") != "case") throw Unreadable();
+  Outcome outcome;
+  outcome.id = json.at("id").get<std::string>();
+  outcome.variant = json.value("variant", std::string());
+  outcome.digest = json.at("digest").get<std::string>();
+  outcome.verdict = verdict(json.at("verdict"));
+  outcome.detail = json.value("detail", std::string());
+  outcome.seconds = number(json.at("seconds"));
+  if (json.contains("reply")) outcome.reply = reply(json.at("reply"));
+  if (json.contains("judgement")) outcome.judgement = judgement(json.at("judgement"));
+  return outcome;
+}
+
+}  // namespace
+
+std::optional<Outcome> read_outcome(std::string_view line) {
+  try {
+    return outcome(Json::parse(line));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const Unreadable&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace fathom::harness

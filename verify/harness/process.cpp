@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/process.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "verify/harness/spawn.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds slice(20);  // between two looks at whether it still lives, and at `stop`
+constexpr std::size_t most_at_once = 1 << 16;
+
+void close_end(int& end) {
+  if (end >= 0) ::close(std::exchange(end, -1));
+}
+
+/// write(2) to a pipe whose reader may be gone, without the signal that this raises in programs that have not ignored it.
+ssize_t write_quietly(int end, const char* data, std::size_t size) {
+  sigset_t pipe, before;
+  ::sigemptyset(&pipe);
+  ::sigaddset(&pipe, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &pipe, &before);
+  const ssize_t written = ::write(end, data, size);
+  const int error = errno;
+  if (written < 0 && error == EPIPE) {
+    const timespec now = {};
+    while (::sigtimedwait(&pipe, nullptr, &now) < 0 && errno == EINTR) {
+    }
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return written;
+}
+
+/// Appends what can be read now, at most `most`. False at the end of the input.
+bool read_some(int end, std::string& to, std::size_t most) {
+  std::array<char, most_at_once> piece;
+  const ssize_t got = ::read(end, piece.data(), std::min(most, piece.size()));
+  if (got > 0) to.append(piece.data(), static_cast<std::size_t>(got));
+  return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
+}
+
+}  // namespace
+
+std::string described(const Ending& ending) {
+  if (!ending.by_signal) return fmt::format("ended with exit code {}", ending.number);
+  const char* const name = ::sigdescr_np(ending.number);
+  return name ? fmt::format("killed by signal {} ({})", ending.number, name) : fmt::format("killed by signal {}", ending.number);
+}
+
+Process::Process(const std::string& command, std::function<bool()> stop) : stop_(std::move(stop)) {
+  const Spawned child = spawn(command);
+  id_ = child.id;
+  input_ = child.input;
+  output_ = child.output;
+  errors_ = child.errors;
+}
+
+Process::~Process() {
+  ::kill(-id_, SIGKILL);  // before it is reaped: until then no other group can have this number
+  for (int* end : {&input_, &output_, &errors_}) close_end(*end);
+  while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+void Process::send(std::string_view line) {
+  outgoing_.erase(0, std::exchange(sent_, 0));
+  outgoing_.append(line);
+  outgoing_ += '\n';
+  if (input_ < 0) outgoing_.clear();
+  write_some();
+}
+
+void Process::write_some() {
+  while (input_ >= 0 && unsent() > 0) {
+    const ssize_t written = write_quietly(input_, outgoing_.data() + sent_, std::min(unsent(), most_at_once));
+    if (written > 0) sent_ += static_cast<std::size_t>(written);
+    else if (errno == EAGAIN) return;
+    else if (errno != EINTR) close_input();
+  }
+}
+
+void Process::close_input() {
+  close_end(input_);
+  outgoing_.clear();
+  sent_ = 0;
+}
+
+void Process::read_output() {
+  if (!read_some(output_, incoming_, longest_line + 1 - std::min(incoming_.size(), longest_line))) close_end(output_);
+}
+
+void Process::read_errors() {
+  if (!read_some(errors_, words_, most_at_once)) close_end(errors_);
+  if (words_.size() > kept_of_stderr) words_.erase(0, words_.size() - kept_of_stderr);
+}
+
+/// Moves what can be moved, once; waits at most `patience` for the first of it.
+void Process::pump(milliseconds patience) {
+  pollfd ends[] = {{unsent() > 0 ? input_ : -1, POLLOUT, 0}, {output_, POLLIN, 0}, {errors_, POLLIN, 0}};
+  if (::poll(ends, std::size(ends), static_cast<int>(patience.count())) <= 0) return;
+  if (ends[0].revents != 0) write_some();
+  if (ends[1].revents != 0) read_output();
+  if (ends[2].revents != 0) read_errors();
+}
+
+bool Process::dead() const {
+  siginfo_t info = {};
+  return ::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
+}
+
+Process::Got Process::read_line(std::string& line, Clock::time_point deadline) {
+  for (bool late = false;;) {
+    const std::size_t newline = incoming_.find('\n', searched_);
+    if (newline != std::string::npos) {
+      line = incoming_.substr(0, newline);
+      incoming_.erase(0, newline + 1);
+      searched_ = 0;
+      return Got::line;
+    }
+    searched_ = incoming_.size();
+    if (incoming_.size() > longest_line) return Got::too_long;
+    if (output_ < 0) {
+      line = std::exchange(incoming_, {});
+      searched_ = 0;
+      return Got::end;
+    }
+    if (late) return Got::time_out;
+    if (stop_ && stop_()) return Got::stopped;
+    const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
+    late = left <= milliseconds(0);
+    const bool ended = dead();  // asked before reading, so that what it wrote while it lived is read first
+    pump(ended ? milliseconds(0) : std::clamp(left, milliseconds(0), slice));
+    // A child of its own may hold the pipe open for ever.
+    if (ended && incoming_.size() == searched_) close_end(output_);
+  }
+}
+
+const std::string& Process::waiting() {
+  pump(milliseconds(0));
+  return incoming_;
+}
+
+std::optional<Ending> Process::ending(Clock::time_point deadline) {
+  while (!dead()) {
+    if (Clock::now() >= deadline || (stop_ && stop_())) return std::nullopt;
+    if (output_ >= 0) read_output();  // or it might wait for us
+    incoming_.clear();
+    searched_ = 0;
+    pump(milliseconds(1));
+    ::poll(nullptr, 0, 1);
+  }
+  siginfo_t info = {};
+  ::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT);
+  if (info.si_code != CLD_EXITED) return Ending{true, info.si_status};
+  constexpr int shells_offset = 128;
+  const bool told_by_shell = info.si_status > shells_offset && ::sigdescr_np(info.si_status - shells_offset) != nullptr;
+  return told_by_shell ? Ending{true, info.si_status - shells_offset} : Ending{false, info.si_status};
+}
+
+std::string Process::last_words() {
+  constexpr int enough = 16;  // it may be writing without end
+  pollfd end = {errors_, POLLIN, 0};
+  for (int i = 0; i < enough && errors_ >= 0 && ::poll(&end, 1, 0) > 0; ++i) read_errors();
+  return words_;
+}
+
+}  // namespace fathom::harness

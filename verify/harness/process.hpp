@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One child process behind three pipes: lines go in, lines come out, and nothing that it does can block or end its parent.
+//                                                                                                     [verify/PROTOCOL.md]
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fathom::harness {
+
+/// How a process ended. A shell's "128 + signal" counts as that signal.
+struct Ending {
+  bool by_signal = false;
+  int number = 0;  ///< of the signal, or the exit code
+  [[nodiscard]] bool in_good_order() const { return !by_signal && number == 0; }
+};
+
+/// "killed by signal 11 (Segmentation fault)", "ended with exit code 3".
+std::string described(const Ending& ending);
+
+inline constexpr std::size_t longest_line = std::size_t{16} << 20;  ///< bytes
+inline constexpr std::size_t kept_of_stderr = 4096;                 ///< bytes
+
+/// A shell command in a process group of its own. Not for two threads at once.
+class Process {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class Got {
+    line,
+    end,       ///< of the output: it was closed, or the process ended
+    time_out,  ///< the deadline passed before the line was whole
+    too_long,  ///< longest_line passed without a newline
+    stopped    ///< as asked for by `stop`
+  };
+
+  /// Runs `/bin/sh -c command`. `stop` is asked now and then while waiting. Throws std::system_error when the system gives no process.
+  explicit Process(const std::string& command, std::function<bool()> stop = {});
+  /// Kills the whole group, whatever is left of it.
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Takes the line, and writes as much as the pipe holds. The rest goes out while reading; a closed pipe swallows it.
+  void send(std::string_view line);
+  /// Bytes of what was sent that the process has not taken out of our hands.
+  [[nodiscard]] std::size_t unsent() const { return outgoing_.size() - sent_; }
+
+  /// The next line of its output, without the newline. After `end`, `line` holds what stood behind the last newline.
+  Got read_line(std::string& line, Clock::time_point deadline);
+  /// What it has written that was not read as a line, so far as it is there at this moment.
+  const std::string& waiting();
+  /// Whether it has ended, or closed its output, by now.
+  [[nodiscard]] bool gone() const { return output_ < 0 || dead(); }
+
+  /// Waits until it has ended; nothing if it still lives at the deadline.
+  std::optional<Ending> ending(Clock::time_point deadline);
+  /// Says that no more will be sent: the end of its input.
+  void close_input();
+
+  /// The last bytes that it wrote to standard error.
+  std::string last_words();
+
+ private:
+  void pump(std::chrono::milliseconds patience);
+  void write_some();
+  void read_output();
+  void read_errors();
+  bool dead() const;
+
+  std::function<bool()> stop_;
+  pid_t id_ = -1;
+  int input_ = -1, output_ = -1, errors_ = -1;  // -1: closed
+  std::string outgoing_, incoming_, words_;
+  std::size_t sent_ = 0, searched_ = 0;  // no newline in the first `searched_` bytes of incoming_
+};
+
+}  // namespace fathom::harness

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The messages of the protocol fathom/subject/1 to and from text: one JSON object a line.            [verify/PROTOCOL.md]
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+inline constexpr std::string_view protocol_name = "fathom/subject/1";
+
+/// A line is not what the protocol wants; what() says what was expected and what was found.
+struct ProtocolError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The facets of a hull, as cycles of point indices.
+using Faces = std::vector<std::vector<std::uint32_t>>;
+/// Of the convex hull of the points: coplanar facets merged, corners counter-clockwise seen from outside. None if it is flat.
+Faces faces_of(const std::vector<Point>& points);
+
+/// What fathom sends, without the newline. Coordinates are the shortest decimals that read back as the same number of the precision;
+/// `seen` must hold such numbers only.
+std::string hello_message();
+std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
+std::string stop_message();
+
+/// What a subject says of itself. Throws ProtocolError.
+SubjectInfo read_hello(std::string_view line);
+/// The hello that says the same.
+std::string hello_text(const SubjectInfo& info);
+
+struct Unsupported {
+  std::string why;
+};
+struct Failed {
+  std::string why;
+};
+/// What a subject answered to the run with this ticket.
+struct Answer {
+  std::string ticket;
+  std::variant<Reply, Unsupported, Failed> said;
+};
+
+/// Numbers are rounded to the precision. nan and inf are understood as bare words and as strings in any of their usual spellings, and
+/// so are C99 hex floats as strings. Unknown fields are passed over. Throws ProtocolError.
+Answer read_reply(std::string_view line, Precision precision);
+
+/// Whether the line is a hello, of whatever content: how a replay knows its first line.
+bool is_hello(std::string_view line);
+
+}  // namespace fathom::harness

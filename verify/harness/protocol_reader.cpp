@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What subjects say: hellos and replies.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "reference/files/source.hpp"
+#include "verify/harness/loose_json.hpp"
+#include "verify/harness/protocol.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using Json = nlohmann::json;
+constexpr std::size_t shown_bytes = 200;
+
+[[noreturn]] void refuse(const std::string& expected, const std::string& found) {
+  throw ProtocolError("expected " + expected + ", found " + found);
+}
+
+std::string shown_json(const Json& value) {
+  return '\'' + printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), shown_bytes) + '\'';
+}
+
+/// The JSON on the line; all its numbers are strings now. What is nested deeper than any message of ours is left out, so that no line
+/// costs more than a few times its length.
+Json parsed(std::string_view line) {
+  constexpr int deepest = 8;
+  const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= deepest; };
+  return Json::parse(with_quoted_numbers(line), keep, false);
+}
+
+Json object_on(std::string_view line) {
+  Json object = parsed(line);
+  if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : shown(line)));
+  return object;
+}
+
+const Json* field(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found == object.end() || found->is_null() ? nullptr : &*found;
+}
+
+std::string text_in(const Json& object, const char* name, const char* of) {
+  const Json* value = field(object, name);
+  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
+  if (!value->is_string()) refuse(fmt::format("a text for \"{}\" in {}", name, of), shown_json(*value));
+  return value->get<std::string>();
+}
+
+template <class Value>
+Value word_in(const Json& object, const char* name, const char* of, std::initializer_list<std::pair<const char*, Value>> words) {
+  const std::string text = text_in(object, name, of);
+  std::vector<std::string> expected;
+  for (const auto& [word, value] : words) {
+    if (text == word) return value;
+    expected.emplace_back(word);
+  }
+  refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), shown(text));
+}
+
+bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
+  const Json* value = field(object, name);
+  if (!value && otherwise) return *otherwise;
+  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
+  if (!value->is_boolean()) refuse(fmt::format("true or false for \"{}\" in {}", name, of), shown_json(*value));
+  return value->get<bool>();
+}
+
+const Json& object_in(const Json& object, const char* name, const char* of) {
+  const Json* value = field(object, name);
+  if (!value || !value->is_object()) refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
+  return *value;
+}
+
+double number_of(const Json& value, const char* name, Precision precision) {
+  const auto number = value.is_string() ? read_number(value.get_ref<const std::string&>(), precision) : std::nullopt;
+  if (!number) refuse(fmt::format("a number for \"{}\"", name), shown_json(value));
+  return *number;
+}
+
+std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
+  const Json* value = field(object, name);
+  if (!value) return std::nullopt;
+  Triple triple;
+  if (!value->is_array() || value->size() != triple.size()) refuse(fmt::format("three numbers for \"{}\"", called), shown_json(*value));
+  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of((*value)[i], called, precision);
+  return triple;
+}
+
+Conventions conventions_in(const Json& hello) {
+  using C = Conventions;
+  const char* const of = "the hello's conventions";
+  const Json& said = object_in(hello, "conventions", "the hello");
+  C conventions;
+  conventions.touching = word_in<C::Touching>(
+      said, "touching", of, {{"overlap", C::Touching::overlap}, {"separate", C::Touching::separate}, {"either", C::Touching::either}});
+  conventions.depth = word_in<C::Sign>(said, "depth", of, {{"positive", C::Sign::positive}, {"negative", C::Sign::negative}});
+  conventions.moves = word_in<C::Body>(said, "moves", of, {{"a", C::Body::a}, {"b", C::Body::b}});
+  conventions.unit = flag_in(said, "unit", of);
+  return conventions;
+}
+
+Reply read_answer(const Json& object, Precision precision) {
+  Reply reply;
+  reply.overlap = flag_in(object, "overlap", "the reply");
+  if (const Json* depth = field(object, "depth")) reply.depth = number_of(*depth, "depth", precision);
+  reply.direction = triple_in(object, "direction", "direction", precision);
+  if (const Json* witness = field(object, "witness")) {
+    if (!witness->is_object()) refuse("an object for \"witness\"", shown_json(*witness));
+    reply.witness_a = triple_in(*witness, "a", "witness.a", precision);
+    reply.witness_b = triple_in(*witness, "b", "witness.b", precision);
+  }
+  return reply;
+}
+
+}  // namespace
+
+SubjectInfo read_hello(std::string_view line) {
+  const Json hello = object_on(line);
+  const char* const of = "the hello";
+  if (text_in(hello, "type", of) != "hello") refuse("a message of type \"hello\"", shown(line));
+  if (const std::string protocol = text_in(hello, "protocol", of); protocol != protocol_name)
+    refuse(fmt::format("protocol {}", protocol_name), shown(protocol));
+  SubjectInfo info;
+  info.name = text_in(hello, "name", of);
+  info.version = text_in(hello, "version", of);
+  if (info.name.empty()) refuse("a name in the hello", "an empty one");
+  if (field(hello, "library")) info.library = text_in(hello, "library", of);
+  info.precision = word_in<Precision>(hello, "precision", of, {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
+  info.conventions = conventions_in(hello);
+  if (field(hello, "capabilities")) info.wants_faces = flag_in(object_in(hello, "capabilities", of), "faces", "its capabilities", false);
+  if (field(hello, "settings"))
+    for (const auto& [key, value] : object_in(hello, "settings", of).items())
+      info.settings[key] = value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return info;
+}
+
+Answer read_reply(std::string_view line, Precision precision) {
+  const Json object = object_on(line);
+  if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", shown(line));
+  Answer answer{text_in(object, "id", "the reply"), Failed()};
+  if (field(object, "unsupported")) answer.said = Unsupported{text_in(object, "unsupported", "the reply")};
+  else if (field(object, "failed")) answer.said = Failed{text_in(object, "failed", "the reply")};
+  else answer.said = read_answer(object, precision);
+  return answer;
+}
+
+bool is_hello(std::string_view line) {
+  const Json object = parsed(line);
+  return object.is_object() && object.value("type", Json()) == "hello";
+}
+
+std::string hello_text(const SubjectInfo& info) {
+  using C = Conventions;
+  constexpr const char* touching[] = {"overlap", "separate", "either"};
+  nlohmann::ordered_json text;
+  text["type"] = "hello";
+  text["protocol"] = protocol_name;
+  text["name"] = info.name;
+  text["version"] = info.version;
+  if (!info.library.empty()) text["library"] = info.library;
+  text["precision"] = info.precision == Precision::binary32 ? "binary32" : "binary64";
+  text["conventions"] = {{"touching", touching[static_cast<std::size_t>(info.conventions.touching)]},
+                         {"depth", info.conventions.depth == C::Sign::positive ? "positive" : "negative"},
+                         {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},
+                         {"unit", info.conventions.unit}};
+  text["capabilities"] = {{"faces", info.wants_faces}};
+  if (!info.settings.empty()) text["settings"] = info.settings;
+  return text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace fathom::harness

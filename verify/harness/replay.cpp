@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/files/source.hpp"
+#include "verify/harness/seen_case.hpp"
+
+namespace fathom::harness {
+
+Replay Replay::read(const std::string& path) {
+  const std::string text = read_file(path);
+  Replay replay;
+  replay.info_.name = "replay";
+  std::size_t number = 0;
+  bool any = false;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t newline = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = std::string_view(text).substr(begin, newline - begin);
+    begin = newline + 1;
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    try {
+      if (!any && is_hello(line)) replay.info_ = read_hello(line);
+      else replay.take(line, path, number);
+    } catch (const ProtocolError& error) {
+      throw InputError(path, number, error.what());
+    }
+    any = true;
+  }
+  if (replay.answers_.empty() && replay.faults_.empty()) throw InputError(path, 0, "expected replies, found none");
+  return replay;
+}
+
+void Replay::take(std::string_view line, const std::string& path, std::size_t number) {
+  try {
+    Answer answer = read_reply(line, info_.precision);
+    std::string id = answer.ticket;
+    answers_[std::move(id)].push_back(std::move(answer));
+  } catch (const ProtocolError& error) {
+    faults_.emplace_back(path, number, error.what());
+  }
+}
+
+Outcome Replay::examine(const Case& pair, const Tolerance& tolerance, const std::function<bool()>& stop) const {
+  const auto found = answers_.find(pair.id);
+  if (found == answers_.end()) throw NoReply("no reply to case " + shown(pair.id));
+  const std::optional<Case> seen = as_seen(pair, info_.precision);
+  if (!seen) return overflowed(pair, info_.precision);
+  Outcome outcome = outcome_for(*seen);
+  if (found->second.size() == 1) judge_answer(outcome, *seen, found->second[0], info_, tolerance, stop);
+  else outcome.detail = fmt::format("{} replies to one case", found->second.size());  // garbage, which it is from the start
+  return outcome;
+}
+
+std::vector<std::string> Replay::unasked(const std::set<std::string>& ids) const {
+  std::vector<std::string> result;
+  for (const auto& [id, answers] : answers_)
+    if (!ids.contains(id)) result.push_back(id);
+  return result;
+}
+
+}  // namespace fathom::harness

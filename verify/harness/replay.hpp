@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Replies that a subject gave some other time, from a file: an optional hello, then replies in any order. [verify/PROTOCOL.md]
+#pragma once
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reference/files/body.hpp"
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/protocol.hpp"
+
+namespace fathom::harness {
+
+/// The file has no reply to a case.
+struct NoReply : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Replies by the ids of their cases.
+class Replay {
+ public:
+  /// Without a hello, the replies are those of a subject "replay" in binary64, with the usual conventions. InputError if the file cannot
+  /// be read, its hello is wrong, or it holds no reply.
+  static Replay read(const std::string& path);
+
+  [[nodiscard]] const SubjectInfo& info() const { return info_; }
+  /// Lines that are no replies: each a sentence with file and line. They stand for no case.
+  [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
+
+  /// Judges the reply to the case; several replies to one case are garbage. Throws NoReply; Interrupted. Any number of threads.
+  [[nodiscard]] Outcome examine(const Case& pair, const Tolerance& tolerance, const std::function<bool()>& stop = {}) const;
+
+  /// The ids of replies to none of these cases, sorted.
+  [[nodiscard]] std::vector<std::string> unasked(const std::set<std::string>& ids) const;
+
+ private:
+  void take(std::string_view line, const std::string& path, std::size_t number);
+
+  SubjectInfo info_;
+  std::map<std::string, std::vector<Answer>> answers_;
+  std::vector<InputError> faults_;
+};
+
+}  // namespace fathom::harness

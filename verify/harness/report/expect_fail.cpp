@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/report/expect_fail.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "reference/files/body.hpp"
+#include "reference/files/source.hpp"
+#include "verify/harness/report/markup.hpp"
+#include "verify/harness/report/subject_text.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+int hex_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+bool speaks_for_itself(char c) { return static_cast<unsigned char>(c) > 0x20 && c != 0x7f && c != '%' && c != '~'; }
+
+std::string escaped(std::string_view text) {
+  if (text.empty()) return "%";
+  std::string result;
+  for (const char c : text)
+    result +=
+        speaks_for_itself(c) && !(c == '#' && result.empty()) ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  return result;
+}
+
+/// Nothing if a '%' is not followed by two digits, or a character stands there that must be escaped.
+std::optional<std::string> unescaped(std::string_view text) {
+  if (text == "%") return "";
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (speaks_for_itself(text[i])) {
+      result += text[i];
+      continue;
+    }
+    if (text[i] != '%' || i + 2 >= text.size()) return std::nullopt;
+    const int high = hex_value(text[i + 1]), low = hex_value(text[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    result += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return result;
+}
+
+std::string key_of(std::string_view id, std::string_view variant) {
+  return variant.empty() ? escaped(id) : fmt::format("{}~{}", escaped(id), escaped(variant));
+}
+
+/// Whatever way a user escaped it, as we do; nothing if it is no key.
+std::optional<std::string> canonical_key(std::string_view text) {
+  const std::size_t tilde = text.find('~');
+  const auto id = unescaped(text.substr(0, tilde));
+  if (tilde == std::string_view::npos) return id ? std::optional(key_of(*id, "")) : std::nullopt;
+  const auto variant = unescaped(text.substr(tilde + 1));
+  if (!id || !variant) return std::nullopt;
+  return key_of(*id, *variant);
+}
+
+/// The next word, taken off the front of the text; empty at the end and before a comment.
+std::string_view next_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  if (text.starts_with('#')) text = {};
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+}  // namespace
+
+std::string failure_key(const Outcome& outcome) { return key_of(outcome.id, outcome.variant); }
+std::string failure_line(const Outcome& outcome) { return fmt::format("{} {}", name(outcome.verdict), failure_key(outcome)); }
+
+ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(read_file(path), path); }
+
+ExpectedFailures ExpectedFailures::parse(const std::string& text, const std::string& name) {
+  ExpectedFailures result;
+  result.name_ = name;
+  std::string_view rest = text;
+  for (std::size_t line = 1; !rest.empty(); ++line) {
+    std::string_view words = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(words.size() + 1, rest.size()));
+    if (words.ends_with('\r')) words.remove_suffix(1);
+    const std::string_view first = next_word(words);
+    if (first.empty()) continue;
+    const std::optional<Verdict> verdict = verdict_named(first);
+    if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + shown(first));
+    if (!fails(*verdict)) throw InputError(name, line, shown(first) + " is no failure");
+    const std::string_view second = next_word(words);
+    if (second.empty()) throw InputError(name, line, "expected the id of a case after " + shown(first));
+    const std::optional<std::string> key = canonical_key(second);
+    if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + shown(second));
+    if (const std::string_view more = next_word(words); !more.empty())
+      throw InputError(name, line, "expected nothing but a comment after the id, found " + shown(more) + "; a blank in an id is %20");
+    result.entries_.push_back({*verdict, *key, line});
+  }
+  return result;
+}
+
+ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcomes) const {
+  struct Met {
+    std::vector<Entry> listed;
+    std::vector<Verdict> got;
+  };
+  std::map<std::string, Met> cases;
+  for (const Entry& entry : entries_) cases[entry.key].listed.push_back(entry);
+  for (const Outcome& outcome : outcomes) cases[failure_key(outcome)].got.push_back(outcome.verdict);
+
+  Check result;
+  for (auto& [key, met] : cases) {
+    std::ranges::sort(met.got);  // failures first, so that a listed one is held against another failure before a pass
+    std::erase_if(met.listed, [&](const Entry& entry) {
+      const auto same = std::ranges::find(met.got, entry.verdict);
+      if (same == met.got.end()) return false;
+      result.allowed.insert(fmt::format("{} {}", fathom::name(entry.verdict), key));
+      met.got.erase(same);
+      return true;
+    });
+    settle(key, met.listed, met.got, result);
+  }
+  return result;
+}
+
+void ExpectedFailures::settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got,
+                              Check& result) const {
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const std::string place = fmt::format("{}:{}: {} is listed as {}", name_, listed[i].line, key, fathom::name(listed[i].verdict));
+    if (i >= got.size()) {
+      ++result.unmet;
+      result.unmet_lines.push_back(fmt::format("{} {}", fathom::name(listed[i].verdict), key));
+      result.surprises.push_back(place + ", but no such case was run");
+    } else if (passes(got[i])) {
+      ++result.fixed;
+      result.fixed_keys.insert(key);
+      result.surprises.push_back(place + ", but passes now: strike it off the list");
+    } else {
+      ++result.changed;
+      result.surprises.push_back(fmt::format("{}, but is {} now", place, fathom::name(got[i])));
+    }
+  }
+  for (std::size_t i = listed.size(); i < got.size(); ++i) {
+    if (!fails(got[i])) continue;
+    ++result.unlisted;
+    result.surprises.push_back(fmt::format("{} is {}, and is not listed", key, fathom::name(got[i])));
+  }
+}
+
+std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes) {
+  std::vector<std::string> lines;
+  for (const Outcome& outcome : outcomes)
+    if (fails(outcome.verdict)) lines.push_back(failure_line(outcome));
+  std::ranges::sort(lines);
+  std::string result = fmt::format("# Known failures of {}, for fathom certify --expect-fail. A line: verdict, id, perhaps a comment.\n",
+                                   ascii(title(subject)));
+  for (const std::string& line : lines) result += line + "\n";
+  return result;
+}
+
+}  // namespace fathom::harness

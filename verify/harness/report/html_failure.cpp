@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "verify/harness/report/html_parts.hpp"
+#include "verify/harness/report/markup.hpp"
+#include "verify/harness/report/picture.hpp"
+#include "verify/harness/report/subject_text.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::size_t longest_inline = 60;     // characters of an exact number beside its rounded one
+constexpr std::size_t longest_exact = 10'000;  // of one in the list of exact numbers
+constexpr std::size_t most_points = 500;
+
+std::string exact(const mpq_class& value) {
+  const std::string text = exact_text(value);
+  return text.size() <= longest_exact ? text : fmt::format("{}... ({} characters)", text.substr(0, longest_exact), text.size());
+}
+
+/// A signed square by its root: rounded, and the square exactly where that is short.
+std::string length_text(const mpq_class& squared) {
+  const std::string text = exact_text(squared);
+  const std::string behind = text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "";
+  return fmt::format("{}{}{}", squared < 0 ? "-" : "", root_binary64(mpq_class(abs(squared)), Rounding::rn), behind);
+}
+
+/// A coordinate: as a decimal where that reads back as the same number.
+std::string coordinate(const mpq_class& x) {
+  const double rounded = round_binary64(x, Rounding::rn);
+  return std::isfinite(rounded) && exact_value(rounded) == x ? fmt::format("{}", rounded) : exact(x);
+}
+
+std::string rounded_text(const Point& p) {
+  return fmt::format("({}, {}, {})", round_binary64(p.x, Rounding::rn), round_binary64(p.y, Rounding::rn),
+                     round_binary64(p.z, Rounding::rn));
+}
+
+std::string triple_text(const Triple& t) { return fmt::format("({}, {}, {})", t[0], t[1], t[2]); }
+
+/// Rows of a <dl>.
+class Facts {
+ public:
+  void add(const std::string& what, const std::string& text) {
+    rows_ += fmt::format("<dt>{}</dt><dd class=\"number\">{}</dd>", what, markup(text));
+  }
+  template <class T, class Text>
+  void add(const std::string& what, const std::optional<T>& value, const Text& text) {
+    if (value) add(what, text(*value));
+  }
+  void add(const std::string& what, const std::optional<double>& value) {
+    if (value) add(what, fmt::format("{}", *value));
+  }
+  [[nodiscard]] std::string list(const std::string& title) const {
+    return rows_.empty() ? "" : fmt::format("<div><strong>{}</strong><dl>{}</dl></div>\n", title, rows_);
+  }
+
+ private:
+  std::string rows_;
+};
+
+std::string status_text(Status status) {
+  return status == Status::penetrating ? "the bodies overlap" : status == Status::touching ? "the bodies touch" : "the bodies are apart";
+}
+
+std::string truth_list(const Outcome& outcome, const std::optional<Truth>& truth, const std::string& certificate) {
+  Facts facts;
+  if (outcome.judgement || truth) {
+    const Status status = outcome.judgement ? outcome.judgement->status : truth->depth.status;
+    facts.add("status", status_text(status));
+    if (status == Status::penetrating)
+      facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared));
+  }
+  if (truth && truth->depth.distance) facts.add("distance", length_text(truth->depth.distance->squared));
+  if (truth && truth->depth.status == Status::penetrating) {
+    facts.add("translation of A", rounded_text(truth->depth.translation));
+    if (truth->depth.optima.size() > 1) facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima.size()));
+  }
+  if (!certificate.empty()) facts.add("certificate", certificate);
+  return facts.list("Truth");
+}
+
+std::string claim_list(const Reply& reply) {
+  Facts facts;
+  facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
+  facts.add("depth", reply.depth);
+  facts.add("direction", reply.direction, triple_text);
+  facts.add("point of A", reply.witness_a, triple_text);
+  facts.add("point of B", reply.witness_b, triple_text);
+  return facts.list("Claim");
+}
+
+std::string residual_list(const Judgement& judgement) {
+  Facts facts;
+  std::string findings;
+  for (const Verdict verdict : judgement.findings) findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
+  if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
+  facts.add("depth is off by", judgement.error);
+  facts.add("relative", judgement.error_relative);
+  facts.add("in ulps", judgement.error_ulps);
+  facts.add("in units of uR", judgement.error_u_r);
+  facts.add("depth of its direction", judgement.price_squared, length_text);
+  facts.add("way until apart along it", judgement.travel_squared, length_text);
+  facts.add("claim less depth of its direction", judgement.inconsistency);
+  facts.add("overlap left", judgement.overlap_left);
+  facts.add("point of A is off by", judgement.witness_a_squared, length_text);
+  facts.add("point of B is off by", judgement.witness_b_squared, length_text);
+  facts.add("points differ from translation by", judgement.witness_gap);
+  return facts.list("Residuals");
+}
+
+std::string points_text(const char* body, const std::vector<Point>& points) {
+  std::string result = fmt::format("{}: {}\n", body, count_text(points.size(), "point", "points"));
+  for (std::size_t i = 0; i < std::min(points.size(), most_points); ++i)
+    result += fmt::format("{} {} {}\n", coordinate(points[i].x), coordinate(points[i].y), coordinate(points[i].z));
+  return points.size() > most_points ? result + fmt::format("... and {} more\n", points.size() - most_points) : result;
+}
+
+/// Lines of the exact numbers that the lists round.
+std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& truth) {
+  std::string result;
+  const auto add = [&](const char* what, const mpq_class& value) { result += fmt::format("{} = {}\n", what, exact(value)); };
+  if (outcome.judgement) {
+    const Judgement& judgement = *outcome.judgement;
+    add("depth^2", judgement.depth_squared);
+    if (judgement.price_squared) add("(depth of its direction)^2, signed", *judgement.price_squared);
+    if (judgement.travel_squared) add("(way until apart along it)^2", *judgement.travel_squared);
+    if (judgement.witness_a_squared) add("(distance of the point of A)^2", *judgement.witness_a_squared);
+    if (judgement.witness_b_squared) add("(distance of the point of B)^2", *judgement.witness_b_squared);
+  } else if (truth) {
+    add("depth^2", truth->depth.squared);
+  }
+  if (!truth) return result;
+  if (truth->depth.distance) add("distance^2", truth->depth.distance->squared);
+  for (const Optimum& optimum : truth->depth.optima) {
+    const Point& t = optimum.translation;
+    result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
+  }
+  return result;
+}
+
+/// Solves the pair again. A page without one picture is better than none: nothing when that fails.
+std::optional<Truth> truth_of(const Case& seen) {
+  try {
+    return truth_about(seen.a.points, seen.b.points);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Truth& truth, const std::string& anchor) {
+  const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
+  const std::string label = "Hulls of " + markup(shown_id(outcome.id, outcome.variant));
+  std::string caption = "<span class=\"key body-a\">A</span>, <span class=\"key body-b\">B</span>, hidden edges thin";
+  if (truth.depth.status == Status::penetrating)
+    caption += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it dotted";
+  if (truth.depth.distance) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
+  if (claimed) caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation that is claimed";
+  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n",
+                     pair_picture(truth, claimed, anchor, label), caption);
+}
+
+}  // namespace
+
+std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
+  const Outcome& outcome = failure.outcome;
+  const std::optional<Truth> truth = truth_of(failure.seen);
+  std::string result = fmt::format("<article id=\"{}\" aria-labelledby=\"{}-h\"><h4 id=\"{}-h\">{}</h4>\n", anchor, anchor, anchor,
+                                   markup(shown_id(outcome.id, outcome.variant)));
+  result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
+  if (truth) result += figure(subject, outcome, *truth, anchor);
+  result += "<div class=\"facts\">\n";
+  if (outcome.reply) result += claim_list(*outcome.reply);
+  result += truth_list(outcome, truth, failure.certificate_name);
+  if (outcome.judgement) result += residual_list(*outcome.judgement);
+  result += "</div>\n";
+  result += fmt::format(
+      "<details><summary>The exact numbers, and the points as they were seen</summary><pre tabindex=\"0\">{}{}{}</pre></details>\n",
+      exact_numbers(outcome, truth), points_text("A", failure.seen.a.points), points_text("B", failure.seen.b.points));
+  return result + "</article>\n";
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/report/subject_text.hpp"
+
+#include <fmt/format.h>
+
+#include "kernels/number/parse.hpp"
+
+namespace fathom::harness {
+
+std::string title(const SubjectInfo& subject) {
+  const char* precision = subject.precision == Precision::binary32 ? "binary32" : "binary64";
+  const std::string library = subject.library.empty() ? "" : subject.library + ", ";
+  return fmt::format("{}{}{} ({}{})", subject.name, subject.version.empty() ? "" : " ", subject.version, library, precision);
+}
+
+std::string conventions_text(const Conventions& conventions) {
+  using Touching = Conventions::Touching;
+  const char* touching = conventions.touching == Touching::overlap    ? "bodies that touch overlap"
+                         : conventions.touching == Touching::separate ? "bodies that touch are separate"
+                                                                      : "bodies that touch are either";
+  return fmt::format("{}; the depth is {}; {} moves; directions {}", touching,
+                     conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
+                     conventions.moves == Conventions::Body::a ? "A" : "B", conventions.unit ? "have length 1" : "may have any length");
+}
+
+std::vector<std::string> settings_text(const SubjectInfo& subject) {
+  std::vector<std::string> result;
+  for (const auto& [name, value] : subject.settings) result.push_back(fmt::format("{} = {}", name, value));
+  return result;
+}
+
+std::string tolerance_text(const Tolerance& tolerance) {
+  std::string result =
+      fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative), exact_text(tolerance.absolute));
+  if (tolerance.ulps > 0) result += fmt::format(", {} ulp", tolerance.ulps);
+  return result + "; the largest counts";
+}
+
+std::string sentence_of(const Outcome& outcome) {
+  std::string result = outcome.judgement ? outcome.judgement->sentence : "";
+  if (!outcome.detail.empty()) result += (result.empty() ? "" : "; ") + outcome.detail;
+  return result.empty() ? std::string(name(outcome.verdict)) : result;
+}
+
+std::string error_text(double error) { return error == 0 ? "0" : fmt::format("{:.3g}", error); }
+
+std::string count_text(std::size_t count, const std::string& one, const std::string& more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures) {
+  std::string result = fmt::format("{}: {} pass, {} fail", count_text(total, "case", "cases"), passes, failures);
+  if (total > passes + failures) result += fmt::format(", {} unsupported", total - passes - failures);
+  return result;
+}
+
+std::vector<std::string> accuracy_entries(const TallyRow& row) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < accuracy_count; ++i)
+    if (row.accuracies[i] > 0) result.push_back(fmt::format("{}: {}", name(static_cast<Accuracy>(i)), row.accuracies[i]));
+  return result;
+}
+
+}  // namespace fathom::harness

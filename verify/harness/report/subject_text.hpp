@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A subject, its outcomes and their numbers in words, the same in every report.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/report/tally.hpp"
+
+namespace fathom::harness {
+
+/// "libccd-epa 2.1 (libccd, binary64)". Any bytes that the subject gave.
+std::string title(const SubjectInfo& subject);
+/// "bodies that touch are either; the depth is positive; A moves; directions have length 1".
+std::string conventions_text(const Conventions& conventions);
+/// "epa_tolerance = 1e-4", sorted by name.
+std::vector<std::string> settings_text(const SubjectInfo& subject);
+/// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts".
+std::string tolerance_text(const Tolerance& tolerance);
+
+/// What there is to say of an outcome in one sentence: the judge's, and what the harness saw; else the name of its verdict.
+std::string sentence_of(const Outcome& outcome);
+
+/// Three digits, "-4.44e-16"; an exact zero is "0".
+std::string error_text(double error);
+/// "1 case", "2 cases".
+std::string count_text(std::size_t count, const std::string& one, const std::string& more);
+/// "10000 cases: 9000 pass, 990 fail, 10 unsupported"; without the last where there are none.
+std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures);
+
+/// "correctly rounded: 61", "16 uR: 4": the classes that passes are in.
+std::vector<std::string> accuracy_entries(const TallyRow& row);
+
+}  // namespace fathom::harness

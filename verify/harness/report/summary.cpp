@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/report/summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "verify/harness/report/markup.hpp"
+#include "verify/harness/report/subject_text.hpp"
+
+namespace fathom::harness {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr std::size_t widest = 140;
+constexpr std::size_t gap = 2;
+
+/// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The first is flush left.
+struct Column {
+  Lines head, cells;
+
+  [[nodiscard]] std::size_t width() const {
+    std::size_t result = 0;
+    for (const std::string& text : head) result = std::max(result, text.size());
+    for (const std::string& text : cells) result = std::max(result, text.size());
+    return result;
+  }
+};
+
+/// "touching-by-convention" as "touching-", "by-", "convention".
+Lines broken_name(std::string_view name) {
+  Lines result(1);
+  for (const char c : name) {
+    result.back() += c;
+    if (c == '-') result.emplace_back();
+  }
+  return result;
+}
+
+/// The columns side by side.
+void add_block(Lines& lines, const std::vector<const Column*>& columns) {
+  std::size_t deepest = 0;
+  for (const Column* column : columns) deepest = std::max(deepest, column->head.size());
+  const auto add_line = [&](const std::function<std::string(const Column&)>& text) {
+    std::string line = fmt::format("{:<{}}", text(*columns.front()), columns.front()->width());
+    for (std::size_t i = 1; i < columns.size(); ++i) line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + gap);
+    lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  for (std::size_t i = 0; i < deepest; ++i) {  // heads stand on one ground
+    add_line([&](const Column& column) {
+      const std::size_t empty = deepest - column.head.size();
+      return i < empty ? "" : column.head[i - empty];
+    });
+  }
+  for (std::size_t i = 0; i < columns.front()->cells.size(); ++i) add_line([&](const Column& column) { return column.cells[i]; });
+}
+
+/// Columns that stand in one block.
+using Group = std::vector<Column>;
+
+/// As many blocks, one below the other, as the width needs; the first column leads each.
+void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& groups) {
+  std::vector<const Column*> block{&first};
+  std::size_t width = first.width();
+  for (const Group& group : groups) {
+    std::size_t more = 0;
+    for (const Column& column : group) more += gap + column.width();
+    if (width + more > widest) {
+      add_block(lines, block);
+      lines.emplace_back();
+      block = {&first};
+      width = first.width();
+    }
+    for (const Column& column : group) block.push_back(&column);
+    width += more;
+  }
+  add_block(lines, block);
+}
+
+void add_table(Lines& lines, const Tally& tally) {
+  std::vector<Tally::Line> rows = tally.lines();
+  rows.push_back({"all", tally.all()});
+  const auto column = [&](Lines head, const auto& cell) {
+    Column result{std::move(head), {}};
+    for (const Tally::Line& line : rows) result.cells.push_back(cell(line.row));
+    return result;
+  };
+  Column labels{{"family"}, {}};
+  for (const Tally::Line& line : rows) labels.cells.push_back(line.label);
+  std::vector<Group> groups{{column({"cases"}, [](const TallyRow& row) { return fmt::format("{}", row.total); })}};
+  for (const Verdict verdict : tally.verdicts()) {
+    const auto cell = [verdict](const TallyRow& row) { return row[verdict] > 0 ? fmt::format("{}", row[verdict]) : "."; };
+    groups.push_back({column(broken_name(name(verdict)), cell)});
+  }
+  groups.emplace_back();
+  const auto add_errors = [&](const std::string& unit, Errors TallyRow::*errors) {
+    if ((tally.all().*errors).empty()) return;
+    const auto worst = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).worst()); };
+    const auto median = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).median()); };
+    groups.back().push_back(column({"worst", unit}, worst));
+    groups.back().push_back(column({"median", unit}, median));
+  };
+  add_errors("relative", &TallyRow::relative);
+  add_errors("in uR", &TallyRow::u_r);
+  add_blocks(lines, labels, groups);
+}
+
+/// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own is cut.
+void add_entries(Lines& lines, const std::string& label, const Lines& entries) {
+  constexpr std::size_t indent = 13;
+  std::string line = fmt::format("{:<{}}", label, indent);
+  bool any = false;
+  for (const std::string& entry : entries) {
+    const std::string text = ascii(entry, widest - indent - 1);
+    if (any && line.size() + 2 + text.size() + 1 > widest) {
+      lines.push_back(line + ";");
+      line.assign(indent, ' ');
+      any = false;
+    }
+    line += (any ? "; " : "") + text;
+    any = true;
+  }
+  if (!entries.empty()) lines.push_back(line);
+}
+
+}  // namespace
+
+std::string Summary::table(const SubjectInfo& subject) const {
+  Lines lines{ascii(title(subject), widest)};
+  add_entries(lines, "conventions", {conventions_text(subject.conventions)});
+  add_entries(lines, "settings", settings_text(subject));
+  lines.emplace_back();
+  add_table(lines, tally_);
+  lines.emplace_back();
+  add_entries(lines, "passes", accuracy_entries(tally_.all()));
+  lines.push_back(totals_text(total(), passes(), failures()));
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+}  // namespace fathom::harness

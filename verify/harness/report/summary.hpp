@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table that ends a run: what became of the cases of each family, and how large the errors were.             [design section 8]
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "verify/harness/report/tally.hpp"
+
+namespace fathom::harness {
+
+class Summary {
+ public:
+  void add(const Outcome& outcome) { tally_.add(outcome); }
+
+  /// Several lines, the last with its newline: the subject with its conventions and settings, a row for each family, totals.
+  /// At most 140 columns wide, pure ASCII, whatever names hold; only the verdicts that occur have a column.
+  [[nodiscard]] std::string table(const SubjectInfo& subject) const;
+  [[nodiscard]] std::size_t failures() const { return tally_.all().failures(); }
+  [[nodiscard]] std::size_t passes() const { return tally_.all().passes(); }
+  [[nodiscard]] std::size_t total() const { return tally_.all().total; }
+  [[nodiscard]] const Tally& tally() const { return tally_; }
+
+ private:
+  Tally tally_;
+};
+
+}  // namespace fathom::harness

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/report/tally.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "verify/harness/report/markup.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::size_t longest_label = 32;
+
+template <std::size_t N>
+void add_counts(std::array<std::size_t, N>& to, const std::array<std::size_t, N>& counts) {
+  for (std::size_t i = 0; i < N; ++i) to[i] += counts[i];
+}
+
+}  // namespace
+
+void Errors::add(double error) {
+  if (!std::isnan(error)) errors_.push_back(error);
+}
+
+void Errors::add(const Errors& other) { errors_.insert(errors_.end(), other.errors_.begin(), other.errors_.end()); }
+
+double Errors::worst() const {
+  return *std::ranges::max_element(errors_, {}, [](double e) { return std::pair(std::abs(e), e); });
+}
+
+double Errors::median() const {
+  std::vector<double> magnitudes(errors_.size());
+  std::ranges::transform(errors_, magnitudes.begin(), [](double e) { return std::abs(e); });
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>((magnitudes.size() - 1) / 2);
+  std::ranges::nth_element(magnitudes, middle);
+  return *middle;
+}
+
+void TallyRow::add(const Outcome& outcome) {
+  ++total;
+  ++verdicts[static_cast<std::size_t>(outcome.verdict)];
+  if (!outcome.judgement) return;
+  const Judgement& judgement = *outcome.judgement;
+  if (judgement.accuracy && fathom::passes(outcome.verdict)) ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
+  if (judgement.error_relative) relative.add(*judgement.error_relative);
+  if (judgement.error_u_r) u_r.add(*judgement.error_u_r);
+}
+
+void TallyRow::add(const TallyRow& other) {
+  total += other.total;
+  add_counts(verdicts, other.verdicts);
+  add_counts(accuracies, other.accuracies);
+  relative.add(other.relative);
+  u_r.add(other.u_r);
+}
+
+std::size_t TallyRow::failures() const {
+  std::size_t result = 0;
+  for (std::size_t i = 0; i < verdict_count; ++i) result += fails(static_cast<Verdict>(i)) ? verdicts[i] : 0;
+  return result;
+}
+
+std::size_t TallyRow::passes() const { return total - failures() - (*this)[Verdict::unsupported]; }
+
+void Tally::add(const Outcome& outcome) {
+  all_.add(outcome);
+  (outcome.variant.empty() ? families_[family_of(outcome.id)] : variants_["~" + outcome.variant]).add(outcome);
+}
+
+std::vector<Tally::Line> Tally::lines(std::size_t most) const {
+  std::vector<Line> result;
+  std::size_t more = 0;
+  TallyRow rest;
+  for (const auto& [name, row] : families_) {
+    if (result.size() < most) result.push_back({name.empty() ? "(no family)" : ascii(name, longest_label), row});
+    else ++more, rest.add(row);
+  }
+  if (more > 0) result.push_back({fmt::format("({} more)", more), rest});
+  for (const auto& [name, row] : variants_) result.push_back({ascii(name, longest_label), row});
+  return result;
+}
+
+std::vector<Verdict> Tally::verdicts() const {
+  std::vector<Verdict> result;
+  const auto add = [&](std::size_t i) {
+    if (all_.verdicts[i] > 0) result.push_back(static_cast<Verdict>(i));
+  };
+  constexpr auto first_pass = static_cast<std::size_t>(Verdict::touching_by_convention);
+  for (std::size_t i = verdict_count; i-- > first_pass;) add(i);
+  for (std::size_t i = 0; i < first_pass; ++i) add(i);
+  return result;
+}
+
+}  // namespace fathom::harness

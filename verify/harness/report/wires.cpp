@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/report/wires.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::size_t most_edges = 600;
+constexpr double margin = 16;  // pixels
+
+}  // namespace
+
+Wires wires_of(const Polytope& hull, const View& view) {
+  std::vector<bool> seen;
+  for (const Facet& facet : hull.facets) seen.push_back(view.faces_us(facet.normal));
+  const bool all = hull.edges.size() <= most_edges;
+  Wires result{{}, hull.input_ids};
+  for (const Edge& edge : hull.edges) {
+    const bool left = edge.left == no_facet || seen[edge.left], right = edge.right == no_facet || seen[edge.right];
+    if (all || left != right) result.wires.push_back({hull.input_ids[edge.from], hull.input_ids[edge.to], !left && !right});
+  }
+  if (hull.rank == 2)  // a polygon seen from its edge has no side that we see, and hides nothing
+    for (Wires::Wire& wire : result.wires) wire.hidden = false;
+  return result;
+}
+
+Frame Frame::around(const std::vector<Dot>& dots) {
+  Dot low = dots.front(), high = dots.front();
+  for (const Dot& d : dots) {
+    low = {std::min(low.x, d.x), std::min(low.y, d.y)};
+    high = {std::max(high.x, d.x), std::max(high.y, d.y)};
+  }
+  const double across = std::max((high.x - low.x) / (width - 2 * margin), (high.y - low.y) / (height - 2 * margin));
+  return {{(low.x + high.x) / 2, (low.y + high.y) / 2}, across > 0 ? 1 / across : 1};
+}
+
+std::string Frame::path(const std::vector<Dot>& dots, bool closed) const {
+  std::vector<Dot> pixels;
+  for (const Dot& d : dots) pixels.push_back(pixel(d));
+  std::string result;
+  for (const Dot& d : clipped(std::move(pixels), closed, {width / 2, height / 2}, {width, height}))
+    result += fmt::format("{}{:.1f} {:.1f}", result.empty() ? 'M' : 'L', d.x, d.y);
+  return result.empty() || !closed ? result : result + "Z";
+}
+
+}  // namespace fathom::harness

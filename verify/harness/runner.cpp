@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/runner.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "verify/harness/seen_case.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::harness {
+namespace {
+
+class Run {
+ public:
+  explicit Run(const RunPlan& plan) : plan_(plan) {}
+
+  void work() {
+    try {
+      const Examine examine = make_examine();
+      while (const std::optional<Case> pair = next()) examine_guarded(*pair, examine);
+    } catch (...) {
+      const std::lock_guard lock(results_);
+      if (!error_) error_ = std::current_exception();
+      ended_ = true;
+    }
+  }
+
+  void finish() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  Examine make_examine() {
+    const std::lock_guard lock(source_);
+    return plan_.examiner();
+  }
+
+  std::optional<Case> next() {
+    const std::lock_guard lock(source_);
+    if (ended_) return std::nullopt;
+    std::optional<Case> pair = plan_.next();
+    if (!pair) ended_ = true;
+    return pair;
+  }
+
+  void examine_guarded(const Case& pair, const Examine& examine) {
+    try {
+      examine_all(pair, examine);
+    } catch (...) {
+      const std::lock_guard lock(results_);
+      plan_.fault(pair, std::current_exception());
+    }
+  }
+
+  /// The case and its variants.
+  void examine_all(const Case& pair, const Examine& examine) {
+    const std::optional<Case> seen = as_seen(pair, plan_.precision);
+    if (!seen) return tell(pair, pair, overflowed(pair, plan_.precision), false);
+    const Outcome original = outcome_of(*seen, *seen, "", [&] { return examine(*seen); });
+    if (plan_.variants.empty()) return;
+    std::vector<std::string> sentences;
+    for (const Variant& variant : variants(*seen, plan_.precision, plan_.variants, &sentences)) {
+      outcome_of(*seen, variant.seen, variant.name,
+                 [&] { return compare_variant(original, examine(variant.seen), variant, plan_.tolerance); });
+    }
+    const std::lock_guard lock(results_);
+    for (const std::string& sentence : sentences) plan_.left_out(pair, sentence);
+  }
+
+  template <class Find>
+  Outcome outcome_of(const Case& original, const Case& seen, const std::string& variant, const Find& find) {
+    const Outcome* known = plan_.known ? plan_.known(seen.id, variant, digest_of(seen)) : nullptr;
+    Outcome outcome = known ? *known : find();
+    outcome.variant = variant;
+    tell(original, seen, outcome, known != nullptr);
+    return outcome;
+  }
+
+  void tell(const Case& original, const Case& seen, const Outcome& outcome, bool known) {
+    const std::lock_guard lock(results_);
+    plan_.found(original, seen, outcome, known);
+  }
+
+  const RunPlan& plan_;
+  std::mutex source_, results_;
+  std::atomic<bool> ended_ = false;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+void run(const RunPlan& plan) {
+  Run run(plan);
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < std::max(plan.jobs, 1U); ++i) others.emplace_back([&run] { run.work(); });
+  run.work();
+  for (std::thread& other : others) other.join();
+  run.finish();
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many cases through several examiners at once.                                                       [design section 8]
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+/// What a run takes its work from and gives its results to. None of these is called by two threads at once, but `examiner`'s results,
+/// each of which stays in one thread, and `known`.
+struct RunPlan {
+  unsigned jobs = 1;
+  std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
+  Precision precision = Precision::binary64;
+  Tolerance tolerance = {};
+
+  std::function<std::optional<Case>()> next;  ///< nothing: no more
+  std::function<Examine()> examiner;          ///< called once in each thread
+  /// The outcome that an earlier run found, or null.
+  std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
+  /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the case.
+  std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
+  /// A case without an outcome: what an examiner threw that concerns this case alone. Throws it again to end the run.
+  std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
+  /// A variant that has no exact form.
+  std::function<void(const Case& pair, const std::string& sentence)> left_out;
+};
+
+/// Works until there is no next case; the calling thread is one of the workers. The first exception of any callback ends all workers
+/// after the cases at hand, and is thrown again.
+void run(const RunPlan& plan);
+
+}  // namespace fathom::harness

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/shrink/search.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "kernels/number/parse.hpp"
+#include "reference/certificate/certificate.hpp"
+#include "reference/depth/depth.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "verify/check/check.hpp"
+#include "verify/harness/coordinates.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::size_t usual_tries = 4000, slow_tries = 100;
+
+std::string key_of(const Case& pair) {
+  std::string key = fmt::format("{};", pair.a.points.size());
+  for_each_coordinate(pair, [&](const mpq_class& value) { key += value.get_str(62) + ';'; });
+  return key;
+}
+
+bool fits(const Case& pair, Precision precision) {
+  bool all = true;
+  for_each_coordinate(pair, [&](const mpq_class& value) { all = all && representable(value, precision); });
+  return all;
+}
+
+bool is_solid(const Body& body) { return body.points.size() > 3 && affine_rank(common_lattice(body.points, body.points).a) == 3; }
+
+/// The text of a certificate of the truth, which the checker has accepted.
+std::string proved(const Case& pair, const Outcome& outcome) {
+  Options options;
+  options.method = Method::certificate;
+  const Depth depth = penetration_depth(pair.a.points, pair.b.points, options);
+  Certificate certificate = make_certificate(pair.a.points, pair.b.points, depth, options);
+  certificate.id = pair.id;
+  std::string text = certificate_text(certificate);
+  const fathom_check::Verdict checked = fathom_check::verify(text);
+  if (!checked.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, checked.reason));
+  // The truth of a variant is that of the case up to a power of 4; the harness judged it by a solution of its own.
+  const bool same = !outcome.judgement || !outcome.variant.empty() ||
+                    (outcome.judgement->status == depth.status && outcome.judgement->depth_squared == depth.squared);
+  if (!same) throw std::logic_error(fmt::format("{} was judged by another depth than its certificate proves", pair.id));
+  return text;
+}
+
+}  // namespace
+
+Search::Search(Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better,
+               const std::function<bool()>& stop, const ShrinkSettings& settings)
+    : verdict_(verdict),
+      examine_(examine),
+      on_better_(on_better),
+      stop_(stop),
+      precision_(settings.precision),
+      tries_(settings.tries != 0            ? settings.tries
+             : verdict == Verdict::time_out ? slow_tries
+                                            : usual_tries),
+      keep_solid_(settings.keep_solid) {}
+
+bool Search::begin(Case pair) {
+  solid_a_ = keep_solid_ && is_solid(pair.a);
+  solid_b_ = keep_solid_ && is_solid(pair.b);
+  result_.tried = 1;
+  examined_.insert(key_of(pair));
+  Outcome outcome = examine_(pair);
+  result_.reproduced = outcome.verdict == verdict_;
+  if (result_.reproduced) return certify(std::move(pair), std::move(outcome));
+  result_.pair = std::move(pair);
+  result_.outcome = std::move(outcome);
+  return false;
+}
+
+bool Search::offer(Case candidate) {
+  if (over_ || candidate.a.points.empty() || candidate.b.points.empty() || size_of(candidate) >= size_) return false;
+  if (!fits(candidate, precision_) || !examined_.insert(key_of(candidate)).second) return false;
+  if ((solid_a_ && !is_solid(candidate.a)) || (solid_b_ && !is_solid(candidate.b))) return false;
+  over_ = result_.tried >= tries_ || (stop_ && stop_());
+  if (over_) return false;
+  ++result_.tried;
+  Outcome outcome = examine_(candidate);
+  if (outcome.verdict != verdict_) return false;
+  ++result_.kept;
+  return certify(std::move(candidate), std::move(outcome));
+}
+
+bool Search::certify(Case pair, Outcome outcome) {
+  result_.certificate = proved(pair, outcome);
+  size_ = size_of(pair);
+  result_.pair = std::move(pair);
+  result_.outcome = std::move(outcome);
+  if (on_better_) on_better_(result_);
+  return true;
+}
+
+}  // namespace fathom::harness

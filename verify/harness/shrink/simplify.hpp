@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simpler numbers near a number. Not a door.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <vector>
+
+namespace fathom::harness {
+
+/// The integer nearest to `value`; halves go up.
+mpz_class nearest_integer(const mpq_class& value);
+
+/// `value` to the nearest multiple of 2^exponent.
+mpq_class to_multiple(const mpq_class& value, long exponent);
+
+/// `value`, a binary fraction, to the nearest number with so many significant bits; at least 1.
+mpq_class to_bits(const mpq_class& value, long bits);
+
+/// Cheaper numbers to put in place of `value`, the cheapest kinds first; all of them cost less, or as much without the sign.
+std::vector<mpq_class> simpler(const mpq_class& value);
+
+}  // namespace fathom::harness

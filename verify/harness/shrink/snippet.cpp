@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/shrink/snippet.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "reference/files/source.hpp"
+#include "verify/harness/protocol.hpp"
+#include "verify/harness/shrink/snippet_programs.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::harness {
+namespace {
+
+constexpr std::size_t longest_comment = 600;
+
+/// Safe behind "//": one line, printable, and not joined to the next.
+std::string comment_text(const std::string& text) {
+  std::string shown = printable(text, longest_comment);
+  while (shown.ends_with('\\')) shown.pop_back();
+  return shown;
+}
+
+std::string literal(double value) {
+  if (std::isnan(value)) return "NAN";
+  if (std::isinf(value)) return value < 0 ? "-HUGE_VAL" : "HUGE_VAL";
+  return hex_text(value);
+}
+
+std::string literal(const mpq_class& value) { return literal(round_binary64(value, Rounding::rn)); }
+
+std::string points_text(const Body& body) {
+  std::string text;
+  for (const Point& p : body.points)
+    text += fmt::format("{}{{{}, {}, {}}}", text.empty() ? "" : ",\n        ", literal(p.x), literal(p.y), literal(p.z));
+  return text;
+}
+
+std::string faces_text(const Body& body) {
+  std::string text;
+  for (const std::vector<std::uint32_t>& face : faces_of(body.points)) {
+    std::string corners;
+    for (const std::uint32_t corner : face) corners += fmt::format("{}{}", corners.empty() ? "" : ", ", corner);
+    text += fmt::format("{}{{{}}}", text.empty() ? "" : ", ", corners);
+  }
+  return text;
+}
+
+std::string body_text(const std::string& name, const Body& body, bool with_faces) {
+  const std::string faces = with_faces ? ",\n    {" + faces_text(body) + "}" : "";
+  return fmt::format("const Body {} = {{\n    {{  // points\n        {}}}{}}};\n", name, points_text(body), faces);
+}
+
+std::string vector_text(const std::array<double, 3>& v) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+
+std::string claim_text(const Outcome& outcome) {
+  if (!outcome.reply) return "none";
+  const Reply& reply = *outcome.reply;
+  if (!reply.overlap) return "no overlap";
+  std::string text = "overlap";
+  if (reply.depth) text += fmt::format(", depth {}", *reply.depth);
+  if (reply.direction) text += ", direction " + vector_text(*reply.direction);
+  if (reply.witness_a) text += ", witness of A " + vector_text(*reply.witness_a);
+  if (reply.witness_b) text += ", witness of B " + vector_text(*reply.witness_b);
+  return text;
+}
+
+std::string status_text(Status status) {
+  return status == Status::penetrating ? "penetrating" : status == Status::touching ? "touching" : "disjoint";
+}
+
+std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const std::string& command) {
+  Status status = Status::disjoint;
+  mpq_class squared;
+  if (outcome.judgement && outcome.variant.empty()) {
+    status = outcome.judgement->status;
+    squared = outcome.judgement->depth_squared;
+  } else {
+    const Truth truth = truth_about(pair.a.points, pair.b.points);
+    status = truth.depth.status;
+    squared = truth.depth.squared;
+  }
+  std::string settings;
+  for (const auto& [key, value] : info.settings) settings += (settings.empty() ? "; " : ", ") + key + " = " + value;
+  const std::string sentence = outcome.judgement ? outcome.judgement->sentence : outcome.detail;
+  const std::string behind = outcome.variant.empty() ? "" : fmt::format(" (variant \"{}\")", outcome.variant);
+  std::string text;
+  const auto line = [&text](const std::string& words) { text += "// " + comment_text(words) + '\n'; };
+  line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, info.precision == Precision::binary32 ? "binary32" : "binary64",
+                   settings));
+  line(fmt::format("truth:   {}, depth^2 = {} exactly, depth = {}", status_text(status), exact_text(squared),
+                   root_binary64(squared, Rounding::rn)));
+  line("claim:   " + claim_text(outcome) + behind);
+  line(fmt::format("verdict: {}{}{}", name(outcome.verdict), sentence.empty() ? "" : ": ", sentence));
+  line("compile: " + command);
+  return text;
+}
+
+/// The case as the variant that the outcome is about.
+std::optional<Case> variant_of(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
+  const std::string names[] = {outcome.variant};
+  std::vector<Variant> found = variants(pair, info.precision, names);
+  return found.empty() ? std::nullopt : std::optional(found.front().seen);
+}
+
+std::string program_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const Program& program) {
+  std::string text = heading(info, pair, outcome, program.command) + program.includes;
+  text += "#include <cstdio>\n#include <vector>\n\nnamespace {\n\n";
+  text += info.wants_faces ? "// Faces: corners counter-clockwise, seen from outside.\n" : "";
+  text += "struct Body {\n  std::vector<std::vector<double>> points;\n";
+  text += info.wants_faces ? "  std::vector<std::vector<int>> faces;\n};\n\n" : "};\n\n";
+  text += body_text("a", pair.a, info.wants_faces) + body_text("b", pair.b, info.wants_faces);
+  const std::optional<Case> variant = variant_of(info, pair, outcome);
+  if (variant)
+    text += "// The same after a symmetry.\n" + body_text("other_a", variant->a, info.wants_faces) +
+            body_text("other_b", variant->b, info.wants_faces);
+  text += '\n' + program.body + "\n}  // namespace\n\nint main() {\n" + program.opening + "  answer(\"A and B\", a, b);\n";
+  if (variant) text += fmt::format("  answer(\"the variant {}\", other_a, other_b);\n", outcome.variant);
+  return text + program.closing + "}\n";
+}
+
+std::string reply_text(const Outcome& outcome) {
+  if (!outcome.reply) return "  // No answer was recorded: put the one of your own call here.\n  fathom::Reply reply;\n";
+  const auto triple = [](const char* field, const std::optional<Triple>& v) {
+    return v ? fmt::format("  reply.{} = {{{{{}, {}, {}}}}};\n", field, literal((*v)[0]), literal((*v)[1]), literal((*v)[2])) : "";
+  };
+  const Reply& reply = *outcome.reply;
+  std::string text = "  // The answer that was recorded; put your own call here.\n  fathom::Reply reply;\n";
+  text += fmt::format("  reply.overlap = {};\n", reply.overlap);
+  if (reply.depth) text += fmt::format("  reply.depth = {};\n", literal(*reply.depth));
+  return text + triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b);
+}
+
+std::string conventions_text(const Conventions& conventions) {
+  using Touching = Conventions::Touching;
+  const char* touching = conventions.touching == Touching::overlap    ? "overlap"
+                         : conventions.touching == Touching::separate ? "separate"
+                                                                      : "either";
+  return fmt::format(
+      "  fathom::Conventions conventions;\n  conventions.touching = fathom::Conventions::Touching::{};\n"
+      "  conventions.depth = fathom::Conventions::Sign::{};\n  conventions.moves = fathom::Conventions::Body::{};\n"
+      "  conventions.unit = {};\n",
+      touching, conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
+      conventions.moves == Conventions::Body::a ? "a" : "b", conventions.unit);
+}
+
+/// For a library without a program here.
+std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
+  std::string text = heading(info, pair, outcome, "link fathom::judge and GoogleTest's main");
+  text += "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/verify/judge/judge.hpp>\n\n";
+  text += "TEST(Depth, IsRight) {\n";
+  for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
+    text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
+  text += reply_text(outcome) + conventions_text(info.conventions);
+  text += fmt::format("  const fathom::Judgement judgement = fathom::judge(a, b, reply, conventions, fathom::Precision::{});\n",
+                      info.precision == Precision::binary32 ? "binary32" : "binary64");
+  return text + "  EXPECT_TRUE(fathom::passes(judgement.verdict)) << judgement.sentence;\n}\n";
+}
+
+}  // namespace
+
+std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
+  const std::optional<Program> program = program_for(info);
+  return program ? program_text(info, pair, outcome, *program) : test_text(info, pair, outcome);
+}
+
+}  // namespace fathom::harness

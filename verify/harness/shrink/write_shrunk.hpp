@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The best case so far, on disk.                                                                                    [design section 8]
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verify/harness/shrink/shrink.hpp"
+
+namespace fathom::harness {
+
+/// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the snippet) into `directory`, which is made if need be: each whole, under
+/// another name first, so that a reader or a crash never meets half a file. "~<variant>" stands behind the verdict of a variant's outcome.
+/// Returns the three paths. Throws InputError naming the file that cannot be written.
+std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info);
+
+/// The case as one line of schema fathom/case/1: JSON numbers in the shortest text that reads back; what is not a binary64 number is a
+/// string. Ends in a line feed.
+std::string case_line(const Case& pair, const std::string& comment = "");
+
+}  // namespace fathom::harness

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a case as a subject sees it.
+// Output  the same case put through a symmetry of the depth, exactly; and whether the subject answered both alike.     [design section 8]
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/files/body.hpp"
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+/// The case under one symmetry. Every coordinate is a finite number of the subject's precision, so it sees just these points.
+struct Variant {
+  std::string name;  ///< "swap", "translate", "permute" or "scale"
+  Case seen;         ///< under the id of the original
+  bool swapped = false;
+  long exponent = 0;  ///< lengths are 2^exponent times those of the original
+  Precision precision = Precision::binary64;
+};
+
+/// All names, in the order in which `variants` makes them.
+std::span<const std::string_view> variant_names();
+
+/// The variants of `as_seen` that are exact in `precision`, for those of the names that are known:
+///   swap       B for A and A for B
+///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
+///   permute    the points of both bodies in another order, the same each time
+///   scale      all coordinates times 2^10, or another power of two where that is not exact
+/// A name without such a variant is left out; if `left_out` is given, a sentence about each is added to it.
+std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
+                              std::vector<std::string>* left_out = nullptr);
+
+/// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the original.
+mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original);
+
+/// The outcome of the variant, with its verdict made `not_invariant`, and the sentence telling by how much, where the variant alone would
+/// pass, and what the subject says of the two cases differs by more than the tolerance: the depth; whether they overlap, unless both
+/// answers are within the tolerance; the price of its direction; or that it answered only the variant. A variant that fails by itself
+/// keeps its own verdict. Both are outcomes of one subject.
+Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance);
+
+/// Examines a case and then its variant of this name: the outcome of the variant, compared. For shrinking. A case without such a variant
+/// yields the outcome of the case itself.
+Examine examine_variant(Examine examine, std::string name, Precision precision, Tolerance tolerance);
+
+}  // namespace fathom::harness

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judge/claim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/number/parse.hpp"
+
+namespace fathom {
+namespace {
+
+Vector integral(const Point& p) {
+  const mpz_class d = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
+  return primitive({mpq_class(d * p.x).get_num(), mpq_class(d * p.y).get_num(), mpq_class(d * p.z).get_num()});
+}
+
+std::optional<Point> point_of(const std::optional<Triple>& p) {
+  if (!p || !is_finite(*p)) return std::nullopt;
+  return exact_point(*p);
+}
+
+}  // namespace
+
+Point exact_point(const Triple& p) { return {exact_value(p[0]), exact_value(p[1]), exact_value(p[2])}; }
+
+bool is_finite(const Triple& p) {
+  return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
+}
+
+Claim exact_claim(const Reply& reply, const Conventions& conventions) {
+  Claim claim;
+  claim.overlap = reply.overlap;
+  if (!reply.overlap) return claim;
+  if (reply.depth) {
+    claim.finite = std::isfinite(*reply.depth);
+    for (const auto* p : {&reply.direction, &reply.witness_a, &reply.witness_b}) claim.finite &= !*p || is_finite(**p);
+    if (std::isfinite(*reply.depth)) {
+      const mpq_class depth = exact_value(*reply.depth);
+      claim.depth = conventions.depth == Conventions::Sign::negative ? mpq_class(-depth) : depth;
+    }
+  }
+  if (const std::optional<Point> u = point_of(reply.direction)) {
+    claim.direction_length = u->x * u->x + u->y * u->y + u->z * u->z;
+    const Vector v = integral(*u);
+    if (!is_zero(v)) claim.direction = conventions.moves == Conventions::Body::b ? -v : v;
+  }
+  claim.witness_a = point_of(reply.witness_a);
+  claim.witness_b = point_of(reply.witness_b);
+  return claim;
+}
+
+}  // namespace fathom

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The two bodies, and the exact questions that a judge asks about them.                       [AGHRS, section 3; proofs/judge.md]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <memory>
+#include <span>
+
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "verify/judge/judge.hpp"
+
+namespace fathom {
+
+class BodyPair;
+
+/// Refers to the truth. Below, h(u) = max_b <u,b> - min_a <u,a>.
+class Scene {
+ public:
+  explicit Scene(const Truth& truth);
+  ~Scene();
+
+  [[nodiscard]] const mpq_class& extent() const { return extent_; }      ///< the longest side of the bodies' boxes, the larger of the two
+  [[nodiscard]] const mpq_class& farthest() const { return farthest_; }  ///< the largest absolute coordinate
+  /// h(u) / |u|, as a signed square. The direction is not zero.
+  [[nodiscard]] mpq_class price(const Vector& u) const;
+  /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are so already.
+  [[nodiscard]] mpq_class travel(const Vector& u);
+
+ private:
+  void measure();
+
+  const Truth& truth_;
+  Lattice lattice_;
+  mpq_class extent_, farthest_;
+  std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
+};
+
+/// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
+mpq_class squared_distance(const Point& point, std::span<const Point> body);
+
+}  // namespace fathom

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judge/sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "kernels/number/rounding.hpp"
+#include "kernels/number/surd.hpp"
+
+namespace fathom {
+namespace {
+
+std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
+double root(const mpq_class& squared) { return root_binary64(squared, Rounding::rn); }
+
+class Teller {
+ public:
+  Teller(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+         const Remarks& remarks)
+      : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), precision_(precision), remarks_(remarks) {}
+
+  [[nodiscard]] std::string all() const {
+    if (judgement_.findings.empty()) return truth_.status == Status::touching ? touching() : pass();
+    std::string result;
+    for (const Verdict finding : judgement_.findings) result += (result.empty() ? "" : "; ") + told(finding);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::string shortest(double x) const {
+    return precision_ == Precision::binary32 && std::isfinite(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
+  }
+  [[nodiscard]] std::string depth() const { return fmt::format("{}", root(truth_.squared)); }
+  [[nodiscard]] std::string claimed() const { return shortest(nearest_binary64({*claim_.depth, 0})); }
+  [[nodiscard]] std::string apart() const {
+    return truth_.distance ? fmt::format("the bodies are apart by {}", root(truth_.distance->squared)) : "the bodies are apart";
+  }
+  [[nodiscard]] std::string off_by() const { return amount(nearest_binary64({*claim_.depth, -truth_.squared})); }
+
+  [[nodiscard]] std::string told(Verdict finding) const {
+    switch (finding) {
+      case Verdict::nan: return not_finite();
+      case Verdict::false_separation:
+        if (truth_.status == Status::touching) return "said to be apart: the bodies touch, which it declares to be an overlap";
+        return "said to be apart: the bodies overlap, the depth is " + depth();
+      case Verdict::false_overlap:
+        if (truth_.status == Status::touching) return "said to overlap: the bodies touch, which it declares not to be an overlap";
+        return "said to overlap: " + apart();
+      case Verdict::not_a_direction: return not_a_direction();
+      case Verdict::wrong_sign: return wrong_sign();
+      case Verdict::too_deep: return fmt::format("too deep by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
+      case Verdict::too_shallow: return fmt::format("too shallow by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
+      case Verdict::not_separating:
+        return fmt::format("not separating: {} of overlap is left along its direction",
+                           amount(nearest_binary64({-*claim_.depth, *judgement_.travel_squared})));
+      case Verdict::inconsistent:
+        return fmt::format("inconsistent: the plane across its direction is at {}, not at {}",
+                           nearest_binary64({0, *judgement_.price_squared}), claimed());
+      case Verdict::witness_off: return witness_off();
+      default: return std::string(name(finding));
+    }
+  }
+
+  [[nodiscard]] std::string not_finite() const {
+    if (!std::isfinite(*reply_.depth)) return fmt::format("the depth is {}", *reply_.depth);
+    if (reply_.direction && !is_finite(*reply_.direction)) return "the direction is not finite";
+    return "a witness point is not finite";
+  }
+
+  [[nodiscard]] std::string not_a_direction() const {
+    if (sgn(*claim_.direction_length) == 0) return "the direction is zero";
+    return fmt::format("the direction has length {}, where 1 is promised", root(*claim_.direction_length));
+  }
+
+  [[nodiscard]] std::string wrong_sign() const {
+    std::string result;
+    if (remarks_.depth_sign) {
+      const bool below = *reply_.depth > 0;  // the right one
+      result = fmt::format("the depth has the wrong sign: {} is claimed, by its conventions {}{} is right", shortest(*reply_.depth),
+                           below ? "-" : "", depth());
+    }
+    if (remarks_.direction_sign) result += std::string(result.empty() ? "" : "; ") + "the direction points the wrong way";
+    return result;
+  }
+
+  [[nodiscard]] std::string witness_off() const {
+    std::string result;
+    const auto add = [&result](std::string text) { result += (result.empty() ? "" : "; ") + std::move(text); };
+    if (remarks_.witness_a) add(fmt::format("the witness point of A is {} away from it", amount(root(*judgement_.witness_a_squared))));
+    if (remarks_.witness_b) add(fmt::format("the witness point of B is {} away from it", amount(root(*judgement_.witness_b_squared))));
+    if (remarks_.gap && !remarks_.depth_sign && !remarks_.direction_sign) {
+      add(fmt::format("the witness points miss the translation by {}", amount(*judgement_.witness_gap)));
+    } else if (remarks_.gap) {
+      add("the witness points miss the translation");
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::string touching() const {
+    return std::string("the bodies touch, and it says that they ") + (reply_.overlap ? "overlap" : "are apart") +
+           ", which its conventions allow";
+  }
+
+  [[nodiscard]] std::string pass() const {
+    if (remarks_.tolerated) {
+      if (truth_.status == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
+      return "within the tolerance: said to be apart, the depth is " + depth();
+    }
+    if (!reply_.overlap) return "right: " + apart();
+    if (!claim_.depth) return "right: the bodies overlap";
+    const Accuracy accuracy = *judgement_.accuracy;
+    const std::string how = accuracy == Accuracy::correctly_rounded ? "correctly rounded"
+                            : accuracy == Accuracy::tolerance       ? "within the tolerance"
+                                                                    : "within " + std::string(name(accuracy));
+    return fmt::format("right: {} is claimed, the depth is {} ({})", claimed(), depth(), how);
+  }
+
+  const Judgement& judgement_;
+  const Depth& truth_;
+  const Reply& reply_;
+  const Claim& claim_;
+  Precision precision_;
+  const Remarks& remarks_;
+};
+
+}  // namespace
+
+std::string sentence(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+                     const Remarks& remarks) {
+  return Teller(judgement, truth, reply, mended, precision, remarks).all();
+}
+
+}  // namespace fathom

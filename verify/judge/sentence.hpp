@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A judgement in one line of English.
+#pragma once
+
+#include <string>
+
+#include "verify/judge/claim.hpp"
+#include "verify/judge/judge.hpp"
+
+namespace fathom {
+
+/// Which of several reasons a finding has.
+struct Remarks {
+  bool tolerated = false;                                  ///< the classification is wrong, within the tolerance
+  bool depth_sign = false, direction_sign = false;         ///< wrong, and mended in the claim
+  bool witness_a = false, witness_b = false, gap = false;  ///< off
+};
+
+/// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.
+std::string sentence(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+                     const Remarks& remarks);
+
+}  // namespace fathom

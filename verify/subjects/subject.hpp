@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the adapters share: the protocol fathom/subject/1 on the standard streams, and settings from the command line. An adapter adds one
+// function per way of asking its library. Nothing of fathom is included: the programs stand alone.                [verify/PROTOCOL.md]
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace subject {
+
+using Vector = std::array<double, 3>;
+
+struct Body {
+  std::vector<Vector> vertices;
+  std::vector<std::vector<int>> faces;  ///< counter-clockwise from outside; empty where the body is flat or the mode asks for none
+};
+
+/// What the library answered, in its own numbers and under the conventions of the mode.
+struct Reply {
+  bool overlap = false;
+  std::optional<double> depth{};
+  std::optional<Vector> direction{};
+  std::optional<std::array<Vector, 2>> witness{};  ///< on A and on B
+};
+
+/// Thrown for a pair that the library does not take. Any other exception is an answer that the library failed to give.
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The library's parameters: each has the library's own default unless key=value was given. All of them are told in the hello.
+class Settings {
+ public:
+  /// Throws std::invalid_argument for a word that is no key=value, or a key that comes twice.
+  explicit Settings(const std::vector<std::string>& words);
+  /// The value in force. Throws std::invalid_argument for a value that is no number (for `count`: no whole number).
+  double number(const std::string& key, double usual);
+  unsigned long count(const std::string& key, unsigned long usual);
+  /// Tells what cannot be changed.
+  void note(const std::string& key, const std::string& text);
+  /// Throws std::invalid_argument when a key was given that nothing asked for.
+  void check_all_used() const;
+  const std::map<std::string, std::string>& in_force() const { return told_; }
+
+ private:
+  std::optional<std::string> taken(const std::string& key);
+  std::map<std::string, std::string> given_, told_;
+};
+
+using Solver = std::function<Reply(const Body& a, const Body& b)>;
+
+/// One way of asking the library.
+struct Mode {
+  std::string argument;            ///< its word on the command line
+  std::string name;                ///< "libccd-epa"
+  std::string depth = "positive";  ///< the sign of the depth of bodies that overlap: "positive" or "negative"
+  std::string moves = "a";         ///< the body that |depth| * direction moves apart
+  bool faces = false;              ///< whether it needs faces
+  std::function<Solver(Settings&)> make;
+};
+
+struct Program {
+  std::string library, version, precision;  ///< precision: "binary32" or "binary64"
+  std::vector<Mode> modes;
+};
+
+/// Divided before it is summed: no sum of finite numbers overflows.
+Vector mean(const std::vector<Vector>& points);
+
+/// The body without the vertices that lie in no face: a hull, as libraries of faces take it. Throws Unsupported for a body without faces.
+Body hull(const Body& body);
+
+/// Speaks the protocol until "stop" or the end of the input. What the library prints on its standard output goes to the standard error.
+/// Returns the exit code: 0, or 2 for wrong arguments or a line that is not of the protocol (told on the standard error).
+int run(const Program& program, int argc, char** argv);
+
+}  // namespace subject
