@@ -12,28 +12,13 @@
 #include "cli/approx_arguments.hpp"
 #include "cli/cases_arguments.hpp"
 #include "cli/certify_arguments.hpp"
+#include "cli/examples_first.hpp"
 #include "cli/help.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {
 namespace {
-
-/// Help with examples first and a synopsis written by hand.
-class ExamplesFirst : public CLI::Formatter {
- public:
-  ExamplesFirst(std::string_view examples, std::string_view synopsis) : examples_(examples), synopsis_(synopsis) { column_width(34); }
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-    if (mode != CLI::AppFormatMode::Normal) return Formatter::make_help(app, std::move(name), mode);
-    const std::string rest = Formatter::make_help(app, std::move(name), mode);
-    return examples_ + '\n' + rest.substr(0, rest.find_last_not_of('\n') + 1);
-  }
-  std::string make_usage(const CLI::App*, std::string) const override { return "Usage: " + synopsis_ + '\n'; }
-  std::string make_positionals(const CLI::App*) const override { return ""; }
-
- private:
-  std::string examples_, synopsis_;
-};
 
 /// A value that must be one of `here`; those in `absent` are known but not part of this version.
 CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> absent) {
@@ -151,13 +136,6 @@ std::string wrong_words(const char* const* argv) {
   return "";
 }
 
-/// CLI11's sentence, or a plainer one.
-std::string sentence(const CLI::ParseError& error) {
-  const std::string text = printable(error.what(), 200);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
-  return text.substr(0, text.find(':')) + ": expected one value, once";
-}
-
 Arguments refusal(const std::string& sentence, const std::string& command = "") {
   return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
 }
@@ -245,7 +223,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
                                   "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -");
   add_certify_options(certify, request);
   add_input(certify, request, "first");
-  app.add_subcommand("check", "Check certificates, independently.");  // for the list alone: it has a command line of its own
+  // For the list alone: these have command lines of their own.
+  app.add_subcommand("check", "Check certificates, independently.");
+  app.add_subcommand("golden", "Golden test data: make a release, or prove one.");
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   const CLI::App* const apps[] = {&depth, &width, approx, ray, metric, &study, &cases, &certify};  // in the order of `commands`

@@ -28,6 +28,9 @@ ExitCode run_certify(const Request& request);
 /// Takes the words behind "check"; says itself what is wrong with them.
 ExitCode run_check(std::vector<std::string> words);
 
+/// Takes the words behind "golden".
+ExitCode run_golden(const std::vector<std::string>& words);
+
 /// What a command computes for one case.
 using Solve = std::function<Depth(const Case&, const Options&)>;
 

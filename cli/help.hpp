@@ -22,6 +22,7 @@ inline constexpr std::string_view general_examples =
     "  fathom certify --adapter libccd-epa cases.jsonl\n"
     "                                           where is a library wrong, and by how much?\n"
     "  fathom check proof.cert                  is this certificate a proof? by a checker that shares nothing with the rest\n"
+    "  fathom golden verify DIR                 is this golden data true, to the last value?\n"
     "  fathom depth --help                      every option of a command\n";
 
 inline constexpr std::string_view depth_examples =
@@ -119,9 +120,9 @@ inline constexpr std::string_view footer =
 inline std::string footer_text() { return std::string(footer); }
 
 /// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "certify", "check"};
+inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "certify", "check", "golden"};
 
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"golden", "explain"};
+inline constexpr std::string_view absent_commands[] = {"explain"};
 
 }  // namespace fathom::cli

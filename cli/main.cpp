@@ -35,6 +35,7 @@ ExitCode run_command(const Request& request) {
 ExitCode run(int argc, char** argv) {
   try {
     if (argc > 1 && std::string_view(argv[1]) == "check") return run_check({argv + 2, argv + argc});
+    if (argc > 1 && std::string_view(argv[1]) == "golden") return run_golden({argv + 2, argv + argc});
     const Arguments arguments = parse_arguments(argc, argv);
     if (!arguments.request) {
       if (arguments.code != fine) return failed(arguments.text, arguments.code);

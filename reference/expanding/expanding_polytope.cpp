@@ -81,6 +81,27 @@ class Expander {
     return ExpansionEnd::proved;
   }
 
+  // Until Q's triangles are no nearer than `next`, which falls to the distance of every facet plane of P that is met, but for `depth`.
+  ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
+    Radius radius = radius_of(next.get_num(), next.get_den());
+    while (!waiting_.empty()) {
+      const std::uint32_t t = waiting_.take();
+      if (!surface_->triangle(t).alive || beyond(t, radius, true)) continue;
+      if (std::optional<SurfaceVertex> above = point_above(t)) {
+        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
+        continue;
+      }
+      const ExactPlane& plane = surface_->plane(t);  // the plane of a facet of P
+      if (plane.height <= 0) return ExpansionEnd::not_inside;
+      mpq_class squared(plane.height * plane.height, dot(plane.normal, plane.normal));
+      squared.canonicalize();
+      if (squared == depth) continue;
+      next = squared;
+      radius = radius_of(next.get_num(), next.get_den());
+    }
+    return ExpansionEnd::proved;
+  }
+
   // Until some direction is known to have h(n)^2 <= squared <n,n>; `direction` becomes it, or stays as it is if there is none.
   ExpansionEnd find_direction(const mpq_class& squared, Vector& direction) {
     wait_for_all();
@@ -206,6 +227,15 @@ BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq
   else result.end = expander.find_direction(high, result.direction);
   result.high_holds = !is_zero(result.direction);
   return result;
+}
+
+mpq_class next_nearest_by_expansion(const PointCloud& a, const PointCloud& b, const mpq_class& nearest, const mpq_class& bound) {
+  const ExpansionOptions unlimited;
+  Expander expander(a, b, unlimited);
+  mpq_class next = bound;
+  const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
+  if (end != ExpansionEnd::proved) throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");
+  return next;
 }
 
 }  // namespace fathom

@@ -56,4 +56,9 @@ struct BallExpansion {
 BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
                              const std::optional<Vector>& hint = std::nullopt, const ExpansionOptions& options = {});
 
+/// With O in the interior of P, `nearest` = depth^2, and `bound` a larger squared distance of a facet plane of P: such a distance again, at
+/// most `bound`, such that no facet strictly between `nearest` and it holds the foot point of O in its interior. All in the clouds' unit.
+/// Throws std::invalid_argument if O is not in the interior of P.                                     [proofs/gap.md, lemma 2]
+mpq_class next_nearest_by_expansion(const PointCloud& a, const PointCloud& b, const mpq_class& nearest, const mpq_class& bound);
+
 }  // namespace fathom

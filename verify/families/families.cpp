@@ -9,7 +9,11 @@
 #include "verify/families/contacts.hpp"
 #include "verify/families/degenerate.hpp"
 #include "verify/families/fillets.hpp"
+#include "verify/families/hard_bodies.hpp"
+#include "verify/families/inverse.hpp"
+#include "verify/families/inverse_ridge.hpp"
 #include "verify/families/random_bodies.hpp"
+#include "verify/families/rounding_boundary.hpp"
 #include "verify/families/tie_patches.hpp"
 
 namespace fathom::families {
@@ -34,6 +38,16 @@ Bodies flat(Random& random, unsigned n) {
 template <Degradation Way>
 Bodies degraded(Random& random, unsigned n) {
   return degraded(Way, random, n);
+}
+
+template <Feature A, Feature B>
+Bodies inverse(Random& random, unsigned n) {
+  return inverse(A, B, random, n);
+}
+
+template <const FloatFormat& Format>
+Bodies rounding(Random& random, unsigned n) {
+  return rounding_boundary(Format, random, n);
 }
 
 constexpr Family table[] = {
@@ -157,6 +171,33 @@ constexpr Family table[] = {
      degraded<Degradation::touching_translation>},
     {"degraded_snapped_to_lattice", "spheres of points; coordinates are rounded to a coarse grid", 10,
      degraded<Degradation::snapped_to_lattice>},
+    {"approaching_degraded", "spheres of points, broken in any of the ways above, every point moved by about 2^-k", 10,
+     approaching_degraded},
+    // Hard on purpose, by inverse construction: first the answer, then the bodies.
+    {"inverse_facet_vertex", "one optimum, of kind facet-vertex; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::face, Feature::vertex>},
+    {"inverse_vertex_facet", "one optimum, of kind vertex-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::vertex, Feature::face>},
+    {"inverse_facet_edge", "one optimum, of kind facet-edge; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::face, Feature::edge>},
+    {"inverse_edge_facet", "one optimum, of kind edge-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::edge, Feature::face>},
+    {"inverse_facet_facet", "one optimum, of kind facet-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::face, Feature::face>},
+    {"inverse_edge_edge", "one optimum, of kind edge-edge; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
+     inverse<Feature::edge, Feature::edge>},
+    {"inverse_tie", "two opposite optima of different kinds", 12, inverse_tie},
+    {"inverse_ridge", "spheres of points; the nearest facet shares an edge with the next one, farther by the factor 1 + 2^-k", 12,
+     inverse_ridge},
+    {"rounding_binary32", "the depth is 2^-k ulp above or below, or on, a number of binary32 or half way between two", 10,
+     rounding<binary32>},
+    {"rounding_binary64", "the depth is 2^-k ulp above or below, or on, a number of binary64 or half way between two", 10,
+     rounding<binary64>},
+    // Extremes.
+    {"deep", "spheres of points about one centre, one up to a thousand times smaller: the depth is nearly the sum of the radii", 20, deep},
+    {"hair_overlap", "one optimum of any kind; depth 2^-k of the size, k up to 200", 10, hair_overlap},
+    {"hair_gap", "any two features apart by 2^-k of the size, k up to 200", 10, hair_gap},
+    {"stretched", "needles, plates and planks with extents in a ratio of up to 10^9", 20, stretched},
 };
 
 /// FNV-1a; gives every family its own stream of random numbers.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the command lines of fathom look to CLI11: help that opens with examples, and plain sentences.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "reference/files/source.hpp"
+
+namespace fathom::cli {
+
+/// Help with examples first and a synopsis written by hand.
+class ExamplesFirst : public CLI::Formatter {
+ public:
+  ExamplesFirst(std::string_view examples, std::string_view synopsis) : examples_(examples), synopsis_(synopsis) { column_width(34); }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (mode != CLI::AppFormatMode::Normal) return Formatter::make_help(app, std::move(name), mode);
+    const std::string rest = Formatter::make_help(app, std::move(name), mode);
+    return examples_ + '\n' + rest.substr(0, rest.find_last_not_of('\n') + 1);
+  }
+  std::string make_usage(const CLI::App*, std::string) const override { return "Usage: " + synopsis_ + '\n'; }
+  std::string make_positionals(const CLI::App*) const override { return ""; }
+
+ private:
+  std::string examples_, synopsis_;
+};
+
+/// CLI11's sentence, or a plainer one.
+inline std::string sentence(const CLI::ParseError& error) {
+  const std::string text = printable(error.what(), 200);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  return text.substr(0, text.find(':')) + ": expected one value, once";
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The next nearest facet of P either shares an edge with a nearest one, or holds the foot point of O in its interior. The first kind is
+// found by turning the plane of each nearest facet about its edges, the second by an expanding polytope.       [proofs/gap.md, lemma 1]
+#include "reference/depth/gap.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "kernels/support.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom {
+namespace {
+
+// The directions of the edges of a face with these extreme points, counter-clockwise seen against n; a segment has two: there and back.
+std::vector<Vector> edge_directions(const std::vector<Vector>& points, const Vector& n) {
+  if (points.size() == 1) return {};
+  if (points.size() == 2) return {points[1] - points[0], points[0] - points[1]};
+  const Polytope face = convex_hull(points);
+  const bool reversed = dot(face.facets.front().normal, n) < 0;
+  std::vector<Vector> directions;
+  directions.reserve(face.edges.size());
+  for (const Edge& edge : face.edges) {
+    const Vector along = face.vertices[edge.to] - face.vertices[edge.from];
+    directions.push_back(reversed ? -along : along);
+  }
+  return directions;
+}
+
+const Vector& extreme(const std::vector<Vector>& points, const Vector& u) {
+  return *std::ranges::max_element(points, {}, [&u](const Vector& p) { return dot(u, p); });
+}
+
+// The squared distance of the plane <normal, x> = <normal, p>.
+mpq_class squared_distance(const Vector& normal, const Vector& p) {
+  const mpz_class height = dot(normal, p);
+  mpq_class squared(height * height, dot(normal, normal));
+  squared.canonicalize();
+  return squared;
+}
+
+// The normal of the facet beyond the edge of the facet with normal n that runs through p along d, counter-clockwise seen from outside: the
+// first plane about the edge, turned away from n, that has no point of P above it. Every step turns farther back.
+Vector normal_beyond(Differences& differences, const Vector& n, const Vector& p, const Vector& d) {
+  Vector normal = cross(differences[differences.extreme(-n)] - p, d);
+  for (;;) {
+    const Vector highest = differences[differences.extreme(normal)] - p;
+    if (dot(normal, highest) <= 0) return normal;
+    normal = cross(highest, d);
+  }
+}
+
+// The least squared distance, other than `nearest`, of the facets that share an edge with the nearest facet `optimum`.
+void look_around(const Lattice& lattice, Differences& differences, const Optimum& optimum, const mpq_class& nearest,
+                 std::optional<mpq_class>& least) {
+  const Vector& n = optimum.direction;
+  std::vector<Vector> minus_a, b;
+  for (const std::uint32_t i : optimum.contact.a) minus_a.push_back(-lattice.a[i]);
+  for (const std::uint32_t i : optimum.contact.b) b.push_back(lattice.b[i]);
+  for (const std::vector<Vector>* face : {&minus_a, &b}) {
+    for (const Vector& d : edge_directions(*face, n)) {
+      const Vector outwards = cross(d, n), p = extreme(minus_a, outwards) + extreme(b, outwards);
+      const mpq_class squared = squared_distance(normal_beyond(differences, n, p, d), p);
+      if (squared != nearest && (!least || squared < *least)) least = squared;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Depth& depth) {
+  if (depth.status != Status::penetrating) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
+  const Lattice lattice = common_lattice(a, b);
+  const mpq_class unit(lattice.denominator * lattice.denominator), nearest = depth.squared * unit;
+  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
+  const PointCloud cloud_a(lattice.a, exponent), cloud_b(lattice.b, exponent);
+  Differences differences(cloud_a, cloud_b);
+  std::optional<mpq_class> least;
+  for (const Optimum& optimum : depth.optima) look_around(lattice, differences, optimum, nearest, least);
+  if (!least) return std::nullopt;  // whatever can be reached from a nearest facet is one
+  return mpq_class(next_nearest_by_expansion(cloud_a, cloud_b, nearest, *least) / unit);
+}
+
+std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b) {
+  const Lattice lattice = common_lattice(a, b);
+  const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+  std::vector<Vector> differences;
+  for (const Vector& p : hull_a.vertices)
+    for (const Vector& q : hull_b.vertices) differences.push_back(q - p);
+  const Polytope p = convex_hull(differences);
+  std::vector<mpq_class> squares;
+  for (const Facet& facet : p.facets) {
+    const Vector& corner = p.vertices[p.corners[facet.begin]];
+    if (p.rank < 3 || dot(facet.normal, corner) <= 0) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
+    squares.push_back(squared_distance(facet.normal, corner));
+  }
+  if (squares.empty()) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
+  std::ranges::sort(squares);
+  const auto next = std::ranges::upper_bound(squares, squares.front());
+  if (next == squares.end()) return std::nullopt;
+  return mpq_class(*next / mpq_class(lattice.denominator * lattice.denominator));
+}
+
+}  // namespace fathom

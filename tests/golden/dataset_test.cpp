@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Law: the pages of a shard and of a release are read only in the one form in which they are written, field by field.
+#include "verify/golden/dataset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "verify/golden/plan.hpp"
+
+namespace fathom::golden {
+namespace {
+
+constexpr std::uint64_t seed = UINT64_MAX;  // beyond what a JSON number may hold
+
+Manifest manifest_of_plan(const ShardPlan& shard) {
+  Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.recipes.size(), 2 * shard.recipes.size(), "1.5.4", {}};
+  for (std::size_t i = 0; i < shard_suffixes.size(); ++i)
+    manifest.files[i] = {shard.name + std::string(shard_suffixes[i]), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}};
+  return manifest;
+}
+
+TEST(Dataset, ManifestsComeBack) {
+  const ShardPlan shard = plan(Level::L0, seed).front();
+  const Manifest manifest = manifest_of_plan(shard);
+  const std::string text = manifest_text(manifest);
+  ASSERT_TRUE(parse_manifest(text));
+  EXPECT_EQ(*parse_manifest(text), manifest);
+  EXPECT_FALSE(not_of_plan(manifest, shard, seed));
+}
+
+TEST(Dataset, ManifestsOfOtherPlansAreSeen) {
+  const ShardPlan shard = plan(Level::L0, seed).front();
+  const Manifest good = manifest_of_plan(shard);
+  EXPECT_TRUE(not_of_plan(good, shard, seed - 1));
+  EXPECT_TRUE(not_of_plan(good, plan(Level::L0, seed).back(), seed));
+  const auto refused = [&](auto change) {
+    Manifest wrong = good;
+    change(wrong);
+    return not_of_plan(wrong, shard, seed).has_value();
+  };
+  EXPECT_TRUE(refused([](Manifest& m) { m.version = "0.9.0"; }));
+  EXPECT_TRUE(refused([](Manifest& m) { m.name += "0"; }));
+  EXPECT_TRUE(refused([](Manifest& m) { m.level = Level::L1; }));
+  EXPECT_TRUE(refused([](Manifest& m) { ++m.recipes; }));
+  EXPECT_TRUE(refused([](Manifest& m) { std::swap(m.files[0], m.files[1]); }));
+  EXPECT_TRUE(refused([](Manifest& m) { m.files[3].name = "../golden"; }));
+}
+
+/// Every way to leave out one line, or to change one character, is refused.
+template <class Parse>
+void expect_one_form(const std::string& text, Parse parse) {
+  ASSERT_TRUE(parse(text));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string wrong = text;
+    wrong[i] = wrong[i] == ' ' ? '\t' : ' ';
+    EXPECT_FALSE(parse(wrong) && *parse(wrong) == *parse(text)) << "character " << i;
+  }
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
+    std::string wrong = text;
+    wrong.erase(begin, text.find('\n', begin) + 1 - begin);
+    EXPECT_FALSE(parse(wrong)) << wrong;
+  }
+  EXPECT_FALSE(parse(text + '\n'));
+  EXPECT_FALSE(parse(text + text));
+  EXPECT_FALSE(parse(""));
+  EXPECT_FALSE(parse("[]"));
+}
+
+TEST(Dataset, OneForm) {
+  const std::vector<ShardPlan> shards = plan(Level::L0, seed);
+  expect_one_form(manifest_text(manifest_of_plan(shards[0])), parse_manifest);
+  Dataset dataset{Level::L0, std::string(data_version), seed, {}};
+  dataset.shards.push_back(manifest_of_plan(shards[0]));
+  const std::string text = dataset_text(dataset);
+  const auto parse_again = [](std::string_view page) {
+    const std::optional<Dataset> found = parse_dataset(page);
+    return found ? std::optional(dataset_text(*found)) : std::nullopt;
+  };
+  expect_one_form(text, parse_again);
+  ASSERT_TRUE(parse_dataset(text));
+  EXPECT_EQ(parse_dataset(text)->seed, seed);
+  EXPECT_EQ(records_in(*parse_dataset(text)), 2 * shards[0].recipes.size());
+}
+
+}  // namespace
+}  // namespace fathom::golden

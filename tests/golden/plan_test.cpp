@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/golden/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
+#include "verify/golden/real_cases.hpp"
+
+namespace fathom::golden {
+namespace {
+
+std::vector<Recipe> recipes(const std::vector<ShardPlan>& shards) {
+  std::vector<Recipe> result;
+  for (const ShardPlan& shard : shards) result.insert(result.end(), shard.recipes.begin(), shard.recipes.end());
+  return result;
+}
+
+bool same(const ShardPlan& s, const ShardPlan& t) { return s.name == t.name && s.level == t.level && s.recipes == t.recipes; }
+
+void expect_prefix(const std::vector<ShardPlan>& part, const std::vector<ShardPlan>& whole) {
+  ASSERT_LT(part.size(), whole.size());
+  EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin(), same));
+}
+
+TEST(Plan, LevelsAreNested) {
+  const auto l0 = plan(Level::L0, 7), l1 = plan(Level::L1, 7), l2 = plan(Level::L2, 7);
+  expect_prefix(l0, l1);
+  expect_prefix(l1, l2);
+  for (std::size_t i = 0; i < l2.size(); ++i)
+    EXPECT_EQ(l2[i].level, i < l0.size() ? Level::L0 : i < l1.size() ? Level::L1 : Level::L2) << l2[i].name;
+}
+
+TEST(Plan, IsAFunctionOfLevelAndSeed) {
+  const auto once = plan(Level::L1, 3), again = plan(Level::L1, 3), other = plan(Level::L1, 4);
+  EXPECT_TRUE(std::equal(once.begin(), once.end(), again.begin(), again.end(), same));
+  EXPECT_FALSE(std::equal(once.begin(), once.end(), other.begin(), other.end(), same));
+}
+
+TEST(Plan, NoIdAndNoShardOccursTwice) {
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}}) {
+    std::set<std::string> ids, names;
+    for (const ShardPlan& shard : plan(Level::L2, seed)) {
+      EXPECT_TRUE(names.insert(shard.name).second) << shard.name;
+      EXPECT_FALSE(shard.recipes.empty()) << shard.name;
+      for (const Recipe& recipe : shard.recipes) ASSERT_TRUE(ids.insert(id_of(recipe)).second) << id_of(recipe);
+    }
+  }
+}
+
+TEST(Plan, LevelZeroHoldsEverythingByName) {
+  std::set<std::string> families, others;
+  for (const Recipe& recipe : recipes(plan(Level::L0, 1))) (recipe.source == Source::family ? families : others).insert(recipe.name);
+  for (const families::Family& family : families::families()) {
+    EXPECT_EQ(families.contains(std::string(family.name)), family.name != "catalogue") << family.name;
+  }
+  for (const families::CatalogueEntry& entry : families::catalogue()) EXPECT_TRUE(others.contains(std::string(entry.name))) << entry.name;
+  ASSERT_EQ(real_cases().size(), 63u);
+  for (const Case& real : real_cases()) EXPECT_TRUE(others.contains(real.id)) << real.id;
+}
+
+TEST(Plan, SizesAndCountsAreThoseOfTheLevel) {
+  const auto count = [](Level level) { return recipes(plan(level, 1)).size(); };
+  EXPECT_GT(count(Level::L0), 300u);
+  EXPECT_LT(count(Level::L0), 800u);
+  EXPECT_GT(count(Level::L1), 5000u);
+  EXPECT_GT(count(Level::L2), 70000u);
+  for (const auto& [level, most] : {std::pair(Level::L0, 12U), std::pair(Level::L1, 30U), std::pair(Level::L2, 1000U)}) {
+    std::map<std::string, std::set<unsigned>> sizes;
+    for (const Recipe& recipe : recipes(plan(level, 1))) sizes[recipe.name].insert(recipe.size);
+    EXPECT_LE(*sizes["random_ball"].rbegin(), most);
+    EXPECT_GE(*sizes["random_ball"].begin(), 4u);
+    EXPECT_EQ(sizes["boxes_posed"].size(), 1u) << "its size is ignored";
+  }
+}
+
+TEST(Plan, FamiliesThatIgnoreTheSeedHaveOneCaseOfASize) {
+  std::set<unsigned> sizes;
+  for (const Recipe& recipe : recipes(plan(Level::L1, 5))) {
+    if (recipe.name != "crossed_parabolas") continue;
+    EXPECT_EQ(recipe.seed, 0u);
+    EXPECT_TRUE(sizes.insert(recipe.size).second);
+  }
+  EXPECT_GT(sizes.size(), 10u);
+}
+
+TEST(Plan, LevelsHaveNames) {
+  for (const Level level : {Level::L0, Level::L1, Level::L2}) EXPECT_EQ(find_level(name_of(level)), level);
+  EXPECT_FALSE(find_level("L3"));
+  EXPECT_FALSE(find_level(""));
+}
+
+TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
+  EXPECT_EQ(id_of({Source::family, "random_ball", 8, 12}), "random_ball-n8-s12");
+  EXPECT_EQ(id_of({Source::catalogue, "flat", 8, 12}, Form::binary64), "catalogue-flat.b64");
+  EXPECT_EQ(id_of({Source::real, "fcl-545"}, Form::binary32), "real-fcl-545.b32");
+  EXPECT_EQ(base_case({Source::real, "fcl-545"}).id, "real-fcl-545");
+  for (const Source source : {Source::family, Source::catalogue, Source::real})
+    EXPECT_THROW(base_case({source, "no_such_thing", 8, 1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fathom::golden

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sample of level 0 that every kind of case is in.
+#pragma once
+
+#include <vector>
+
+#include "verify/golden/plan.hpp"
+
+namespace fathom::golden::testing {
+
+/// Every `step`-th recipe.
+inline std::vector<Recipe> some_recipes(std::size_t step) {
+  std::vector<Recipe> result;
+  std::size_t i = 0;
+  for (const ShardPlan& shard : plan(Level::L0, 1)) {
+    for (const Recipe& recipe : shard.recipes) {
+      if (i++ % step == 0) result.push_back(recipe);
+    }
+  }
+  return result;
+}
+
+}  // namespace fathom::golden::testing

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Near ties of facets that share an edge: O is placed close to an edge of P, between its two facets.          [design, section 8]
+#pragma once
+
+#include "verify/families/placement.hpp"
+
+namespace fathom::families {
+
+/// Two spheres of points, B moved so that the two facets of P at an edge are the nearest ones, mostly of kind edge-edge. The distance of
+/// the second is larger by the factor 1 + 2^-k (to within 2^-k-16), 8 <= k <= 200. Where no such place is found next to a few edges, nearer
+/// and nearer, the spheres stay where they are; no seed is known to do so.
+Bodies inverse_ridge(Random& random, unsigned n);
+
+}  // namespace fathom::families

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file read block by block.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace fathom::golden {
+
+class InputFile {
+ public:
+  /// Throws FileError where there is no regular file that can be read.
+  explicit InputFile(std::filesystem::path path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// The next bytes, empty at the end. They stay until the next call. Throws FileError.
+  std::string_view read();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::string block_;
+};
+
+/// The whole of a small file. Throws FileError, also where it is larger than `most` bytes.
+std::string read_small_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
+
+}  // namespace fathom::golden

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writing JSON by appending: nothing in a record needs more, and building an object first would take longer than finding the answer.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernels/vector.hpp"
+
+namespace fathom::golden {
+
+/// Appends values to a text. Commas are put before whatever follows another value; keys and names hold no character to escape.
+class JsonText {
+ public:
+  JsonText& open(char bracket);
+  JsonText& close(char bracket);
+  JsonText& key(std::string_view name);
+  JsonText& text(std::string_view plain);
+  JsonText& number(std::uint64_t n);
+  JsonText& null();
+  /// As texts: exact numbers.
+  JsonText& exact(const mpz_class& n);
+  JsonText& exact(const mpq_class& q);
+  JsonText& exact(const Vector& v) { return three(v.x, v.y, v.z); }
+  JsonText& exact(const Point& p) { return three(p.x, p.y, p.z); }
+  /// A hexadecimal float, as text.
+  JsonText& hex(double value);
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  template <class Number>
+  JsonText& three(const Number& x, const Number& y, const Number& z) {
+    return open('[').exact(x).exact(y).exact(z).close(']');
+  }
+  void separate();
+  void digits(mpz_srcptr n);
+
+  std::string text_;
+  bool first_ = true;  ///< nothing stands before the next value in its object or array
+};
+
+}  // namespace fathom::golden

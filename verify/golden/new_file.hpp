@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that appears whole or not at all. It is written under a hidden name, brought to the disk, and renamed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace fathom::golden {
+
+/// How hidden names begin and end: ".new-" name. A killed process leaves them behind; they are written over by the next one.
+inline constexpr std::string_view hidden_prefix = ".new-";
+
+class NewFile {
+ public:
+  /// Throws FileError, also where another living process is writing the same file.
+  NewFile(std::filesystem::path folder, std::string name);
+  /// Removes the hidden file unless it was committed.
+  ~NewFile();
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  /// Throws FileError.
+  void write(std::string_view bytes);
+  /// Brings all bytes to the disk. Throws FileError.
+  void sync();
+  /// Gives the file its name. sync() comes first. Throws FileError.
+  void commit();
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::filesystem::path hidden_, final_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool committed_ = false;
+};
+
+/// Brings the names in a folder to the disk. Throws FileError.
+void sync_folder(const std::filesystem::path& folder);
+
+/// A small file with this content, whole or not at all. Nothing is done if it has the content already.
+void put_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
+
+}  // namespace fathom::golden

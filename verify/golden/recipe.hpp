@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a base case of the golden data is made from: a name, and for families a size and a seed. The same points on every machine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reference/files/body.hpp"
+
+namespace fathom::golden {
+
+/// Where base cases come from.
+enum class Source {
+  family,     ///< a family of verify/families
+  catalogue,  ///< an entry of the catalogue of degenerate pairs
+  real        ///< a pair from the issue tracker or the test suite of a library [tests/data/real_cases.jsonl]
+};
+
+struct Recipe {
+  Source source = Source::family;
+  std::string name;
+  unsigned size = 0;       ///< families only
+  std::uint64_t seed = 0;  ///< families only
+  friend bool operator==(const Recipe&, const Recipe&) = default;
+};
+
+/// How the points of a record come from those of the base case.
+enum class Form {
+  given,     ///< they are those
+  binary64,  ///< each coordinate rounded to the nearest binary64, ties to even
+  binary32   ///< likewise to binary32, from the exact coordinate
+};
+
+/// "family", "catalogue" or "real".
+std::string_view name_of(Source source);
+
+/// "<name>-n<size>-s<seed>", "catalogue-<name>" or "real-<name>": no two recipes share one, and no id is ever given to other points.
+/// With ".b64" or ".b32" after it for rounded points.
+std::string id_of(const Recipe& recipe, Form form = Form::given);
+
+/// The points, with the recipe's id. Throws std::invalid_argument when there is nothing of that name.
+Case base_case(const Recipe& recipe);
+
+/// The points rounded, with the id for that form. Nothing where a coordinate overflows, or all points of a body become one that were not.
+std::optional<Case> rounded_case(const Case& base, Form form);
+
+/// Whether every coordinate is a number of that format.
+bool in_format(const Case& points, Form format);
+
+}  // namespace fathom::golden

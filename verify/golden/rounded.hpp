@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact lengths, unit vectors and translations as every program would best see them: correctly rounded, in every mode.  [proofs/number.md]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+
+#include "kernels/vector.hpp"
+
+namespace fathom::golden {
+
+/// A number in both formats and all modes; a binary32 value as its equal double. Modes in the order rn, rd, ru.
+struct Rounded {
+  std::array<double, 3> binary64, binary32;
+};
+
+using RoundedVector = std::array<Rounded, 3>;  ///< x, y, z
+
+Rounded rounded_value(const mpq_class& value);
+
+/// The root of `squared` >= 0.
+Rounded rounded_root(const mpq_class& squared);
+
+/// n / |n|; n is not zero. A component is the root of n_i^2 / <n,n> with the sign of n_i, so rd and ru change places for a negative one.
+RoundedVector rounded_unit(const Vector& n);
+
+RoundedVector rounded_point(const Point& p);
+
+}  // namespace fathom::golden

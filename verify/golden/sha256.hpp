@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SHA-256 of a stream of bytes, by libcrypto.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace fathom::golden {
+
+/// How many bytes there were, and their SHA-256 in 64 lower-case hexadecimal digits.
+struct Digest {
+  std::uint64_t bytes = 0;
+  std::string sha256;
+  friend bool operator==(const Digest&, const Digest&) = default;
+};
+
+class Sha256 {
+ public:
+  Sha256();
+  void add(std::string_view bytes);
+  /// Of all bytes so far; to be called once.
+  Digest digest();
+
+ private:
+  struct Context;
+  struct Free {
+    void operator()(Context* context) const noexcept;
+  };
+  std::unique_ptr<Context, Free> context_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// Of a file. Throws FileError where it cannot be read.
+Digest digest_of_file(const std::filesystem::path& path);
+
+/// Of a text.
+Digest digest_of(std::string_view text);
+
+}  // namespace fathom::golden
