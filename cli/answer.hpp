@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/progress.hpp"
 #include "cli/request.hpp"
+#include "reference/depth/names.hpp"
 
 namespace fathom::cli {
 
@@ -32,10 +33,5 @@ struct Answer {
 /// Answers with the method that was asked for, and with a certificate if one was. The answering throws Interrupted when the user has asked
 /// to stop. `request` must outlive it.
 Answering answer_by(const Request& request, Solve solve);
-
-/// The names that results use.
-std::string_view name(Status status);
-std::string_view name(ContactKind kind);
-std::string_view name(Method method);
 
 }  // namespace fathom::cli

@@ -69,7 +69,7 @@ void write_optimum(JsonText& out, const Optimum& optimum) {
   out.open('{');
   write_direction(out, optimum.direction);
   write_translation(out, optimum.translation);
-  out.key("contact").open('{').key("kind").text(name_of(optimum.contact.kind));
+  out.key("contact").open('{').key("kind").text(name(optimum.contact.kind));
   write_indices(out, "a", optimum.contact.a);
   write_indices(out, "b", optimum.contact.b);
   out.close('}').close('}');
@@ -94,7 +94,7 @@ void write_distance(JsonText& out, const Distance& distance) {
 }
 
 void write_expected(JsonText& out, const Facts& facts) {
-  out.key("expected").open('{').key("status").text(name_of(facts.status));
+  out.key("expected").open('{').key("status").text(name(facts.status));
   out.key("depth").open('{');
   write_length(out, facts.squared);
   out.close('}').key("flat").open('[');

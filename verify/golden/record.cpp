@@ -26,7 +26,7 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
   if (!verdict.accepted()) refuse("the certificate is not accepted: line " + std::to_string(verdict.line) + ": " + verdict.reason);
-  if (verdict.id != id || verdict.status != name_of(answer.status) || verdict.depth_squared != exact_text(answer.squared) ||
+  if (verdict.id != id || verdict.status != name(answer.status) || verdict.depth_squared != exact_text(answer.squared) ||
       verdict.optima != answer.optima.size())
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }

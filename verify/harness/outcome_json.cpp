@@ -7,6 +7,7 @@
 #include <string>
 
 #include "kernels/number/parse.hpp"
+#include "reference/depth/names.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 
@@ -26,10 +27,6 @@ Json number(double value) {
 
 Json triple(const Triple& t) { return {number(t[0]), number(t[1]), number(t[2])}; }
 
-const char* status_name(Status status) {
-  return status == Status::penetrating ? "penetrating" : status == Status::touching ? "touching" : "disjoint";
-}
-
 Json reply_json(const Reply& reply) {
   Json json = {{"overlap", reply.overlap}};
   if (reply.depth) json["depth"] = number(*reply.depth);
@@ -47,7 +44,7 @@ void put(Json& json, const char* name, const std::optional<mpq_class>& value) {
 }
 
 Json judgement_json(const Judgement& j) {
-  Json json = {{"verdict", name(j.verdict)}, {"status", status_name(j.status)}, {"depth_squared", exact_text(j.depth_squared)}};
+  Json json = {{"verdict", name(j.verdict)}, {"status", name(j.status)}, {"depth_squared", exact_text(j.depth_squared)}};
   json["findings"] = Json::array();
   for (const Verdict finding : j.findings) json["findings"].push_back(name(finding));
   if (j.accuracy) json["accuracy"] = name(*j.accuracy);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernels/number/parse.hpp"
+#include "reference/depth/names.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {
@@ -43,11 +44,9 @@ Verdict verdict(const Json& json) {
 }
 
 Status status(const Json& json) {
-  const auto& text = json.get_ref<const std::string&>();
-  if (text == "penetrating") return Status::penetrating;
-  if (text == "touching") return Status::touching;
-  if (text == "disjoint") return Status::disjoint;
-  throw Unreadable();
+  const std::optional<Status> status = status_named(json.get_ref<const std::string&>());
+  if (!status) throw Unreadable();
+  return *status;
 }
 
 Accuracy accuracy(const Json& json) {

@@ -163,7 +163,7 @@ std::string hello_text(const SubjectInfo& info) {
   text["name"] = info.name;
   text["version"] = info.version;
   if (!info.library.empty()) text["library"] = info.library;
-  text["precision"] = info.precision == Precision::binary32 ? "binary32" : "binary64";
+  text["precision"] = name(info.precision);
   text["conventions"] = {{"touching", touching[static_cast<std::size_t>(info.conventions.touching)]},
                          {"depth", info.conventions.depth == C::Sign::positive ? "positive" : "negative"},
                          {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},

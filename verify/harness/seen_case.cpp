@@ -51,8 +51,7 @@ Outcome outcome_for(const Case& seen) {
 Outcome overflowed(const Case& pair, Precision precision) {
   Outcome outcome = outcome_for(pair);
   outcome.verdict = Verdict::unsupported;
-  outcome.detail =
-      fmt::format("a coordinate overflows {}, the precision of the subject", precision == Precision::binary32 ? "binary32" : "binary64");
+  outcome.detail = fmt::format("a coordinate overflows {}, the precision of the subject", name(precision));
   return outcome;
 }
 

@@ -117,8 +117,7 @@ std::vector<Variant> variants(const Case& as_seen, Precision precision, std::spa
     if (std::ranges::find(names, name) == names.end()) continue;
     if (std::optional<Variant> variant = made(name, as_seen, precision)) result.push_back(*std::move(variant));
     else if (left_out)
-      left_out->push_back(fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name,
-                                      precision == Precision::binary32 ? "binary32" : "binary64"));
+      left_out->push_back(fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name, fathom::name(precision)));
   }
   return result;
 }

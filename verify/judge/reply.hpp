@@ -4,11 +4,15 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 namespace fathom {
 
 /// The type that the subject computes in, and in which it sees the points.
 enum class Precision { binary32, binary64 };
+
+/// As everywhere in texts: "binary32", "binary64".
+constexpr std::string_view name(Precision precision) { return precision == Precision::binary32 ? "binary32" : "binary64"; }
 
 /// What a subject declares of itself. Judging never guesses them.
 struct Conventions {

@@ -8,7 +8,7 @@
 namespace fathom::harness {
 
 std::string title(const SubjectInfo& subject) {
-  const char* precision = subject.precision == Precision::binary32 ? "binary32" : "binary64";
+  const std::string_view precision = name(subject.precision);
   const std::string library = subject.library.empty() ? "" : subject.library + ", ";
   return fmt::format("{}{}{} ({}{})", subject.name, subject.version.empty() ? "" : " ", subject.version, library, precision);
 }

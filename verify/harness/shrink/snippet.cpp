@@ -10,6 +10,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
+#include "reference/depth/names.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
@@ -71,10 +72,6 @@ std::string claim_text(const Outcome& outcome) {
   return text;
 }
 
-std::string status_text(Status status) {
-  return status == Status::penetrating ? "penetrating" : status == Status::touching ? "touching" : "disjoint";
-}
-
 std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const std::string& command) {
   Status status = Status::disjoint;
   mpq_class squared;
@@ -92,9 +89,8 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
   const std::string behind = outcome.variant.empty() ? "" : fmt::format(" (variant \"{}\")", outcome.variant);
   std::string text;
   const auto line = [&text](const std::string& words) { text += "// " + comment_text(words) + '\n'; };
-  line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, info.precision == Precision::binary32 ? "binary32" : "binary64",
-                   settings));
-  line(fmt::format("truth:   {}, depth^2 = {} exactly, depth = {}", status_text(status), exact_text(squared),
+  line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, name(info.precision), settings));
+  line(fmt::format("truth:   {}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared),
                    root_binary64(squared, Rounding::rn)));
   line("claim:   " + claim_text(outcome) + behind);
   line(fmt::format("verdict: {}{}{}", name(outcome.verdict), sentence.empty() ? "" : ": ", sentence));
@@ -159,7 +155,7 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
     text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   text += reply_text(outcome) + conventions_text(info.conventions);
   text += fmt::format("  const fathom::Judgement judgement = fathom::judge(a, b, reply, conventions, fathom::Precision::{});\n",
-                      info.precision == Precision::binary32 ? "binary32" : "binary64");
+                      name(info.precision));
   return text + "  EXPECT_TRUE(fathom::passes(judgement.verdict)) << judgement.sentence;\n}\n";
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/depth/names.hpp"
+
+#include <stdexcept>
+
+namespace fathom {
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::penetrating: return "penetrating";
+    case Status::touching: return "touching";
+    case Status::disjoint: return "disjoint";
+  }
+  throw std::logic_error("unknown status");
+}
+
+std::string_view name(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::facet_vertex: return "facet-vertex";
+    case ContactKind::vertex_facet: return "vertex-facet";
+    case ContactKind::facet_edge: return "facet-edge";
+    case ContactKind::edge_facet: return "edge-facet";
+    case ContactKind::facet_facet: return "facet-facet";
+    case ContactKind::edge_edge: return "edge-edge";
+  }
+  throw std::logic_error("unknown contact kind");
+}
+
+std::string_view name(Method method) {
+  switch (method) {
+    case Method::exact: return "exact";
+    case Method::naive: return "naive";
+    case Method::certificate: return "certificate";
+    case Method::shallow: return "shallow";
+  }
+  throw std::logic_error("unknown method");
+}
+
+std::optional<Status> status_named(std::string_view text) {
+  for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
+    if (name(status) == text) return status;
+  return std::nullopt;
+}
+
+}  // namespace fathom
