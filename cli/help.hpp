@@ -120,7 +120,8 @@ inline constexpr std::string_view footer =
 inline std::string footer_text() { return std::string(footer); }
 
 /// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "approx", "ray", "metric", "study", "cases", "certify", "check", "golden"};
+inline constexpr std::string_view commands[] = {"depth", "width", "approx",  "ray",   "metric",
+                                                "study", "cases", "certify", "check", "golden"};
 
 /// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
 inline constexpr std::string_view absent_commands[] = {"explain"};
