@@ -28,7 +28,7 @@ class Families(CasesTest):
         lines = self.answer("cases", "--list").splitlines()
         self.assertGreater(len(lines), 60)
         for line in lines:
-            self.assertRegex(line, r"^[a-z_]+  +\S")
+            self.assertRegex(line, r"^[a-z0-9_]+  +\S")
         self.assertTrue({"catalogue", "approaching", "degraded_shared_vertex", "random_ball"} <= set(self.families()))
 
     def test_every_family_feeds_depth(self):
