@@ -13,6 +13,8 @@ find_package(TBB REQUIRED)
 find_package(zstd REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
+find_package(mimalloc QUIET)
+
 # Optional: several processes that share the work of `fathom golden generate`.
 find_package(MPI QUIET COMPONENTS CXX)
 if(MPI_CXX_FOUND)
