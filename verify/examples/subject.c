@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A subject in about thirty lines of C: tries the directions across every two differences of points, and keeps the least way out. Any
+// A subject in about forty lines of C: tries the directions across every two differences of points, and keeps the least way out. Any
 // direction shows a way out, so it is never too shallow but for rounding. See verify/PROTOCOL.md.    cc -O2 subject.c -lm
 #define _GNU_SOURCE
 #include <math.h>
