@@ -128,7 +128,7 @@ class Bar(CliTest):
         self.assertRegex(seen, rb"\r\x1b\[Kline 1 \[\.{30}\]   0% hull of all differences \d+ s")
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 
-        a, b = self.file("a.xyz", on_sphere(20000, 1)), self.file("b.xyz", on_sphere(20000, 2))
+        a, b = self.file("a.xyz", on_sphere(80000, 1)), self.file("b.xyz", on_sphere(80000, 2))
         code, out, seen = run_on_terminal("depth", "--method", "exact", a, b, stop_at=b"% ")
         self.assertEqual((code, out), (130, b""))
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
