@@ -50,56 +50,39 @@ class Expander {
 
   ExpansionEnd find_nearest() {
     Radius radius;
-    while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.take();
-      if (!surface_->triangle(t).alive || (!nearest.empty() && beyond(t, radius, false))) continue;
-      if (std::optional<SurfaceVertex> above = point_above(t)) {
-        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
-        continue;
-      }
-      const ExactPlane& plane = surface_->plane(t);  // the plane of a facet of P
-      if (plane.height <= 0) return ExpansionEnd::not_inside;
-      if (nearest.offer(plane.normal, plane.height)) radius = radius_of(nearest.numerator(), nearest.denominator());
-    }
-    return ExpansionEnd::proved;
+    return grow([&](std::uint32_t t) { return !nearest.empty() && beyond(t, radius, false); },
+                [&](const ExactPlane& plane) {
+                  if (nearest.offer(plane.normal, plane.height)) radius = radius_of(nearest.numerator(), nearest.denominator());
+                  return true;
+                });
   }
 
   // Until Q holds the ball. `holds` becomes whether P does.
   ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
     const Radius radius = radius_of(squared.get_num(), squared.get_den());
-    while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.take();
-      if (!surface_->triangle(t).alive || beyond(t, radius, true)) continue;
-      if (std::optional<SurfaceVertex> above = point_above(t)) {
-        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
-        continue;
-      }
-      holds = false;
-      return surface_->plane(t).height <= 0 ? ExpansionEnd::not_inside : ExpansionEnd::proved;
-    }
-    holds = true;
-    return ExpansionEnd::proved;
+    bool met = false;  // a facet of P that cuts the ball
+    const ExpansionEnd end = grow([&](std::uint32_t t) { return beyond(t, radius, true); },
+                                  [&](const ExactPlane&) {
+                                    met = true;
+                                    return false;
+                                  });
+    holds = end == ExpansionEnd::proved && !met;
+    return end;
   }
 
   // Until Q's triangles are no nearer than `next`, which falls to the distance of every facet plane of P that is met, but for `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
     Radius radius = radius_of(next.get_num(), next.get_den());
-    while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.take();
-      if (!surface_->triangle(t).alive || beyond(t, radius, true)) continue;
-      if (std::optional<SurfaceVertex> above = point_above(t)) {
-        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
-        continue;
-      }
-      const ExactPlane& plane = surface_->plane(t);  // the plane of a facet of P
-      if (plane.height <= 0) return ExpansionEnd::not_inside;
-      mpq_class squared(plane.height * plane.height, dot(plane.normal, plane.normal));
-      squared.canonicalize();
-      if (squared == depth) continue;
-      next = squared;
-      radius = radius_of(next.get_num(), next.get_den());
-    }
-    return ExpansionEnd::proved;
+    return grow([&](std::uint32_t t) { return beyond(t, radius, true); },
+                [&](const ExactPlane& plane) {
+                  mpq_class squared(plane.height * plane.height, dot(plane.normal, plane.normal));
+                  squared.canonicalize();
+                  if (squared != depth) {
+                    next = squared;
+                    radius = radius_of(next.get_num(), next.get_den());
+                  }
+                  return true;
+                });
   }
 
   // Until some direction is known to have h(n)^2 <= squared <n,n>; `direction` becomes it, or stays as it is if there is none.
@@ -115,6 +98,24 @@ class Expander {
       }
       std::optional<SurfaceVertex> above = point_above(t);
       if (above && !expand(std::move(*above), t)) return ExpansionEnd::spent;
+    }
+    return ExpansionEnd::proved;
+  }
+
+  // Triangle after triangle, but for those that are passed over: Q grows towards what of P lies above it. A triangle with nothing above it
+  // lies in the plane of a facet of P, and `go_on` is asked with that plane.
+  template <class PassOver, class GoOn>
+  ExpansionEnd grow(PassOver pass_over, GoOn go_on) {
+    while (!waiting_.empty()) {
+      const std::uint32_t t = waiting_.take();
+      if (!surface_->triangle(t).alive || pass_over(t)) continue;
+      if (std::optional<SurfaceVertex> above = point_above(t)) {
+        if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
+        continue;
+      }
+      const ExactPlane& plane = surface_->plane(t);
+      if (plane.height <= 0) return ExpansionEnd::not_inside;
+      if (!go_on(plane)) return ExpansionEnd::proved;
     }
     return ExpansionEnd::proved;
   }
