@@ -54,7 +54,7 @@ std::vector<Record> sample() {
 
 TEST(Include, IsWhatTheSampleHolds) {
   std::string text = include_head();
-  for (const Record& record : sample()) text += include_entry(record.line).value_or("");
+  for (const Record& record : sample()) text += exports_of(record.line).include_entry;
   text += include_tail();
   std::ifstream file(FATHOM_TEST_DATA "/../golden/sample.inc");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), text);
@@ -105,10 +105,10 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
     return row[static_cast<std::size_t>(at - header.begin())];
   };
   for (const Record& record : sample()) {
-    const std::optional<std::string> text = csv_row(record.line);
-    ASSERT_EQ(text.has_value(), record.in_binary64) << record.id;
-    if (!text) continue;
-    const std::vector<std::string> row = fields(*text);
+    const std::string text = exports_of(record.line).csv_row;
+    ASSERT_EQ(!text.empty(), record.in_binary64) << record.id;
+    if (text.empty()) continue;
+    const std::vector<std::string> row = fields(text);
     ASSERT_EQ(row.size(), header.size()) << record.id;
     const Json parsed = Json::parse(record.line);
     const Json& expected = parsed["expected"];
@@ -136,16 +136,14 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
 TEST(Exports, LeaveOutWhatIsNotBinary64) {
   const std::vector<Record> records = records_of({Source::family, "boxes_posed", 8, 5});
   ASSERT_EQ(records.size(), 3u);
-  EXPECT_FALSE(csv_row(records[0].line));
-  EXPECT_FALSE(include_entry(records[0].line));
+  EXPECT_EQ(exports_of(records[0].line).csv_row, "");
+  EXPECT_EQ(exports_of(records[0].line).include_entry, "");
   for (const std::size_t i : {1U, 2U}) {
-    EXPECT_TRUE(csv_row(records[i].line));
-    EXPECT_TRUE(include_entry(records[i].line));
+    EXPECT_NE(exports_of(records[i].line).csv_row, "");
+    EXPECT_NE(exports_of(records[i].line).include_entry, "");
   }
-  for (const char* bad : {"", "{}", "[]", "{\"id\":1}", "{\"id\":\"x\",\"formats\":[\"binary64\"]}"}) {
-    EXPECT_THROW(csv_row(bad), std::invalid_argument) << bad;
-    EXPECT_THROW(include_entry(bad), std::invalid_argument) << bad;
-  }
+  for (const char* bad : {"", "{}", "[]", "{\"id\":1}", "{\"id\":\"x\",\"formats\":[\"binary64\"]}"})
+    EXPECT_THROW(exports_of(bad), std::invalid_argument) << bad;
 }
 
 TEST(Include, WritesInfinityAsCpp) {
@@ -153,7 +151,7 @@ TEST(Include, WritesInfinityAsCpp) {
   std::string line = record.line;
   const std::string depth = Json::parse(line)["expected"]["depth"]["f64"]["ru"];
   line.replace(line.find("\"ru\":\"" + depth) + 6, depth.size(), "inf");
-  EXPECT_NE(include_entry(line)->find(", std::numeric_limits<double>::infinity(), {"), std::string::npos);
+  EXPECT_NE(exports_of(line).include_entry.find(", std::numeric_limits<double>::infinity(), {"), std::string::npos);
 }
 
 }  // namespace

@@ -109,15 +109,6 @@ std::string entry_of(const Parts& parts) {
   return entry + points(parts.record.at("a")) + ", " + points(parts.record.at("b")) + ")\n";
 }
 
-template <class Write>
-std::optional<std::string> written(std::string_view line, Write write) try {
-  const Parts parts(line);
-  if (!parts.in_binary64()) return std::nullopt;
-  return write(parts);
-} catch (const Json::exception& error) {
-  throw std::invalid_argument(std::string("this is no record: ") + error.what());
-}
-
 }  // namespace
 
 std::string csv_header() {
@@ -125,8 +116,6 @@ std::string csv_header() {
          "direction_x,direction_y,direction_z,translation_x,translation_y,translation_z,optima,contact,distance,"
          "a_count,a_points,b_count,b_points\n";
 }
-
-std::optional<std::string> csv_row(std::string_view line) { return written(line, row_of); }
 
 std::string include_head() {
   return R"(// SPDX-License-Identifier: CC0-1.0
@@ -153,6 +142,12 @@ std::string include_head() {
 
 std::string include_tail() { return "#undef FATHOM_GOLDEN_CASE\n"; }
 
-std::optional<std::string> include_entry(std::string_view line) { return written(line, entry_of); }
+Exports exports_of(std::string_view line) try {
+  const Parts parts(line);
+  if (!parts.in_binary64()) return {};
+  return {row_of(parts), entry_of(parts)};
+} catch (const Json::exception& error) {
+  throw std::invalid_argument(std::string("this is no record: ") + error.what());
+}
 
 }  // namespace fathom::golden

@@ -12,8 +12,8 @@ namespace fathom::golden {
 std::vector<Entry> entries_of(const Recipe& recipe, const std::function<bool()>& keep_going) {
   std::vector<Entry> entries;
   for (Record& record : records_of(recipe, keep_going)) {
-    std::string csv = csv_row(record.line).value_or(""), include = include_entry(record.line).value_or("");
-    entries.push_back({std::move(record), std::move(csv), std::move(include)});
+    Exports exports = exports_of(record.line);
+    entries.push_back({std::move(record), std::move(exports.csv_row), std::move(exports.include_entry)});
   }
   return entries;
 }

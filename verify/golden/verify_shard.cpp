@@ -143,8 +143,9 @@ class Verification {
     } else {
       item->id = id_in(item->line);
       if (const auto first = recipes_.find(item->id); first != recipes_.end()) item->ids = ids_of(*first->second);
-      item->csv = csv_row(item->line).value_or("");
-      item->include = include_entry(item->line).value_or("");
+      Exports exports = exports_of(item->line);
+      item->csv = std::move(exports.csv_row);
+      item->include = std::move(exports.include_entry);
     }
     return item;
   }
