@@ -47,7 +47,6 @@ void Collector::take(const Case& original, const Case& seen, const harness::Outc
   if (outcome.variant.empty()) ++cases_;
   if (!known) ++run_;
   if (fails(outcome.verdict)) {
-    ++failures_;
     const CertifyRequest& certify = request_.certify;
     const bool needed = !certify.html.empty() || !certify.certificates.empty() || !certify.shrink.empty();
     if (needed) failed_.push_back({outcomes_.size() - 1, seen, original});
@@ -70,7 +69,7 @@ void Collector::show_progress() {
     const double left = static_cast<double>(*expected_ - std::min(cases_, *expected_));
     if (rate > 0) text += fmt::format(", {:.0f} s left", left / rate * static_cast<double>(outcomes_.size()) / static_cast<double>(cases_));
   }
-  text += fmt::format(", {} failed, worst error {:.3g};", failures_, worst_);
+  text += fmt::format(", {} failed, worst error {:.3g};", summary_.failures(), worst_);
   progress_.report(text, share);
 }
 
@@ -86,18 +85,9 @@ void Collector::close() {
     if (count > most_told) talk(fmt::format("{}: {} more like these", kind, count - most_told));
 }
 
-harness::Totals Collector::totals() const {
-  harness::Totals totals;
-  for (const harness::Outcome& outcome : outcomes_) {
-    ++totals.cases;
-    if (passes(outcome.verdict)) ++totals.passed;
-    else ++(fails(outcome.verdict) ? totals.failed : totals.unsupported);
-  }
-  return totals;
-}
-
 void Collector::complete() {
-  const std::string line = harness::summary_line(totals());
+  const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
+  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

@@ -32,7 +32,6 @@ class Collector {
 
   /// What the report held from an earlier run, or null. Any thread.
   [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant, const std::string& digest) const;
-  [[nodiscard]] std::size_t known_count() const { return known_.size(); }
 
   /// Takes one outcome: written down before anything else is done. `known`: it is in the report already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
@@ -51,7 +50,6 @@ class Collector {
  private:
   using Clock = std::chrono::steady_clock;
   void show_progress();
-  harness::Totals totals() const;
 
   const Request& request_;
   std::optional<std::size_t> expected_;
@@ -61,7 +59,7 @@ class Collector {
   std::vector<FailedCase> failed_;
   harness::Summary summary_;
   std::map<std::string, std::size_t> told_;
-  std::size_t cases_ = 0, run_ = 0, failures_ = 0;
+  std::size_t cases_ = 0, run_ = 0;
   double worst_ = 0;  ///< relative error
   Clock::time_point begin_ = Clock::now();
   Progress progress_;
