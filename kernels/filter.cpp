@@ -13,10 +13,10 @@ namespace {
 
 using Interval = CGAL::Interval_nt<false>;
 
-Interval interval(const Enclosure& e) { return {e.low, e.high}; }
+Interval interval(const DoubleInterval& e) { return {e.low, e.high}; }
 
 Vec3<Interval> interval(const Direction& d) {
-  const Vec3<Enclosure>& e = d.enclosure();
+  const Vec3<DoubleInterval>& e = d.enclosure();
   return {interval(e.x), interval(e.y), interval(e.z)};
 }
 

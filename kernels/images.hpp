@@ -9,7 +9,7 @@ namespace fathom {
 
 /// A direction in binary64: each component within 2^-53 of that of the exact one after scaling, hence in [-1, 1].
 inline Vec3<double> image(const Direction& d) {
-  const Vec3<Enclosure>& e = d.enclosure();
+  const Vec3<DoubleInterval>& e = d.enclosure();
   return {e.x.low, e.y.low, e.z.low};
 }
 

@@ -16,7 +16,7 @@ namespace {
 // Each step below is justified in proofs/closest_lines.md.
 using line_error::unit;
 
-double middle(const Enclosure& e) { return e.low / 2 + e.high / 2; }
+double middle(const DoubleInterval& e) { return e.low / 2 + e.high / 2; }
 
 double image(const mpz_class& c, long exponent) {
   long own = 0;
@@ -29,7 +29,7 @@ struct Three {
 };
 
 Three image(const Vector& direction) {
-  const Vec3<Enclosure> e = enclose(direction);
+  const Vec3<DoubleInterval> e = enclose(direction);
   return {middle(e.x), middle(e.y), middle(e.z)};
 }
 

@@ -28,7 +28,7 @@ int axis_of_greatest(const Vector& u) {
 }  // namespace
 
 PlanarView::PlanarView(const PointCloud& cloud, const Vector& u) : cloud_(&cloud), u_(u) {
-  const Vec3<Enclosure> e = enclose(u);
+  const Vec3<DoubleInterval> e = enclose(u);
   image_ = {e.x.low, e.y.low, e.z.low};
   const int up = axis_of_greatest(u);
   right_ = (up + 1) % 3;

@@ -11,11 +11,11 @@ namespace {
 
 using Interval = CGAL::Interval_nt<false>;  // asks its caller to round upward: a Protector in each function that computes
 
-Interval interval(const Enclosure& e) { return {e.low, e.high}; }
-Enclosure enclosure(const Interval& i) { return {i.inf(), i.sup()}; }
+Interval interval(const DoubleInterval& e) { return {e.low, e.high}; }
+DoubleInterval enclosure(const Interval& i) { return {i.inf(), i.sup()}; }
 
-Vec3<Interval> interval(const Vec3<Enclosure>& v) { return {interval(v.x), interval(v.y), interval(v.z)}; }
-Vec3<Enclosure> enclosure(const Vec3<Interval>& v) { return {enclosure(v.x), enclosure(v.y), enclosure(v.z)}; }
+Vec3<Interval> interval(const Vec3<DoubleInterval>& v) { return {interval(v.x), interval(v.y), interval(v.z)}; }
+Vec3<DoubleInterval> enclosure(const Vec3<Interval>& v) { return {enclosure(v.x), enclosure(v.y), enclosure(v.z)}; }
 
 /// The sign of all numbers in i, if they agree.
 std::optional<int> certain_sign(const Interval& i) {
@@ -52,7 +52,8 @@ BoxedPoints::BoxedPoints(std::span<const Vector> exact) : exact_(exact) {
   boxes_.reserve(exact.size());
   images_.reserve(exact.size());
   for (const Vector& p : exact) {
-    const Vec3<Enclosure>& box = boxes_.emplace_back(Vec3<Enclosure>{enclose(p.x, shift), enclose(p.y, shift), enclose(p.z, shift)});
+    const Vec3<DoubleInterval>& box =
+        boxes_.emplace_back(Vec3<DoubleInterval>{enclose(p.x, shift), enclose(p.y, shift), enclose(p.z, shift)});
     images_.push_back({box.x.low, box.y.low, box.z.low});
   }
 }
@@ -83,13 +84,13 @@ int Plane::rise(std::uint32_t s, std::uint32_t t) const {
 
 bool Plane::degenerate() const {
   if (size_ > error_) return false;
-  for (const Enclosure* c : {&box().x, &box().y, &box().z}) {
+  for (const DoubleInterval* c : {&box().x, &box().y, &box().z}) {
     if (c->low > 0 || c->high < 0) return false;
   }
   return is_zero(normal());
 }
 
-const Vec3<Enclosure>& Plane::box() const {
+const Vec3<DoubleInterval>& Plane::box() const {
   if (!box_) {
     const Interval::Protector upward;
     box_ = enclosure(normal_of(interval(points_->box(p_)), interval(points_->box(q_)), interval(points_->box(r_))));

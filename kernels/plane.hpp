@@ -19,13 +19,13 @@ class BoxedPoints {
   explicit BoxedPoints(std::span<const Vector> exact);
 
   [[nodiscard]] const Vector& exact(std::uint32_t i) const { return exact_[i]; }
-  [[nodiscard]] const Vec3<Enclosure>& box(std::uint32_t i) const { return boxes_[i]; }
+  [[nodiscard]] const Vec3<DoubleInterval>& box(std::uint32_t i) const { return boxes_[i]; }
   /// In [-1, 1], within 2^-53 of the exact coordinates in that scale.
   [[nodiscard]] const Vec3<double>& image(std::uint32_t i) const { return images_[i]; }
 
  private:
   std::span<const Vector> exact_;
-  std::vector<Vec3<Enclosure>> boxes_;
+  std::vector<Vec3<DoubleInterval>> boxes_;
   std::vector<Vec3<double>> images_;
 };
 
@@ -45,14 +45,14 @@ class Plane {
   [[nodiscard]] const Vector& normal() const;
 
  private:
-  [[nodiscard]] const Vec3<Enclosure>& box() const;
+  [[nodiscard]] const Vec3<DoubleInterval>& box() const;
 
   const BoxedPoints* points_;
   std::uint32_t p_, q_, r_;
-  Vec3<double> image_;                          // of n, up to the points' scale
-  double size_, error_;                         // the image's largest component, and a bound on the error of each
-  mutable std::optional<Vec3<Enclosure>> box_;  // of n, in the same scale; found for the first question that the image leaves open
-  mutable std::optional<Vector> normal_;        // likewise, for the first question that the boxes leave open
+  Vec3<double> image_;                               // of n, up to the points' scale
+  double size_, error_;                              // the image's largest component, and a bound on the error of each
+  mutable std::optional<Vec3<DoubleInterval>> box_;  // of n, in the same scale; found for the first question that the image leaves open
+  mutable std::optional<Vector> normal_;             // likewise, for the first question that the boxes leave open
 };
 
 /// The points as seen along coordinate `axis` (0, 1, 2 for x, y, z) from its positive end, where the two coordinates that follow it

@@ -75,7 +75,7 @@ Face Summand::face_of(std::span<const Index> vertices, const Vector& n) const {
   throw std::logic_error("no facet of the body has this normal");
 }
 
-std::vector<Side> Summand::sides(const Face& face) const {
+std::vector<FaceEdge> Summand::sides(const Face& face) const {
   if (face.kind == Face::Kind::vertex) return {};
   if (face.kind == Face::Kind::edge) {
     const Edge& e = polytope_->edges[face.index];
@@ -83,12 +83,12 @@ std::vector<Side> Summand::sides(const Face& face) const {
   }
   const Facet& f = polytope_->facets[face.index];
   const std::vector<Index>& corners = polytope_->corners;
-  std::vector<Side> sides;
+  std::vector<FaceEdge> sides;
   sides.reserve(f.end - f.begin);
   for (Index i = f.begin; i < f.end; ++i) sides.push_back({corners[i], corners[i + 1 == f.end ? f.begin : i + 1], edge_after_[i]});
   if (reflected_) {
     std::ranges::reverse(sides);
-    for (Side& s : sides) std::swap(s.from, s.to);
+    for (FaceEdge& s : sides) std::swap(s.from, s.to);
   }
   return sides;
 }

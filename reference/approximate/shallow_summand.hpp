@@ -22,7 +22,7 @@ struct Face {
 };
 
 /// An edge in the sense in which it is walked.
-struct Side {
+struct FaceEdge {
   std::uint32_t from, to, edge;
 };
 
@@ -49,7 +49,7 @@ class Summand {
   [[nodiscard]] Face face_of(std::span<const std::uint32_t> vertices, const Vector& n) const;
 
   /// Counter-clockwise seen from outside. A vertex has no sides, an edge two: there and back.
-  [[nodiscard]] std::vector<Side> sides(const Face& face) const;
+  [[nodiscard]] std::vector<FaceEdge> sides(const Face& face) const;
 
   /// `face`, a vertex or an edge along d, is extreme in all directions just after n when n is turned about d, where <n,d> = 0, by a
   /// right-handed rotation; `from` is a vertex of it, the end from which d comes if it is an edge. Which directions become extreme

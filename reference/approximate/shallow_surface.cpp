@@ -9,13 +9,13 @@ namespace {
 
 /// The sides of a face, each with its direction.
 struct Boundary {
-  std::vector<Side> sides;
+  std::vector<FaceEdge> sides;
   std::vector<Vector> directions;
 };
 
 Boundary boundary(const Summand& body, const Face& face) {
   Boundary result{body.sides(face), {}};
-  for (const Side& s : result.sides) result.directions.push_back(body.vertex(s.to) - body.vertex(s.from));
+  for (const FaceEdge& s : result.sides) result.directions.push_back(body.vertex(s.to) - body.vertex(s.from));
   return result;
 }
 
@@ -40,15 +40,15 @@ class AngleOrder {
   Vector left_;
 };
 
-SumEdge edge_of_a(const Side& s, std::uint32_t corner_of_b) {
+SumEdge edge_of_a(const FaceEdge& s, std::uint32_t corner_of_b) {
   return {{Face::Kind::edge, s.edge}, {Face::Kind::vertex, corner_of_b}, s.from, s.to, corner_of_b, corner_of_b};
 }
 
-SumEdge edge_of_b(std::uint32_t corner_of_a, const Side& s) {
+SumEdge edge_of_b(std::uint32_t corner_of_a, const FaceEdge& s) {
   return {{Face::Kind::vertex, corner_of_a}, {Face::Kind::edge, s.edge}, corner_of_a, corner_of_a, s.from, s.to};
 }
 
-SumEdge edge_of_both(const Side& s, const Side& t) {
+SumEdge edge_of_both(const FaceEdge& s, const FaceEdge& t) {
   return {{Face::Kind::edge, s.edge}, {Face::Kind::edge, t.edge}, s.from, s.to, t.from, t.to};
 }
 
@@ -62,7 +62,7 @@ std::vector<SumEdge> merged(const Boundary& a, const Boundary& b, const Vector& 
   std::size_t i = 0, j = 0;
   while (i < count_a || j < count_b) {
     const std::size_t k = (first + j) % count_b;
-    const Side &s = a.sides[i % count_a], &t = b.sides[k];
+    const FaceEdge &s = a.sides[i % count_a], &t = b.sides[k];
     const int next = i == count_a ? 1 : j == count_b ? -1 : order(a.directions[i], b.directions[k]);
     edges.push_back(next < 0 ? edge_of_a(s, t.from) : next > 0 ? edge_of_b(s.from, t) : edge_of_both(s, t));
     if (next <= 0) ++i;
@@ -83,8 +83,8 @@ std::vector<SumEdge> SumSurface::edges(const SumFacet& facet) const {
   const Boundary a = boundary(minus_a_, facet.a), b = boundary(b_, facet.b);
   if (!a.sides.empty() && !b.sides.empty()) return merged(a, b, facet.normal);
   std::vector<SumEdge> edges;
-  for (const Side& s : a.sides) edges.push_back(edge_of_a(s, facet.b.index));
-  for (const Side& s : b.sides) edges.push_back(edge_of_b(facet.a.index, s));
+  for (const FaceEdge& s : a.sides) edges.push_back(edge_of_a(s, facet.b.index));
+  for (const FaceEdge& s : b.sides) edges.push_back(edge_of_b(facet.a.index, s));
   return edges;
 }
 

@@ -25,7 +25,7 @@ struct Clouds {
   [[nodiscard]] mpq_class squared(const mpq_class& in_space) const { return in_space * lattice.denominator * lattice.denominator; }
 };
 
-Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, Claim claim) {
+Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, ClaimKind claim) {
   Certificate certificate;
   certificate.a.assign(a.begin(), a.end());
   certificate.b.assign(b.begin(), b.end());
@@ -77,20 +77,20 @@ void prove_touching(Certificate& certificate, const Depth& answer) {
 Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, const Options& options) {
   switch (answer.status) {
     case Status::penetrating: {
-      Certificate certificate = of_bodies(a, b, Claim::depth);
+      Certificate certificate = of_bodies(a, b, ClaimKind::depth);
       certificate.low = certificate.high = answer.squared;
       for (const Optimum& optimum : answer.optima) certificate.directions.push_back(optimum.direction);
       certificate.inner = proof_of_depth(a, b, answer, options);
       return certificate;
     }
     case Status::touching: {
-      Certificate certificate = of_bodies(a, b, Claim::touching);
+      Certificate certificate = of_bodies(a, b, ClaimKind::touching);
       prove_touching(certificate, answer);
       return certificate;
     }
     case Status::disjoint: break;
   }
-  Certificate certificate = of_bodies(a, b, Claim::disjoint);
+  Certificate certificate = of_bodies(a, b, ClaimKind::disjoint);
   if (!answer.direction || support(Clouds(a, b), *answer.direction) >= 0) contradiction("the direction does not separate the bodies");
   certificate.directions = {*answer.direction};
   return certificate;
@@ -104,7 +104,7 @@ Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Po
   if (expansion.end != ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
   if (!expansion.low_holds) throw std::invalid_argument("the lower bound exceeds the squared depth");
   if (!expansion.high_holds) throw std::invalid_argument("the upper bound is below the squared depth");
-  Certificate certificate = of_bodies(a, b, Claim::bounds);
+  Certificate certificate = of_bodies(a, b, ClaimKind::bounds);
   certificate.low = low;
   certificate.high = high;
   certificate.directions = {std::move(expansion.direction)};

@@ -14,13 +14,13 @@
 namespace fathom {
 
 /// What a certificate proves. depth: depth^2 = low = high > 0. bounds: the bodies penetrate, and low <= depth^2 <= high.
-enum class Claim { depth, bounds, touching, disjoint };
+enum class ClaimKind { depth, bounds, touching, disjoint };
 
 /// Self-contained: it holds the points. With h(n) = max_b <n,b> - min_a <n,a> and P = B (+) (-A):
 struct Certificate {
   std::string id;           ///< of the case; may be empty
   std::vector<Point> a, b;  ///< all points of the bodies
-  Claim claim = Claim::disjoint;
+  ClaimKind claim = ClaimKind::disjoint;
   mpq_class low, high;             ///< depth and bounds
   std::vector<Vector> directions;  ///< depth: all optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
                                    ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.

@@ -68,12 +68,12 @@ std::string escaped(const std::string& id) {
 void write_claim(Writer& out, const Certificate& certificate) {
   out.word("claim");
   switch (certificate.claim) {
-    case Claim::depth: out.word("depth").word(certificate.low).end(); break;
-    case Claim::bounds: out.word("bounds").word(certificate.low).word(certificate.high).end(); break;
-    case Claim::touching: out.word("touching").end(); break;
-    case Claim::disjoint: out.word("disjoint").end(); break;
+    case ClaimKind::depth: out.word("depth").word(certificate.low).end(); break;
+    case ClaimKind::bounds: out.word("bounds").word(certificate.low).word(certificate.high).end(); break;
+    case ClaimKind::touching: out.word("touching").end(); break;
+    case ClaimKind::disjoint: out.word("disjoint").end(); break;
   }
-  const bool complete = certificate.claim == Claim::depth;
+  const bool complete = certificate.claim == ClaimKind::depth;
   out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
   for (const Vector& n : certificate.directions) out.words(n).end();
 }
@@ -105,8 +105,8 @@ std::string certificate_text(const Certificate& certificate) {
   out.word("b").word(certificate.b.size()).end();
   for (const Point& p : certificate.b) out.words(p).end();
   write_claim(out, certificate);
-  const bool inner = certificate.claim == Claim::depth || certificate.claim == Claim::bounds;
-  const bool weights = certificate.claim == Claim::touching;
+  const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
+  const bool weights = certificate.claim == ClaimKind::touching;
   if (inner) write_inner(out, certificate.inner);
   if (weights) {
     write_weights(out, "weights_a", certificate.weights_a);

@@ -27,12 +27,12 @@ class Check {
     if (!report_.expect(!c_.directions.empty(), "no direction")) return report_;
     for (const Vector& n : c_.directions)
       if (report_.expect(!is_zero(n), "the zero direction")) direction(n);
-    if (c_.claim == Claim::depth) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive depth");
-    if (c_.claim == Claim::bounds) report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
-    if (c_.claim == Claim::depth || c_.claim == Claim::bounds) inner_polytope();
-    if (c_.claim == Claim::depth) all_optima();
+    if (c_.claim == ClaimKind::depth) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive depth");
+    if (c_.claim == ClaimKind::bounds) report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
+    if (c_.claim == ClaimKind::depth || c_.claim == ClaimKind::bounds) inner_polytope();
+    if (c_.claim == ClaimKind::depth) all_optima();
     else report_.expect(c_.directions.size() == 1, "more than one direction");
-    if (c_.claim == Claim::touching) common_point();
+    if (c_.claim == ClaimKind::touching) common_point();
     return report_;
   }
 
@@ -47,10 +47,10 @@ class Check {
   void direction(const Vector& n) {
     const mpq_class h = support(n), square = dot(n, n);
     switch (c_.claim) {
-      case Claim::depth: report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth"); break;
-      case Claim::bounds: report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound"); break;
-      case Claim::touching: report_.expect(h == 0, "the plane through O does not support P"); break;
-      case Claim::disjoint: report_.expect(h < 0, "the direction does not separate"); break;
+      case ClaimKind::depth: report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth"); break;
+      case ClaimKind::bounds: report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound"); break;
+      case ClaimKind::touching: report_.expect(h == 0, "the plane through O does not support P"); break;
+      case ClaimKind::disjoint: report_.expect(h < 0, "the direction does not separate"); break;
     }
   }
 

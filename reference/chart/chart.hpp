@@ -43,7 +43,7 @@ struct ChartArc {
 };
 
 /// Where a node lies among the arcs of the other colour.
-struct Place {
+struct NodePlace {
   /// Of the arcs over the node, those with an index below `height` pass below it, all others above.
   std::uint32_t height = 0;
   /// The vertex whose face holds the node.
@@ -69,7 +69,7 @@ struct Charts {
   /// Of each node of the diagram the index of its wall, or at_infinity when it lies in the other hemisphere.
   std::array<std::vector<std::uint32_t>, 2> wall_of;
   /// Of each node of the diagram, if it lies in this hemisphere, its place in the other diagram.
-  std::array<std::vector<Place>, 2> place_of;
+  std::array<std::vector<NodePlace>, 2> place_of;
   /// Of each arc of the diagram whether its chart arc is flipped; only of those that have one.
   std::array<std::vector<bool>, 2> flipped_of;
 
@@ -77,7 +77,7 @@ struct Charts {
   [[nodiscard]] const std::vector<ChartArc>& arcs_of(Colour c) const { return arcs[static_cast<std::size_t>(c)]; }
   [[nodiscard]] const std::vector<Vec3<double>>& circles_of(Colour c) const { return circles[static_cast<std::size_t>(c)]; }
   [[nodiscard]] std::uint32_t wall(Colour c, std::uint32_t node) const { return wall_of[static_cast<std::size_t>(c)][node]; }
-  [[nodiscard]] const Place& place(Colour c, std::uint32_t node) const { return place_of[static_cast<std::size_t>(c)][node]; }
+  [[nodiscard]] const NodePlace& place(Colour c, std::uint32_t node) const { return place_of[static_cast<std::size_t>(c)][node]; }
   [[nodiscard]] bool flipped(Colour c, std::uint32_t arc) const { return flipped_of[static_cast<std::size_t>(c)][arc]; }
   [[nodiscard]] const Direction& node(Colour c, std::uint32_t i) const { return diagram(c).nodes[i]; }
   [[nodiscard]] const Direction& circle(Colour c, const ChartArc& arc) const { return diagram(c).arcs[arc.arc].circle; }

@@ -30,7 +30,7 @@ class SweepLine {
     for (i /= 2; i > 0 && highest_[i] == arc; i /= 2) highest_[i] = highest_[2 * i + 1] != none ? highest_[2 * i + 1] : highest_[2 * i];
   }
 
-  [[nodiscard]] Place locate(std::uint32_t node) const {
+  [[nodiscard]] NodePlace locate(std::uint32_t node) const {
     const std::uint32_t below = highest_below(node);
     const std::vector<ChartArc>& arcs = charts_.arcs_of(colour_);
     if (below != none) return {below + 1, charts_.vertex_above(colour_, arcs[below])};
@@ -123,7 +123,7 @@ void locate_at_infinity(Charts& charts, bool at_left) {
 
 // A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located.
 void locate_nodes(Charts& charts, Colour colour) {
-  std::vector<Place>& places = charts.place_of[static_cast<std::size_t>(colour)];
+  std::vector<NodePlace>& places = charts.place_of[static_cast<std::size_t>(colour)];
   places.assign(charts.diagram(colour).nodes.size(), {});
   const Colour of_arcs = other(colour);
   const std::vector<ChartArc>& arcs = charts.arcs_of(of_arcs);

@@ -25,12 +25,12 @@ class Listener : public nlohmann::json_sax<Json> {
   explicit Listener(std::string_view text) : text_(text) {}
 
   bool null() override {
-    const Place place = next_place();
+    const CasePlace place = next_place();
     return may_be_null(place) ? done() : wrong(place, "null");
   }
   bool boolean(bool value) override {
-    const Place place = next_place();
-    return place == Place::other ? done() : wrong(place, value ? "true" : "false");
+    const CasePlace place = next_place();
+    return place == CasePlace::other ? done() : wrong(place, value ? "true" : "false");
   }
   bool number_integer(number_integer_t value) override { return number(mpz_class(static_cast<long>(value))); }
   bool number_unsigned(number_unsigned_t value) override { return number(mpz_class(static_cast<unsigned long>(value))); }
@@ -40,8 +40,8 @@ class Listener : public nlohmann::json_sax<Json> {
   bool string(std::string& text) override;
   bool binary(binary_t&) override { return done(); }
   bool start_object(std::size_t) override {
-    const Place place = next_place();
-    return place == Place::whole || place == Place::body ? enter(place) : skip(place, "an object");
+    const CasePlace place = next_place();
+    return place == CasePlace::whole || place == CasePlace::body ? enter(place) : skip(place, "an object");
   }
   bool start_array(std::size_t) override;
   bool key(std::string& name) override;
@@ -52,23 +52,23 @@ class Listener : public nlohmann::json_sax<Json> {
  private:
   // A container that is being read: an object with the key at hand, or an array with the index at hand.
   struct Frame {
-    Place place;
+    CasePlace place;
     std::size_t index = 0;
     std::string key;
     std::vector<std::string> seen;  // keys of ours
   };
 
-  [[nodiscard]] Place next_place() const;
+  [[nodiscard]] CasePlace next_place() const;
   [[nodiscard]] std::string path() const;
   [[nodiscard]] BodyFields& body() { return frames_.front().key == "a" ? fields.a : fields.b; }
 
   // Each of these ends the handling of one event; all return true: go on.
-  bool enter(Place place) {
+  bool enter(CasePlace place) {
     frames_.push_back({place, 0, {}, {}});
     return true;
   }
-  bool skip(Place place, const std::string& found) {
-    if (place != Place::other) fault(path(), expected_at(place), found);
+  bool skip(CasePlace place, const std::string& found) {
+    if (place != CasePlace::other) fault(path(), expected_at(place), found);
     ++skipped_;
     return true;
   }
@@ -76,7 +76,7 @@ class Listener : public nlohmann::json_sax<Json> {
     if (skipped_ == 0 && !frames_.empty()) ++frames_.back().index;
     return true;
   }
-  bool wrong(Place place, const std::string& found) {
+  bool wrong(CasePlace place, const std::string& found) {
     fault(path(), expected_at(place), found);
     return done();
   }
@@ -85,9 +85,9 @@ class Listener : public nlohmann::json_sax<Json> {
     return done();
   }
   template <class Assign>
-  bool number(Place place, const std::string& text, Assign assign);
+  bool number(CasePlace place, const std::string& text, Assign assign);
   bool number(const mpz_class& value);
-  [[nodiscard]] mpq_class* target(Place place);
+  [[nodiscard]] mpq_class* target(CasePlace place);
   void fault(const std::string& where, const std::string& expected, const std::string& found) {
     report((where.empty() ? "" : where + ": ") + "expected " + expected + ", found " + found);
   }
@@ -100,24 +100,24 @@ class Listener : public nlohmann::json_sax<Json> {
   std::size_t skipped_ = 0;  // depth inside something that is not read
 };
 
-Place Listener::next_place() const {
-  if (skipped_ != 0) return Place::other;
-  if (frames_.empty()) return Place::whole;
+CasePlace Listener::next_place() const {
+  if (skipped_ != 0) return CasePlace::other;
+  if (frames_.empty()) return CasePlace::whole;
   const Frame& top = frames_.back();
   switch (top.place) {
-    case Place::whole: return field_of_case(top.key);
-    case Place::body: return field_of_body(top.key);
-    case Place::vertices: return Place::vertex;
-    case Place::vertex: return Place::coordinate;
-    case Place::pose: return Place::pose_row;
-    default: return Place::pose_entry;
+    case CasePlace::whole: return field_of_case(top.key);
+    case CasePlace::body: return field_of_body(top.key);
+    case CasePlace::vertices: return CasePlace::vertex;
+    case CasePlace::vertex: return CasePlace::coordinate;
+    case CasePlace::pose: return CasePlace::pose_row;
+    default: return CasePlace::pose_entry;
   }
 }
 
 std::string Listener::path() const {
   std::string result;
   for (const Frame& frame : frames_) {
-    if (frame.place != Place::whole && frame.place != Place::body) {
+    if (frame.place != CasePlace::whole && frame.place != CasePlace::body) {
       result += "[" + std::to_string(frame.index) + "]";
     } else if (!frame.key.empty()) {
       result += (result.empty() ? "" : ".") + frame.key;
@@ -127,24 +127,24 @@ std::string Listener::path() const {
 }
 
 // Where the number that comes next belongs; nowhere if there are too many, which the end of the array will tell.
-mpq_class* Listener::target(Place place) {
+mpq_class* Listener::target(CasePlace place) {
   const std::size_t index = frames_.back().index;
-  if (place == Place::coordinate && index < 3) {
+  if (place == CasePlace::coordinate && index < 3) {
     Point& point = body().vertices.back();
     return index == 0 ? &point.x : index == 1 ? &point.y : &point.z;
   }
-  if (place != Place::pose_entry || index >= 4) return nullptr;
+  if (place != CasePlace::pose_entry || index >= 4) return nullptr;
   const std::size_t row = frames_[frames_.size() - 2].index;
   return row < 3 ? &(*body().pose)[row][index] : nullptr;
 }
 
 template <class Assign>
-bool Listener::number(Place place, const std::string& text, Assign assign) {
-  if (place == Place::coordinate || place == Place::pose_entry) {
+bool Listener::number(CasePlace place, const std::string& text, Assign assign) {
+  if (place == CasePlace::coordinate || place == CasePlace::pose_entry) {
     if (mpq_class* const to = target(place)) assign(*to);
-  } else if (place == Place::id) {
+  } else if (place == CasePlace::id) {
     fields.id = text;
-  } else if (place != Place::other) {
+  } else if (place != CasePlace::other) {
     return wrong(place, printable(text, readable));
   }
   return done();
@@ -153,40 +153,40 @@ bool Listener::number(Place place, const std::string& text, Assign assign) {
 // A JSON number means the nearest binary64, an integer too.
 bool Listener::number(const mpz_class& value) {
   constexpr long exact_up_to = 1L << 53;
-  const Place place = next_place();
-  return number(place, place == Place::coordinate || place == Place::pose_entry ? "" : value.get_str(), [&](mpq_class& to) {
+  const CasePlace place = next_place();
+  return number(place, place == CasePlace::coordinate || place == CasePlace::pose_entry ? "" : value.get_str(), [&](mpq_class& to) {
     to = value;
     if (abs(value) > exact_up_to) to = round_binary64(to, Rounding::rn);
   });
 }
 
 bool Listener::string(std::string& text) {
-  const Place place = next_place();
+  const CasePlace place = next_place();
   bool good = true;
-  if (place == Place::coordinate || place == Place::pose_entry) {
+  if (place == CasePlace::coordinate || place == CasePlace::pose_entry) {
     ParsedNumber number = parse_number(text, Decimals::exact);
     mpq_class* const to = target(place);
     if (!number.value) report(path() + ": " + number.error);
     if (number.value && to) *to = *std::move(number.value);
-  } else if (place == Place::id) {
+  } else if (place == CasePlace::id) {
     fields.id = text;
-  } else if (place == Place::schema) {
+  } else if (place == CasePlace::schema) {
     good = text == "fathom/case/1";
-  } else if (place == Place::rounding || place == Place::body_rounding) {
+  } else if (place == CasePlace::rounding || place == CasePlace::body_rounding) {
     good = text == "binary64";
-    (place == Place::rounding ? fields.rounded : body().rounded) = good;
+    (place == CasePlace::rounding ? fields.rounded : body().rounded) = good;
   } else {
-    good = place == Place::other;
+    good = place == CasePlace::other;
   }
   return good ? done() : wrong(place, "\"" + printable(text, readable) + "\"");
 }
 
 bool Listener::start_array(std::size_t) {
-  const Place place = next_place();
-  const bool ours = place == Place::vertices || place == Place::vertex || place == Place::pose || place == Place::pose_row;
+  const CasePlace place = next_place();
+  const bool ours = place == CasePlace::vertices || place == CasePlace::vertex || place == CasePlace::pose || place == CasePlace::pose_row;
   if (!ours) return skip(place, "an array");
-  if (place == Place::vertex) body().vertices.emplace_back();
-  if (place == Place::pose) body().pose.emplace();
+  if (place == CasePlace::vertex) body().vertices.emplace_back();
+  if (place == CasePlace::pose) body().pose.emplace();
   return enter(place);
 }
 
@@ -195,8 +195,8 @@ bool Listener::key(std::string& name) {
   if (skipped_ != 0) return true;
   Frame& top = frames_.back();
   top.key = name;
-  const Place place = next_place();
-  if (place == Place::other) return true;
+  const CasePlace place = next_place();
+  if (place == CasePlace::other) return true;
   if (std::ranges::find(top.seen, name) != top.seen.end()) fault(path(), "one field of this name", "a second one");
   top.seen.push_back(name);
   return true;
@@ -212,7 +212,7 @@ bool Listener::end_object() {
   const auto require = [&](const std::string& name) {
     if (std::ranges::find(top.seen, name) == top.seen.end()) fault(path(), "a field '" + name + "'", "none");
   };
-  if (top.place == Place::body) {
+  if (top.place == CasePlace::body) {
     require("vertices");
   } else {
     require("a");
@@ -228,8 +228,8 @@ bool Listener::end_array() {
   }
   const Frame ended = frames_.back();
   frames_.pop_back();
-  const std::size_t wanted = ended.place == Place::pose_row ? 4 : 3;
-  if (ended.place == Place::vertices) {
+  const std::size_t wanted = ended.place == CasePlace::pose_row ? 4 : 3;
+  if (ended.place == CasePlace::vertices) {
     if (ended.index == 0) fault(path(), "at least one point", "none");
   } else if (ended.index != wanted) {
     fault(path(), expected_at(ended.place), std::to_string(ended.index));

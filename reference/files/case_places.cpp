@@ -3,37 +3,38 @@
 
 namespace fathom {
 
-std::string expected_at(Place place) {
+std::string expected_at(CasePlace place) {
   switch (place) {
-    case Place::whole: return "a case (a JSON object)";
-    case Place::schema: return "\"fathom/case/1\"";
-    case Place::id: return "text or a number";
-    case Place::rounding:
-    case Place::body_rounding: return "\"binary64\"";
-    case Place::body: return "an object with 'vertices'";
-    case Place::vertices: return "an array of points";
-    case Place::vertex: return "three coordinates";
-    case Place::pose: return "three rows of four numbers";
-    case Place::pose_row: return "four numbers";
+    case CasePlace::whole: return "a case (a JSON object)";
+    case CasePlace::schema: return "\"fathom/case/1\"";
+    case CasePlace::id: return "text or a number";
+    case CasePlace::rounding:
+    case CasePlace::body_rounding: return "\"binary64\"";
+    case CasePlace::body: return "an object with 'vertices'";
+    case CasePlace::vertices: return "an array of points";
+    case CasePlace::vertex: return "three coordinates";
+    case CasePlace::pose: return "three rows of four numbers";
+    case CasePlace::pose_row: return "four numbers";
     default: return "a number, or an exact number in quotes";
   }
 }
 
-Place field_of_case(std::string_view key) {
-  if (key == "schema") return Place::schema;
-  if (key == "id") return Place::id;
-  if (key == "pose_rounding") return Place::rounding;
-  return key == "a" || key == "b" ? Place::body : Place::other;
+CasePlace field_of_case(std::string_view key) {
+  if (key == "schema") return CasePlace::schema;
+  if (key == "id") return CasePlace::id;
+  if (key == "pose_rounding") return CasePlace::rounding;
+  return key == "a" || key == "b" ? CasePlace::body : CasePlace::other;
 }
 
-Place field_of_body(std::string_view key) {
-  if (key == "vertices") return Place::vertices;
-  if (key == "pose") return Place::pose;
-  return key == "pose_rounding" ? Place::body_rounding : Place::other;
+CasePlace field_of_body(std::string_view key) {
+  if (key == "vertices") return CasePlace::vertices;
+  if (key == "pose") return CasePlace::pose;
+  return key == "pose_rounding" ? CasePlace::body_rounding : CasePlace::other;
 }
 
-bool may_be_null(Place place) {
-  return place == Place::other || place == Place::id || place == Place::pose || place == Place::rounding || place == Place::body_rounding;
+bool may_be_null(CasePlace place) {
+  return place == CasePlace::other || place == CasePlace::id || place == CasePlace::pose || place == CasePlace::rounding ||
+         place == CasePlace::body_rounding;
 }
 
 }  // namespace fathom

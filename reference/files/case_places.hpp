@@ -7,7 +7,7 @@
 
 namespace fathom {
 
-enum class Place {
+enum class CasePlace {
   whole,
   schema,
   id,
@@ -24,13 +24,13 @@ enum class Place {
 };
 
 /// What belongs there, for messages.
-std::string expected_at(Place place);
+std::string expected_at(CasePlace place);
 
 /// What stands under `key` in the object of a case, or of a body.
-Place field_of_case(std::string_view key);
-Place field_of_body(std::string_view key);
+CasePlace field_of_case(std::string_view key);
+CasePlace field_of_body(std::string_view key);
 
 /// Whether null there means the same as no field.
-bool may_be_null(Place place);
+bool may_be_null(CasePlace place);
 
 }  // namespace fathom

@@ -17,7 +17,7 @@ int level(Node k) { return std::bit_width(k); }
 // One cutting in the making.
 class Cutter {
  public:
-  Cutter(Blocks& blocks, Side side, const CuttingSize& size, LineSearch& search)
+  Cutter(Blocks& blocks, GridAxis side, const CuttingSize& size, LineSearch& search)
       : blocks_(blocks), side_(side), size_(size), search_(search) {}
 
   std::vector<Cell> cut(Node cell, const std::vector<Node>& list) {
@@ -83,7 +83,7 @@ class Cutter {
   }
 
   Blocks& blocks_;
-  Side side_;
+  GridAxis side_;
   const CuttingSize& size_;
   LineSearch& search_;
   std::uint64_t quota_ = 0;
@@ -95,11 +95,11 @@ class Engine {
  public:
   Engine(const Grid& grid, LineSearch& search, const CuttingSize& size) : blocks_(grid), search_(search), size_(size) {}
 
-  void run() { solve(Side::rows, CellTree::root, {CellTree::root}); }
+  void run() { solve(GridAxis::rows, CellTree::root, {CellTree::root}); }
 
  private:
   // Recursion as deep as both trees.
-  void solve(Side side, Node cell, const std::vector<Node>& list) {
+  void solve(GridAxis side, Node cell, const std::vector<Node>& list) {
     std::uint64_t lines = 0, longest = blocks_.tree(side).size(cell);
     const std::uint64_t across = longest;
     for (const Node run : list) {
@@ -125,10 +125,10 @@ class Engine {
     }
   }
 
-  void scan(Side side, Node cell, Node run) {
-    const Node row = side == Side::rows ? cell : run, column = side == Side::rows ? run : cell;
+  void scan(GridAxis side, Node cell, Node run) {
+    const Node row = side == GridAxis::rows ? cell : run, column = side == GridAxis::rows ? run : cell;
     const Clearing& c = blocks_.clearing();
-    search_.scan(c.grid(), c.rows(), blocks_.tree(Side::rows).lines(row), c.columns(), blocks_.tree(Side::columns).run(column));
+    search_.scan(c.grid(), c.rows(), blocks_.tree(GridAxis::rows).lines(row), c.columns(), blocks_.tree(GridAxis::columns).run(column));
   }
 
   Blocks blocks_;
@@ -138,9 +138,9 @@ class Engine {
 
 }  // namespace
 
-bool Blocks::clears(Side side, Node cell, Node opposite, LineSearch& search) {
-  const Node row = side == Side::rows ? cell : opposite, column = side == Side::rows ? opposite : cell;
-  const Clearing::Lines rows = tree(Side::rows).lines(row), columns = tree(Side::columns).lines(column);
+bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search) {
+  const Node row = side == GridAxis::rows ? cell : opposite, column = side == GridAxis::rows ? opposite : cell;
+  const Clearing::Lines rows = tree(GridAxis::rows).lines(row), columns = tree(GridAxis::columns).lines(column);
   Counters& counters = search.counters();
   ++counters.block_tests;
   search.work(16);
@@ -156,7 +156,7 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   if (!promising) return false;
   ++frames_tried_;
   ++search.counters().frame_tests;
-  CellTree &rows = tree(Side::rows), &columns = tree(Side::columns);
+  CellTree &rows = tree(GridAxis::rows), &columns = tree(GridAxis::columns);
   const double bound = search.bound().above;
   const bool clear =
       frames_beyond(rows.sketch(row), columns.sketch(column), bound) && frames_beyond(rows.frame(row), columns.frame(column), bound);
@@ -165,12 +165,13 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   return clear;
 }
 
-double Blocks::estimate(Side side, Node cell, Node opposite) {
-  const Node row = side == Side::rows ? cell : opposite, column = side == Side::rows ? opposite : cell;
-  return clearing_.estimate(tree(Side::rows).lines(row), tree(Side::columns).lines(column));
+double Blocks::estimate(GridAxis side, Node cell, Node opposite) {
+  const Node row = side == GridAxis::rows ? cell : opposite, column = side == GridAxis::rows ? opposite : cell;
+  return clearing_.estimate(tree(GridAxis::rows).lines(row), tree(GridAxis::columns).lines(column));
 }
 
-std::vector<Cell> cut(Blocks& blocks, Side side, Node cell, const std::vector<Node>& list, const CuttingSize& size, LineSearch& search) {
+std::vector<Cell> cut(Blocks& blocks, GridAxis side, Node cell, const std::vector<Node>& list, const CuttingSize& size,
+                      LineSearch& search) {
   return Cutter(blocks, side, size, search).cut(cell, list);
 }
 

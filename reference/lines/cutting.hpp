@@ -15,9 +15,9 @@
 namespace fathom {
 
 /// Whose lines are cut into cells; the other chain's make the conflict lists.
-enum class Side : std::uint8_t { rows, columns };
+enum class GridAxis : std::uint8_t { rows, columns };
 
-constexpr Side other(Side s) { return s == Side::rows ? Side::columns : Side::rows; }
+constexpr GridAxis other(GridAxis s) { return s == GridAxis::rows ? GridAxis::columns : GridAxis::rows; }
 
 /// A grid with the cells of both chains.
 class Blocks {
@@ -27,12 +27,12 @@ class Blocks {
   Blocks& operator=(const Blocks&) = delete;
 
   [[nodiscard]] const Clearing& clearing() const { return clearing_; }
-  [[nodiscard]] CellTree& tree(Side s) { return trees_[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] CellTree& tree(GridAxis s) { return trees_[static_cast<std::size_t>(s)]; }
 
   /// Whether every pair of the block is proved to be strictly farther than the search's best: by the vertex test, or by the frame test
   /// where it may pay.
-  bool clears(Side side, CellTree::Node cell, CellTree::Node opposite, LineSearch& search);
-  [[nodiscard]] double estimate(Side side, CellTree::Node cell, CellTree::Node opposite);
+  bool clears(GridAxis side, CellTree::Node cell, CellTree::Node opposite, LineSearch& search);
+  [[nodiscard]] double estimate(GridAxis side, CellTree::Node cell, CellTree::Node opposite);
 
  private:
   bool frames_clear(CellTree::Node row, CellTree::Node column, LineSearch& search);
@@ -53,7 +53,7 @@ struct Cell {
 /// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves, filters the lists, counts, refines while over the quota.
 /// Cells with an empty list are left out. Together with what was cleared strictly, the blocks cell x conflicts hold all pairs.
 /// Nearer halves come first.
-std::vector<Cell> cut(Blocks& blocks, Side side, CellTree::Node cell, const std::vector<CellTree::Node>& list, const CuttingSize& size,
+std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellTree::Node cell, const std::vector<CellTree::Node>& list, const CuttingSize& size,
                       LineSearch& search);
 
 /// The engine on one grid.

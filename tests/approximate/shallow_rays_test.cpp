@@ -18,7 +18,7 @@ namespace fathom {
 namespace {
 
 using testing::factor_naive;
-using testing::Scene;
+using testing::ShallowScene;
 
 mpq_class square(const mpq_class& q) { return q * q; }
 
@@ -59,7 +59,7 @@ TEST_P(EveryFamily, SkipsNoRayWithinReach) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
     SCOPED_TRACE(input.id);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     if (scene.sum.rank < 3) continue;
     const RayShooter shooter(scene.a, scene.b);
     const mpq_class delta = seed == 1 ? mpq_class(1, 16) : seed == 2 ? mpq_class(1, 2) : mpq_class(3);
@@ -74,7 +74,7 @@ TEST_P(EveryFamily, TheBoundIsNeverBelowTheGauge) {
   std::mt19937_64 random(3);
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const Case input = GetParam().make(seed, 5);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     if (!testing::holds_origin(scene.sum)) continue;
     GaugeBound bound;
     for (int i = 0; i < 12; ++i) {
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily, ::testing::ValuesIn(families:
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ShallowRays, FarSidesTakeFewRays) {
-  const Scene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}), cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
+  const ShallowScene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}), cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
   const RayShooter through_plate(plate.a, plate.b), through_cube(cube.a, cube.b);
   for (const mpq_class& delta : {mpq_class(1, 16), mpq_class(1, 100)}) {
     const RayGrids grids(delta);
@@ -109,7 +109,7 @@ TEST(ShallowRays, FarSidesTakeFewRays) {
 }
 
 TEST(ShallowRays, FromOtherPlacesAndOutside) {
-  const Scene scene({"a box", {{{0, 0, 0}}}, families::box(4, 5, 6)});
+  const ShallowScene scene({"a box", {{{0, 0, 0}}}, families::box(4, 5, 6)});
   const RayShooter shooter(scene.a, scene.b);
   const RayGrids grids(mpq_class(1, 4));
   const Vector b = scene.lattice.b.front() - scene.lattice.a.front();  // a corner of P

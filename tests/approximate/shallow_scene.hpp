@@ -14,8 +14,8 @@ namespace fathom::testing {
 using NormalSet = std::set<Vector, NearestPlanes::LexicographicOrder>;
 
 /// Both bodies with their hierarchies, and P itself.
-struct Scene {
-  explicit Scene(const Case& input)
+struct ShallowScene {
+  explicit ShallowScene(const Case& input)
       : lattice(common_lattice(input.a.points, input.b.points)),
         hull_a(convex_hull(lattice.a)),
         hull_b(convex_hull(lattice.b)),

@@ -18,7 +18,7 @@ namespace fathom {
 namespace {
 
 using testing::NormalSet;
-using testing::Scene;
+using testing::ShallowScene;
 
 // ---- the answer ----
 
@@ -93,7 +93,7 @@ TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const Case input = GetParam().make(seed, 7);
     SCOPED_TRACE(input.id);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     for (const mpq_class& delta : {mpq_class(1, 2), mpq_class(2)}) {
       const ShallowResult result = ShallowPenetration(scene.a, scene.b, delta).query();
       EXPECT_EQ(result.inside, testing::holds_origin(scene.sum));
@@ -156,7 +156,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
     const families::Family* family = families::find_family(name);
     ASSERT_NE(family, nullptr) << name;
     const Case input = family->make(2, 8);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     ASSERT_EQ(scene.sum.rank, 3);
     const ShallowPenetration bodies(scene.a, scene.b);
     const mpz_class& unit = scene.lattice.denominator;
@@ -184,7 +184,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
 }
 
 TEST(Shallow, ValidateSeesWhatIsBroken) {
-  const Scene scene({"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)});
+  const ShallowScene scene({"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)});
   const ShallowResult result = ShallowPenetration(scene.a, scene.b).query();
   EXPECT_TRUE(validate(result, scene.a, scene.b).ok());
   ShallowResult broken = result;
@@ -202,9 +202,9 @@ TEST(Shallow, ValidateSeesWhatIsBroken) {
 
 TEST(Shallow, FlatSumsAndPlacesOutsideHaveNoDepth) {
   const families::Family* flat = families::find_family("segment_segment");
-  const Scene segments(flat->make(1, 4));
+  const ShallowScene segments(flat->make(1, 4));
   EXPECT_FALSE(ShallowPenetration(segments.a, segments.b).query().inside);
-  const Scene solids(families::find_family("boxes_aligned")->make(1, 8));
+  const ShallowScene solids(families::find_family("boxes_aligned")->make(1, 8));
   const ShallowPenetration bodies(solids.a, solids.b);
   EXPECT_FALSE(bodies.query({1000000, 0, 0}).inside);
   EXPECT_FALSE(bodies.query(solids.sum.vertices.front()).inside) << "a vertex of P";
@@ -217,7 +217,7 @@ TEST(Shallow, RefusesADeltaThatIsNotBetweenZeroAndTwo) {
   const Case input = families::find_family("boxes_aligned")->make(1, 8);
   for (const mpq_class& delta : {mpq_class(0), mpq_class(-1, 4), mpq_class(9, 4)}) {
     EXPECT_THROW(shallow_depth(input.a.points, input.b.points, {}, delta), std::invalid_argument) << delta;
-    const Scene scene(input);
+    const ShallowScene scene(input);
     EXPECT_THROW(ShallowPenetration(scene.a, scene.b, delta), std::invalid_argument) << delta;
   }
   EXPECT_THROW(shallow_depth({}, input.b.points), std::invalid_argument);

@@ -15,7 +15,7 @@ namespace fathom {
 namespace {
 
 using testing::NormalSet;
-using testing::Scene;
+using testing::ShallowScene;
 
 NormalSet normals_of(const Polytope& p) {
   NormalSet normals;
@@ -23,7 +23,7 @@ NormalSet normals_of(const Polytope& p) {
   return normals;
 }
 
-SumFacet facet_of(const SumSurface& surface, const Scene& scene, const Vector& n) {
+SumFacet facet_of(const SumSurface& surface, const ShallowScene& scene, const Vector& n) {
   return surface.facet(scene.a.extreme_face(-n), scene.b.extreme_face(n), n);
 }
 
@@ -110,7 +110,7 @@ TEST_P(EveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const Case input = GetParam().make(seed, size);
       SCOPED_TRACE(input.id);
-      const Scene scene(input);
+      const ShallowScene scene(input);
       if (scene.sum.rank < 3) continue;
       const SumSurface surface(scene.hull_a, scene.hull_b);
       for (const Facet& f : scene.sum.facets) expect_facet(surface, scene.sum, facet_of(surface, scene, f.normal));
@@ -123,7 +123,7 @@ TEST_P(EveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
     SCOPED_TRACE(input.id);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     if (scene.sum.rank < 3) continue;
     const SumSurface surface(scene.hull_a, scene.hull_b);
     for (int i = 0; i < 6; ++i) {
@@ -141,7 +141,7 @@ TEST_P(EveryFamily, ALargeBallHoldsAllOfP) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 8);
     SCOPED_TRACE(input.id);
-    const Scene scene(input);
+    const ShallowScene scene(input);
     if (scene.sum.rank < 3) continue;
     const SumSurface surface(scene.hull_a, scene.hull_b);
     Ball ball{{0, 0, 0}, 0, 1};

@@ -180,9 +180,9 @@ TEST(Certificate, NaiveCheckSeesEachKindOfFault) {
       [](Certificate& c) { std::swap(c.inner.vertices[0], c.inner.vertices[1]); },
       [](Certificate& c) { c.b.front().x -= mpq_class(1, 1000); },
       [](Certificate& c) { c.b.clear(); },
-      [](Certificate& c) { c.claim = Claim::touching; },
-      [](Certificate& c) { c.claim = Claim::disjoint; },
-      [](Certificate& c) { c.claim = Claim::bounds; },
+      [](Certificate& c) { c.claim = ClaimKind::touching; },
+      [](Certificate& c) { c.claim = ClaimKind::disjoint; },
+      [](Certificate& c) { c.claim = ClaimKind::bounds; },
   };
   for (std::size_t i = 0; i < std::size(changes); ++i) {
     Certificate wrong = right;

@@ -29,10 +29,10 @@ mpq_class scaled(const mpz_class& c, std::size_t shift) {
   return r;
 }
 
-bool holds(const Enclosure& e, const mpq_class& value) { return mpq_class(e.low) <= value && value <= mpq_class(e.high); }
+bool holds(const DoubleInterval& e, const mpq_class& value) { return mpq_class(e.low) <= value && value <= mpq_class(e.high); }
 
 /// How many numbers lie in the enclosure: 4 stands for more than 3.
-int width(const Enclosure& e) {
+int width(const DoubleInterval& e) {
   int n = 1;
   for (double x = e.low; x != e.high && n < 4; x = std::nextafter(x, inf)) ++n;
   return n;
@@ -40,7 +40,7 @@ int width(const Enclosure& e) {
 
 /// Checks all that enclose() promises, component by component.
 void expect_enclosed(const Vector& v) {
-  const Vec3<Enclosure> e = enclose(v);
+  const Vec3<DoubleInterval> e = enclose(v);
   const std::size_t shift = std::max({bits(v.x), bits(v.y), bits(v.z)});
   double largest = 0;
   for (const auto& [c, x] : {std::pair(v.x, e.x), std::pair(v.y, e.y), std::pair(v.z, e.z)}) {
@@ -62,7 +62,7 @@ TEST(Enclose, HoldsTheVectorTimesOnePowerOfTwo) {
 TEST(Enclose, IsSymmetricAboutZero) {
   EXPECT_TRUE(rc::check("enclose(-v) = -enclose(v)", [] {
     const Vector v = *directions(Size::mixed);
-    const Vec3<Enclosure> e = enclose(v), m = enclose(-v);
+    const Vec3<DoubleInterval> e = enclose(v), m = enclose(-v);
     RC_ASSERT(e.x.low == -m.x.high && e.x.high == -m.x.low && e.z.low == -m.z.high);
   }));
 }
@@ -105,7 +105,7 @@ TEST(Enclose, HoldsWhatFallsBelowTheNormalRange) {
 
 // 2^53 - 1 scaled to just below the least normal number, to which ldexp rounds it up.
 TEST(Enclose, DoesNotTakeARoundedNumberForAnExactOne) {
-  const Enclosure e = enclose(Vector{power_of_two(1074), power_of_two(53) - 1, 0}).y;
+  const DoubleInterval e = enclose(Vector{power_of_two(1074), power_of_two(53) - 1, 0}).y;
   EXPECT_LT(e.low, std::numeric_limits<double>::min());
   expect_enclosed(Vector{power_of_two(1074), power_of_two(53) - 1, 0});
 }

@@ -8,6 +8,7 @@ cgal      only the files listed in cmake/cgal_files.txt include CGAL or Boost, a
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
+names     no two types of one namespace share a name: the one-definition rule, of which no linker warns
 """
 import pathlib
 import re
@@ -39,6 +40,7 @@ CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
 ALONE = ("verify/subjects", "verify/examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/")
+PROGRAMS = ("verify/subjects/", "verify/examples/", "tests/install/consumer/")  # linked with nothing of ours
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 350
@@ -47,6 +49,9 @@ SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
+NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
+NAMESPACE_END = re.compile(r"\}  // namespace")
+TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum|enum class) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: : [^;]*)? \{")
 ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
 
 
@@ -106,6 +111,28 @@ def source_breaches(root, path, text, listed):
         yield "length", f"{lines} lines, more than {LINES}"
 
 
+def type_names(text):
+    """The qualified names of the types defined in a source, those in unnamed namespaces and inside other types apart.
+
+    It relies on the format: what stands in a namespace is not indented, and a comment ends each namespace.
+    """
+    inside = []
+    for line in text.splitlines():
+        if opened := NAMESPACE.fullmatch(line):
+            inside.append(opened.group(1) or "")
+        elif NAMESPACE_END.match(line) and inside:
+            inside.pop()
+        elif "" not in inside and (found := TYPE.match(line)):
+            yield "::".join([*inside, found.group(1)])
+
+
+def name_breaches(definitions):
+    """`definitions`: each qualified name with the files that define it."""
+    for name, where in definitions.items():
+        for path in where[1:]:
+            yield path, "names", f"{name} is the name of a type in {where[0]} too"
+
+
 def licence_breaches(name, text):
     lines = text.split("\n", 2)
     line = lines[1] if lines[0].startswith("#!") and len(lines) > 1 else lines[0]
@@ -132,6 +159,7 @@ def breaches(root):
     """All (file, law, what is wrong)."""
     listed = listed_files(root)
     found = list(list_breaches(root, listed))
+    definitions = {}
     for path in files(root):
         name = path.as_posix()
         script = path.suffix in (".py", ".sh", ".cmake") or name.endswith(".cmake.in") or path.name == "CMakeLists.txt" or name in SCRIPTS
@@ -141,7 +169,10 @@ def breaches(root):
         found += [(name, *breach) for breach in licence_breaches(name, text)]
         if path.suffix in SOURCE:
             found += [(name, *breach) for breach in source_breaches(root, path, text, listed)]
-    return found
+            if not name.startswith(PROGRAMS):
+                for defined in type_names(text):
+                    definitions.setdefault(defined, []).append(name)
+    return found + list(name_breaches(definitions))
 
 
 def main():

@@ -102,6 +102,19 @@ class Layers(unittest.TestCase):
         self.expect("cli/long.cpp", SPDX + "\n" * 349)
         self.expect("cli/long.cpp", SPDX + "\n" * 350, "length")
 
+    def test_a_type_has_a_name_of_its_own(self):
+        first = SPDX + "namespace fathom {\n\n%s\n}  // namespace fathom\n"
+        for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {", "class [[nodiscard]] Place {"):
+            changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first % (text + "\n};\n")}
+            self.assertEqual(breaches(changes), [("reference/depth/two.cpp", "names")], text)
+
+    def test_types_that_may_share_a_name(self):
+        inside = SPDX + "namespace fathom {\n%s}  // namespace fathom\n"
+        for text in ("namespace {\n\nstruct Place {\n};\n\n}  // namespace\n", "struct Place;\n", "struct Other {\n  struct Place {\n  };\n};\n",
+                     "namespace other {\nstruct Place {\n};\n}  // namespace other\n"):
+            changes = {"reference/depth/one.hpp": inside % "struct Place {\n};\n", "reference/depth/two.cpp": inside % text}
+            self.assertEqual(breaches(changes), [], text)
+
     def test_exit_code(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
             sys.argv = ["layers.py", folder]

@@ -118,7 +118,7 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
     PreparedGrids(families::find_family(name)->make(2, 120)).for_each([&](const Grid& grid, const Charts&) {
       if (grid.rows() < 16 || grid.columns() < 16) return;
       const GridDistances distances(grid);
-      for (const Side side : {Side::rows, Side::columns}) {
+      for (const GridAxis side : {GridAxis::rows, GridAxis::columns}) {
         NearestPlanes nearest = plane_at(distances.least() * mpq_class(1001, 1000));
         Counters counters;
         LineSearch search(grid.lines_a(), grid.lines_b(), nearest, counters, go_on, 1);
@@ -147,7 +147,7 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
         }
         for (std::size_t x = 0; x < along; ++x) {
           for (std::size_t y = 0; y < across; ++y) {
-            const bool near = (side == Side::rows ? distances.rank(x, y) : distances.rank(y, x)) < pivot;
+            const bool near = (side == GridAxis::rows ? distances.rank(x, y) : distances.rank(y, x)) < pivot;
             lost += near && !kept[x][y];
           }
         }
