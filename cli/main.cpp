@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "kernels/float_environment.hpp"
 
 namespace {
 
@@ -57,6 +58,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const fathom::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
   install_signal_handlers();
   return run(argc, argv);
 }

@@ -20,6 +20,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
+
 namespace fathom {
 namespace {
 
@@ -131,6 +133,7 @@ std::vector<std::uint32_t> extreme_among(std::span<const Vector> points, const V
 
 PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
   if (exponent < binary_exponent(points_)) throw std::invalid_argument("the exponent of a point cloud is below that of its points");
+  const DefaultFloatEnvironment environment;
   x_.reserve(size());
   y_.reserve(size());
   z_.reserve(size());

@@ -20,6 +20,7 @@
 
 #include "cli/golden_arguments.hpp"
 #include "cli/output.hpp"
+#include "kernels/float_environment.hpp"
 #include "verify/golden/file_error.hpp"
 #include "verify/golden/generate.hpp"
 
@@ -169,6 +170,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const fathom::DefaultFloatEnvironment environment;
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
+
 namespace fathom {
 namespace {
 
@@ -104,6 +106,7 @@ std::string text_of(const Decimal& decimal, bool keep_zeros) {
 }  // namespace
 
 Enclosure enclose_root(const mpq_class& squared, std::size_t digits) {
+  const DefaultFloatEnvironment environment;
   if (digits < 1 || digits > most_root_digits) {
     throw std::invalid_argument("the number of digits must lie between 1 and " + std::to_string(most_root_digits));
   }

@@ -3,7 +3,9 @@
 #include "kernels/number/parse.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "kernels/number/rounding.hpp"
@@ -198,8 +200,20 @@ ParsedNumber parse_number(std::string_view token, Decimals decimals) {
 }
 
 mpq_class exact_value(double value) {
-  if (!std::isfinite(value)) throw std::invalid_argument("a number that is not finite has no exact value");
-  return mpq_class(value);
+  // By its bits: where subnormal numbers count as zero, GMP takes them for zero.
+  constexpr int fraction_bits = 52, largest = 0x7ff, bias = 1023;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value), implicit = std::uint64_t{1} << fraction_bits;
+  const int biased = static_cast<int>(bits >> fraction_bits) & largest;
+  if (biased == largest) throw std::invalid_argument("a number that is not finite has no exact value");
+  const std::uint64_t significand = biased == 0 ? bits & (implicit - 1) : (bits & (implicit - 1)) | implicit;
+  mpq_class result(static_cast<unsigned long>(significand));
+  const int exponent = std::max(biased, 1) - bias - fraction_bits;
+  if (exponent >= 0) {
+    result <<= static_cast<mp_bitcnt_t>(exponent);
+  } else {
+    result >>= static_cast<mp_bitcnt_t>(-exponent);
+  }
+  return bits >> 63 != 0 ? mpq_class(-result) : result;
 }
 
 std::string exact_text(const mpq_class& value) { return value.get_str(); }

@@ -23,7 +23,7 @@ bool quick_number(std::string_view token, Decimals decimals, mpq_class& value) {
   double nearest = 0;
   const auto [double_stop, double_fault] = std::from_chars(token.data(), end, nearest);
   if (double_fault != std::errc() || double_stop != end || !std::isfinite(nearest) || std::fegetround() != FE_TONEAREST) return false;
-  value = nearest;
+  value = exact_value(nearest);
   return true;
 }
 

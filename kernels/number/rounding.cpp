@@ -10,6 +10,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kernels/float_environment.hpp"
+
 namespace fathom {
 namespace {
 
@@ -101,13 +103,25 @@ double round_root(const mpq_class& squared, const Format& format, Rounding mode)
 
 }  // namespace
 
-double round_binary64(const mpq_class& value, Rounding mode) { return round_value(value, binary64, mode); }
+double round_binary64(const mpq_class& value, Rounding mode) {
+  const DefaultFloatEnvironment environment;
+  return round_value(value, binary64, mode);
+}
 
-float round_binary32(const mpq_class& value, Rounding mode) { return static_cast<float>(round_value(value, binary32, mode)); }
+float round_binary32(const mpq_class& value, Rounding mode) {
+  const DefaultFloatEnvironment environment;
+  return static_cast<float>(round_value(value, binary32, mode));
+}
 
-double root_binary64(const mpq_class& squared, Rounding mode) { return round_root(squared, binary64, mode); }
+double root_binary64(const mpq_class& squared, Rounding mode) {
+  const DefaultFloatEnvironment environment;
+  return round_root(squared, binary64, mode);
+}
 
-float root_binary32(const mpq_class& squared, Rounding mode) { return static_cast<float>(round_root(squared, binary32, mode)); }
+float root_binary32(const mpq_class& squared, Rounding mode) {
+  const DefaultFloatEnvironment environment;
+  return static_cast<float>(round_root(squared, binary32, mode));
+}
 
 std::string hex_text(double value) {
   constexpr int fraction_bits = 52, bias = 1023;

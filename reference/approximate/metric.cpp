@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernels/float_environment.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/position.hpp"
 
@@ -36,6 +37,7 @@ void require_interior_origin(const Lattice& lattice) {
 }  // namespace
 
 UnitBall unit_ball(std::span<const Point> points) {
+  const DefaultFloatEnvironment environment;
   const Lattice lattice = around_origin(points);
   require_interior_origin(lattice);
   Polytope hull = convex_hull(lattice.a);
@@ -49,6 +51,7 @@ UnitBall unit_ball(std::span<const Point> points) {
 
 MetricDepth metric_depth(const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift,
                          const std::function<bool(double)>& progress) {
+  const DefaultFloatEnvironment environment;
   const RayShooter shooter(a, b);
   MetricDepth result;
   const auto count = static_cast<std::uint32_t>(ball.vertices.size());
@@ -72,6 +75,7 @@ MetricDepth metric_depth(const Hierarchy& a, const Hierarchy& b, const UnitBall&
 }
 
 MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, const ReportProgress& progress) {
+  const DefaultFloatEnvironment environment;
   const BodyPair pair(a, b, progress);
   MetricResult result;
   result.status = pair.status();

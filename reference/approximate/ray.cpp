@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
 #include "reference/approximate/ray_levels.hpp"
 #include "reference/approximate/ray_portal.hpp"
 
@@ -88,6 +89,7 @@ Location locate(const Vector& start, const std::array<Vector, 4>& corners, Suppo
 RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b) : RayShooter(a, b, patience_of(a, b)) {}
 
 RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t patience) : a_(&a), b_(&b), patience_(patience) {
+  const DefaultFloatEnvironment environment;
   SupportOfSum support{a_, b_, &thickness_};
   std::vector<Vector> points{support.of_sum(axes[0])}, span;
   while (span.size() < 3) {
@@ -102,6 +104,7 @@ RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t pat
 }
 
 RayHit RayShooter::shoot(const Vector& direction, const Vector& start) const {
+  const DefaultFloatEnvironment environment;
   if (is_zero(direction)) throw std::invalid_argument("a ray without a direction");
   SupportOfSum support{a_, b_, &thickness_};
   RayHit hit = thickness_.empty() ? shoot_solid(direction, start, support) : shoot_flat(direction, start, support);

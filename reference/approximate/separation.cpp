@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/approximate/separation.hpp"
 
+#include "kernels/float_environment.hpp"
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -105,16 +106,19 @@ void require_delta(const mpq_class& delta) {
 
 ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift,
                                    const std::function<bool(double)>& progress) {
+  const DefaultFloatEnvironment environment;
   const DirectionGrid grid(delta);
   return search(a, b, grid, grid.size(), shift, progress);
 }
 
 ApproxSeparation approx_width(const Hierarchy& body, const mpq_class& delta, const std::function<bool(double)>& progress) {
+  const DefaultFloatEnvironment environment;
   const DirectionGrid grid(delta);
   return search(body, body, grid, grid.size() / 2, {0, 0, 0}, progress);
 }
 
 ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, const ReportProgress& progress) {
+  const DefaultFloatEnvironment environment;
   require_delta(delta);
   return result_of(BodyPair(a, b, progress), delta, [&](const BodyPair& pair) {
     return approx_separation(pair.a(), pair.b(), delta, {0, 0, 0}, named(progress));
@@ -122,6 +126,7 @@ ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, con
 }
 
 ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, const ReportProgress& progress) {
+  const DefaultFloatEnvironment environment;
   require_delta(delta);
   return result_of(BodyPair(points, points, progress), delta,
                    [&](const BodyPair& pair) { return approx_width(pair.a(), delta, named(progress)); });

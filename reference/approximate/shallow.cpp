@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kernels/float_environment.hpp"
 #include "reference/approximate/shallow_walk.hpp"
 
 namespace fathom {
@@ -40,6 +41,7 @@ ShallowPenetration::ShallowPenetration(const Hierarchy& a, const Hierarchy& b, c
     : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(delta / 4) {}
 
 ShallowResult ShallowPenetration::query(const Vector& shift, const std::function<bool(double)>& progress) const {
+  const DefaultFloatEnvironment environment;
   ShallowResult result;
   if (shooter_.rank() < 3) return result;
   const auto in_half = [&](int half, double share) { return progress((half + share) / 2); };
@@ -82,6 +84,7 @@ Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy
 }
 
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
+  const DefaultFloatEnvironment environment;
   checked(delta);
   return penetration_depth(a, b, options, [&](const Polytope& hull_a, const Polytope& hull_b, Counters& counters) {
     const auto progress = [&](const char* stage, double share) {

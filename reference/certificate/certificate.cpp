@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernels/float_environment.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -75,6 +76,7 @@ void prove_touching(Certificate& certificate, const Depth& answer) {
 }  // namespace
 
 Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, const Options& options) {
+  const DefaultFloatEnvironment environment;
   switch (answer.status) {
     case Status::penetrating: {
       Certificate certificate = of_bodies(a, b, ClaimKind::depth);
@@ -98,6 +100,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
 
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
                                     const std::optional<Vector>& hint) {
+  const DefaultFloatEnvironment environment;
   if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
   const Clouds clouds(a, b);
   BallExpansion expansion = expand_to_ball(clouds.a, clouds.b, clouds.squared(low), clouds.squared(high), hint);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/filter.hpp"
+#include "kernels/float_environment.hpp"
 #include "kernels/parallel.hpp"
 #include "reference/depth/certified_depth.hpp"
 #include "reference/depth/contact.hpp"
@@ -111,6 +112,7 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
 }
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const FindNearest& find_nearest) {
+  const DefaultFloatEnvironment environment;
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   const PredicateCounts before = predicate_counts();
   const Lattice lattice = common_lattice(a, b);

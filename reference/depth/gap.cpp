@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kernels/float_environment.hpp"
 #include "kernels/support.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -72,6 +73,7 @@ void look_around(const Lattice& lattice, Differences& differences, const Optimum
 }  // namespace
 
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Depth& depth) {
+  const DefaultFloatEnvironment environment;
   if (depth.status != Status::penetrating) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
   const Lattice lattice = common_lattice(a, b);
   const mpq_class unit(lattice.denominator * lattice.denominator), nearest = depth.squared * unit;
@@ -85,6 +87,7 @@ std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::s
 }
 
 std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b) {
+  const DefaultFloatEnvironment environment;
   const Lattice lattice = common_lattice(a, b);
   const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
   std::vector<Vector> differences;

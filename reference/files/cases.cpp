@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/source.hpp"
 
@@ -71,6 +72,7 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
 }  // namespace
 
 CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line) {
+  const DefaultFloatEnvironment environment;
   CaseFields fields = read_case_fields(text);
   Case result{fields.id.value_or(std::to_string(line)), {}, {}};
   std::string fault = std::move(fields.fault);

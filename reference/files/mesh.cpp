@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
 #include "kernels/number/quick_number.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/source.hpp"
@@ -64,6 +65,7 @@ void read_point(TextScanner& scanner, Decimals decimals, Point& point) {
 }
 
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals, MeshFormat format) {
+  const DefaultFloatEnvironment environment;
   if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
   switch (format) {
     case MeshFormat::off: return parse_off(bytes, name, decimals);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "kernels/float_environment.hpp"
 #include "reference/polytope/hierarchy_descent.hpp"
 
 namespace fathom {
@@ -42,6 +43,7 @@ std::vector<Index> face_at_edge(const Polytope& p, Index v, Index w, const Vecto
 }  // namespace
 
 Hierarchy::Hierarchy(const Polytope& polytope) : polytope_(&polytope), cloud_(polytope.vertices) {
+  const DefaultFloatEnvironment environment;
   if (polytope.rank == 3) coarsening_ = coarsen(polytope);
 }
 
@@ -58,6 +60,7 @@ std::size_t Hierarchy::size() const {
 }
 
 std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
+  const DefaultFloatEnvironment environment;
   if (polytope_->rank == 0 || is_zero(u)) return 0;
   HierarchyDescent descent(*this);
   descent.start(u);
@@ -67,6 +70,7 @@ std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
 }
 
 std::vector<std::uint32_t> Hierarchy::extreme_face(const Vector& u, Steps* steps) const {
+  const DefaultFloatEnvironment environment;
   if (polytope_->rank == 0 || is_zero(u)) return all_vertices(*polytope_);
   HierarchyDescent descent(*this);
   descent.start(u);

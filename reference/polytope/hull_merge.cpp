@@ -123,7 +123,7 @@ std::vector<std::uint32_t> number_vertices(Polytope& polytope, std::span<const V
   return number;
 }
 
-void start_at_lowest(std::vector<std::uint32_t>& cycle) { std::ranges::rotate(cycle, std::ranges::min_element(cycle)); }
+void start_at_lowest(std::vector<std::uint32_t>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
 
 void append_facet(Polytope& polytope, Vector normal, std::span<const std::uint32_t> cycle) {
   const auto begin = static_cast<Index>(polytope.corners.size());

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/float_environment.hpp"
 #include "reference/polytope/hull_hash.hpp"
 #include "reference/polytope/hull_merge.hpp"
 #include "reference/polytope/hull_triangles.hpp"
@@ -98,6 +99,7 @@ Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, con
 int affine_rank(std::span<const Vector> points) { return affine_span(points).rank; }
 
 Polytope convex_hull(std::span<const Vector> points) {
+  const DefaultFloatEnvironment environment;
   if (points.empty()) throw std::invalid_argument("convex_hull: no points");
   if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
   const std::vector<Index> ids = distinct_points(points);

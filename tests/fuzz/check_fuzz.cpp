@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate checker on arbitrary bytes: certificates one after another, or, where a brace comes first, a case file and a line of
-// results. Corpus: tests/fuzz/corpus/check. tests/fuzz/check_fuzz.sh builds and runs it.
+// results. Corpus: tests/fuzz/corpus/check. tests/fuzz/fuzz.sh builds and runs it.
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kernels/float_environment.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/scene.hpp"
@@ -177,6 +178,7 @@ class Judge {
 }  // namespace
 
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance) {
+  const DefaultFloatEnvironment environment;
   return Judge(truth, reply, conventions, precision, tolerance).run();
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/float_environment.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 #include "kernels/number/surd.hpp"
@@ -137,6 +138,7 @@ void fathom_judgement_init(fathom_judgement* judgement) {
 }
 
 int fathom_judge(const fathom_claim* claim, fathom_judgement* judgement, char* sentence, size_t capacity) {
+  const fathom::DefaultFloatEnvironment environment;
   if (judgement == nullptr || judgement->size != sizeof(fathom_judgement)) {
     fathom::copy("the judgement was not made by fathom_judgement_init of this version", sentence, capacity);
     return FATHOM_BAD_ARGUMENT;

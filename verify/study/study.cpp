@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/filter.hpp"
+#include "kernels/float_environment.hpp"
 #include "kernels/support.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
@@ -46,6 +47,7 @@ void find_contacts(const Polytope& a, const Polytope& b, const Depth& depth, Fin
 }  // namespace
 
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
+  const DefaultFloatEnvironment environment;
   const auto progress = [&](const char* stage, double share) {
     if (options.progress && !options.progress(stage, share)) throw Interrupted();
   };
