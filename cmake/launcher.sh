@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the launchers ./fathom and ./check share: packages, build lock, configuring and building. Sourced by bash.
-# The caller sets root (the project's top folder) and me (its own name). Everything here talks on stderr.
+# The caller sets root (the project's top folder) and me (its own name), and preset if it is not release. Everything here talks on stderr.
 #
 # Exit codes: 2 packages are missing and only root may install them; 3 installing or building failed.
 
-out=$root/build/release
+preset=${preset-release}
+out=$root/build/$preset
 log=$root/build/launcher.log
 stamp=$out/launcher.stamp
 
@@ -116,9 +117,11 @@ jobs() {
   if ((${memory:-4000000} < 3000000)); then echo 1; else echo 2; fi
 }
 
-# build TESTS TARGET [CMAKE ARGUMENTS...]: configures and builds the release preset. TESTS: ON, or KEEP what an earlier call chose.
+# build TESTS TARGETS [CMAKE ARGUMENTS...]: configures and builds the preset. TESTS: ON, or KEEP what an earlier call chose.
+# TARGETS: words; without `all` and `fathom` the program may stay behind its sources.
 build() {
-  local tests=$1 target=$2 before cache=$out/CMakeCache.txt
+  local tests=$1 targets before cache=$out/CMakeCache.txt
+  read -ra targets <<<"$2"
   shift 2
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     rm -rf "$out" # the folder was moved or copied: the cache holds the old paths
@@ -127,14 +130,14 @@ build() {
     tests=OFF
     if grep -qsxF 'FATHOM_TESTS:BOOL=ON' "$cache"; then tests=ON; fi
   fi
-  if [[ -x $out/fathom ]]; then say "building what changed (release)"; else say "building (release); this takes some minutes"; fi
+  if [[ -x $out/fathom ]]; then say "building what changed ($preset)"; else say "building ($preset); this takes some minutes"; fi
   [[ -n ${CCACHE_DIR-} || -w ${HOME-} ]] || export CCACHE_DISABLE=1 # ccache fails where it can store nothing
   before=$(inputs)
   freshen "$before"
   before=$(inputs)
   rm -f "$stamp"
   cd "$root" || die 3 "cannot enter $root"
-  logged_or_die "configuring" cmake --preset release "-DFATHOM_TESTS=$tests" "$@"
-  logged_or_die "building" cmake --build "$out" --target "$target" -j "$(jobs)"
-  printf '%s\n' "$before" >"$stamp"
+  logged_or_die "configuring" cmake --preset "$preset" "-DFATHOM_TESTS=$tests" "$@"
+  logged_or_die "building" cmake --build "$out" --target "${targets[@]}" -j "$(jobs)"
+  if [[ " ${targets[*]} " == *" all "* || " ${targets[*]} " == *" fathom "* ]]; then printf '%s\n' "$before" >"$stamp"; fi
 }

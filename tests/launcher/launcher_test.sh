@@ -46,7 +46,9 @@ mkdir -p "$tree/cmake" "$tree/cli" "$work/elsewhere"
 cp "$project/fathom" "$project/check" "$tree"
 cp "$project/cmake/launcher.sh" "$tree/cmake"
 cat >"$tree/CMakePresets.json" <<'JSON'
-{"version": 6, "configurePresets": [{"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}
+{"version": 6, "configurePresets": [
+  {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"},
+  {"name": "other", "generator": "Ninja", "binaryDir": "${sourceDir}/build/other"}]}
 JSON
 cat >"$tree/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
@@ -59,6 +61,10 @@ if(FATHOM_TESTS)
   enable_testing()
   add_test(NAME runs COMMAND fathom)
   add_test(NAME fails COMMAND fathom argument)
+  add_executable(room ${sources})
+  add_custom_target(tests_kernels DEPENDS room)
+  add_test(NAME in_a_room COMMAND room)
+  set_tests_properties(in_a_room PROPERTIES LABELS kernels)
 endif()
 CMAKE
 program one >"$tree/cli/main.cpp"
@@ -133,10 +139,25 @@ law='check builds with tests, prints what ctest says, passes arguments on and ex
 printf '[build]\nbash\n[test]\nbash\n' >"$tree/cmake/packages.txt"
 "$tree/check" >"$work/out" 2>"$work/talk" && broken 'a failing test went unnoticed'
 [[ $? == 1 ]] || broken "exit code is not 1: $(cat "$work/out")"
-grep -q '50% tests passed, 1 tests failed out of 2' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
+grep -q '67% tests passed, 1 tests failed out of 3' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
 "$tree/check" -R runs >"$work/out" 2>"$work/talk" || broken "the passing test failed: $(cat "$work/out")"
 grep -q '100% tests passed, 0 tests failed out of 1' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
 "$tree/check" -R no-such-test >"$work/out" 2>"$work/talk" && broken 'no test at all is no success'
+
+law='check builds one room in another preset, runs its tests alone, and leaves the release build alone'
+"$tree/check" --preset other --room kernels >"$work/out" 2>"$work/talk" || broken "the room's test failed: $(cat "$work/out" "$work/talk")"
+grep -q '100% tests passed, 0 tests failed out of 1' "$work/out" || broken "not one test: $(cat "$work/out")"
+[[ -x $tree/build/other/room && ! -e $tree/build/other/fathom ]] || broken 'more than the room was built'
+expect 2 '' "$tree/check" --room
+expect_talk 'expected a name after --room'
+expect 0 five "$tree/fathom"
+expect_silence
+law='building one room does not count as building the program'
+program six >"$tree/cli/main.cpp"
+"$tree/check" --room kernels >"$work/out" 2>"$work/talk" || broken "the room's test failed: $(cat "$work/out" "$work/talk")"
+expect 0 six "$tree/fathom"
+program five >"$tree/cli/main.cpp"
+expect 0 five "$tree/fathom"
 
 law='a part with packages of its own is asked for by its option alone, and before it is built'
 printf '[build]\nbash\n[test]\nbash\n[subjects]\nno-such-adapter-package\n' >"$tree/cmake/packages.txt"
