@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/approximate/separation.hpp"
 
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -98,6 +99,7 @@ std::function<bool(double)> named(const ReportProgress& progress) {
 }
 
 void require_delta(const mpq_class& delta) {
+  require_lowest_terms(delta);
   if (delta < least_delta) throw std::invalid_argument("an approximation needs a positive delta, 1e-12 or more");
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/shallow_walk.hpp"
 
 namespace fathom {
@@ -13,6 +14,7 @@ namespace {
 constexpr std::uint64_t facets_between_reports = 256;
 
 const mpq_class& checked(const mpq_class& delta) {
+  require_lowest_terms(delta);
   if (delta <= 0 || delta > 2) throw std::invalid_argument("shallow penetration needs a delta with 0 < delta <= 2");
   return delta;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -98,6 +99,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
 
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
                                     const std::optional<Vector>& hint) {
+  for (const mpq_class* bound : {&low, &high}) require_lowest_terms(*bound);
   if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
   const Clouds clouds(a, b);
   BallExpansion expansion = expand_to_ball(clouds.a, clouds.b, clouds.squared(low), clouds.squared(high), hint);

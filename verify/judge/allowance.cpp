@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 
@@ -67,6 +68,7 @@ Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, 
       squared_(std::max(proportional_, square(fixed_))) {}
 
 Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance) {
+  for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) require_lowest_terms(*part);
   const mpq_class absolute = tolerance.absolute * sizes.extent;
   const Slack slack = rounding_slack(sizes, depth_squared, precision, tolerance.ulps);
   const auto allowed = [&](const mpq_class& length) { return Allowance(tolerance.relative, depth_squared, std::max(absolute, length)); };
