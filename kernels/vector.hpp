@@ -5,7 +5,7 @@
 
 namespace fathom {
 
-/// A position with exact rational coordinates, each in lowest terms.
+/// A position with exact rational coordinates, each in lowest terms: what takes points throws std::invalid_argument at others.
 struct Point {
   mpq_class x, y, z;
   friend bool operator==(const Point&, const Point&) = default;

@@ -2,6 +2,7 @@
 #include "reference/approximate/directional.hpp"
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/ray.hpp"
 
 namespace fathom {
@@ -21,6 +22,7 @@ Vector integral(const Point& direction, mpq_class& unit) {
 DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction,
                                    const ReportProgress& progress) {
   const DefaultFloatEnvironment environment;
+  for (const mpq_class* component : {&direction.x, &direction.y, &direction.z}) require_lowest_terms(*component);
   if (direction == Point{0, 0, 0}) throw std::invalid_argument("the direction of a ray may not be zero");
   const BodyPair pair(a, b, progress);
   DirectionalDepth result;

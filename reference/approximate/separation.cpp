@@ -2,6 +2,7 @@
 #include "reference/approximate/separation.hpp"
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -99,6 +100,7 @@ std::function<bool(double)> named(const ReportProgress& progress) {
 }
 
 void require_delta(const mpq_class& delta) {
+  require_lowest_terms(delta);
   if (delta < least_delta) throw std::invalid_argument("an approximation needs a positive delta, 1e-12 or more");
 }
 

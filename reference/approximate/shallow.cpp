@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/shallow_walk.hpp"
 
 namespace fathom {
@@ -14,6 +15,7 @@ namespace {
 constexpr std::uint64_t facets_between_reports = 256;
 
 const mpq_class& checked(const mpq_class& delta) {
+  require_lowest_terms(delta);
   if (delta <= 0 || delta > 2) throw std::invalid_argument("shallow penetration needs a delta with 0 < delta <= 2");
   return delta;
 }

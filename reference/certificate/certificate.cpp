@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/lowest_terms.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -101,6 +102,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
                                     const std::optional<Vector>& hint) {
   const DefaultFloatEnvironment environment;
+  for (const mpq_class* bound : {&low, &high}) require_lowest_terms(*bound);
   if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
   const Clouds clouds(a, b);
   BallExpansion expansion = expand_to_ball(clouds.a, clouds.b, clouds.squared(low), clouds.squared(high), hint);

@@ -5,11 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/number/lowest_terms.hpp"
+
 namespace fathom {
 namespace {
 
 /// common := lcm(common, q's denominator). Denominators repeat a great deal, so divisibility is asked first.
 void absorb(mpz_class& common, const mpq_class& q) {
+  require_lowest_terms(q);
   if (mpz_divisible_p(common.get_mpz_t(), q.get_den_mpz_t())) return;
   mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
 }

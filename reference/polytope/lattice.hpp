@@ -19,7 +19,7 @@ struct Lattice {
 
 /// The lattice with the least denominator for which all points, taken from the first point of B, are integral; b[0] is zero. Exact.
 /// The unit is never coarser than 1: a factor that all integers share stays. Indices are those of the input.
-/// Throws std::invalid_argument when a body is empty.
+/// Throws std::invalid_argument when a body is empty, or a coordinate is not in lowest terms over a positive denominator.
 /// Size: each integer has about as many bits as the common denominator of all points, times their extent.
 Lattice common_lattice(std::span<const Point> a, std::span<const Point> b);
 

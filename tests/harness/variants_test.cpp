@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kernels/number/parse.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -125,6 +126,26 @@ TEST(CompareVariant, ARightSubjectIsInvariant) {
       EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << name << ": " << outcome.judgement->sentence;
       EXPECT_TRUE(outcome.variant == name || outcome.variant.empty());
     }
+}
+
+// Bodies so small that an ulp is a good part of them: the depth of a larger variant has more digits.
+TEST(CompareVariant, CorrectRoundingIsInvariantWithoutATolerance) {
+  const Examine right = judged([](const Case&, Reply&) {}, {0, 0, 0});
+  std::size_t compared = 0, rounded_otherwise = 0;
+  for (Case pair : pairs(Precision::binary64)) {
+    for_each_coordinate(pair, [](mpq_class& value) { value = scaled(value, -1060); });
+    const Case tiny = *as_seen(pair, Precision::binary64);
+    const Outcome original = right(tiny);
+    if (!original.reply->depth) continue;
+    for (const Variant& variant : variants(tiny, Precision::binary64, all_names)) {
+      const Outcome outcome = compare_variant(original, right(variant.seen), variant, {0, 0, 0});
+      EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << variant.name << ": " << outcome.judgement->sentence;
+      ++compared;
+      rounded_otherwise += scaled(exact_value(*outcome.reply->depth), -variant.exponent) != exact_value(*original.reply->depth);
+    }
+  }
+  EXPECT_GT(compared, 100u);
+  EXPECT_GT(rounded_otherwise, 10u);
 }
 
 TEST(CompareVariant, ToleratesADifferenceOfTheToleranceAndNoMore) {

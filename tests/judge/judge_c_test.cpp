@@ -106,6 +106,9 @@ TEST_F(JudgeC, Conventions) {
   claim.tol_relative = claim.tol_absolute = 0;
   claim.precision = FATHOM_BINARY32;
   ASSERT_EQ(run(), FATHOM_JUDGED);
+  EXPECT_EQ(judgement.verdict, FATHOM_PASS);  // within half an ulp
+  claim.depth -= 0x1p-24;
+  ASSERT_EQ(run(), FATHOM_JUDGED);
   EXPECT_EQ(judgement.verdict, FATHOM_TOO_DEEP);
   claim.tol_ulps = 2;
   ASSERT_EQ(run(), FATHOM_JUDGED);

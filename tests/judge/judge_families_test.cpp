@@ -8,6 +8,7 @@
 #include "tests/judge/pairs.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
+#include "verify/judge/allowance.hpp"
 
 namespace fathom {
 namespace {
@@ -52,6 +53,25 @@ Triple some_direction(const Depth& depth, Random& random) {
   return k == 3 ? opposite(u) : u;
 }
 
+/// Points where the optimum has them, rounded; some moved from their body, or from each other, by what is just allowed, or not quite.
+void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
+  if (!truth.depth.witness || truth.a.size() > 8 || truth.b.size() > 8) return;
+  const Vector& n = *truth.depth.direction;
+  const mpf_class length = sqrt(mpf_class(dot(n, n), 600));
+  const auto moved = [&](const Point& p, const mpf_class& way) {
+    const auto number = [&](const mpq_class& x, const mpz_class& component) {
+      const double there = mpf_class(x + way * component / length).get_d();
+      return precision == Precision::binary64 ? there : static_cast<float>(there);
+    };
+    return Triple{number(p.x, n.x), number(p.y, n.y), number(p.z, n.z)};
+  };
+  const auto some_way = [&] {
+    return mpf_class((random.coin() ? naive.witness_tol() : naive.gap_tol()) * static_cast<int>(random.between(-1, 1)));
+  };
+  if (random.between(0, 3) != 0) reply.witness_a = moved(truth.depth.witness->a, some_way());
+  if (random.between(0, 3) != 0) reply.witness_b = moved(truth.depth.witness->b, some_way());
+}
+
 // Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   Random random(11);
@@ -69,7 +89,7 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
         Reply reply;
         reply.overlap = random.between(0, 9) != 0;
         const Triple u = some_direction(truth.depth, random);
-        mpf_class target = naive.depth();
+        mpf_class target = naive.depth(), tol = naive.depth_tol();
         if (random.coin() && u != Triple{0, 0, 0}) {
           reply.direction = u;
           const double sign = conventions.moves == Conventions::Body::b ? -1 : 1;
@@ -77,11 +97,13 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
           const auto k = random.between(0, 2);
           if (k == 1) target = naive.price(v);
           if (k == 2) target = naive.travel(v);
+          if (k != 0) tol = naive.direction_tol();
         } else if (random.coin()) {
           reply.direction = u;
         }
-        target += naive.tol() * static_cast<int>(random.between(-1, 1));
+        target += tol * static_cast<int>(random.between(-1, 1));
         if (random.between(0, 9) != 0) reply.depth = near(target, random) * (random.between(0, 3) == 0 ? -1 : 1);
+        if (random.coin()) add_witness(reply, truth, naive, precision, random);
         const Judgement result = judge(truth, reply, conventions, precision, tolerance);
         EXPECT_EQ(result.findings, naive.findings(reply)) << result.sentence;
         ++compared;
@@ -120,7 +142,7 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
     Reply reply = right_answer(truth.depth);
     reply.witness_a = reply.witness_b = {};
     const auto verdict = [&](const Reply& r) { return judge(truth, r, {}, Precision::binary64, tolerance).verdict; };
-    if (!passes(verdict(reply))) continue;  // so shallow that the rounded direction is not good enough
+    EXPECT_TRUE(passes(verdict(reply)));
     Reply deep = reply, shallow = reply, reversed = reply, negative = reply;
     *deep.depth *= 1.002;
     *shallow.depth *= 0.998;
@@ -133,7 +155,8 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
     ++penetrating;
     // Where the way back is about as short, the reversed direction is right too.
     const mpq_class back = *judge(truth, reversed).price_squared;
-    if (back < truth.depth.squared * mpq_class(11, 10)) continue;
+    const mpq_class slack = 32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared, Precision::binary64, 0).direction;
+    if (back < truth.depth.squared * mpq_class(11, 10) || back < slack * slack) continue;
     EXPECT_EQ(verdict(reversed), Verdict::wrong_sign);
     ++reversible;
   }

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "kernels/number/parse.hpp"
 #include "tests/approximate/naive_rays.hpp"
+#include "tests/judge/naive_distance.hpp"
 #include "tests/judge/pairs.hpp"
 
 namespace fathom::testing {
@@ -24,10 +26,11 @@ class NaiveJudge {
     depth_ = root(real(truth.depth.squared));
     distance_ = truth.depth.distance ? root(real(truth.depth.distance->squared)) : real(0);
     tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),
-                     real(real(mpq_class(tolerance.ulps)) * ulp())});
+                     real(real(mpq_class(tolerance.ulps)) * ulp(truth.depth.squared))});
+    measure_slack();
   }
 
-  /// For finite numbers, and without witness points.
+  /// For finite numbers. Witness points are judged if their bodies are small.
   std::vector<Verdict> findings(const Reply& reply) const {
     std::vector<Verdict> found;
     const Status status = truth_.depth.status;
@@ -41,19 +44,23 @@ class NaiveJudge {
     if (status == Status::touching && !overlap && conventions_.touching == Conventions::Touching::overlap)
       found.push_back(Verdict::false_separation);
     if (!has_depth) return found;
-    if (more(real(-tol_), d) && !more(real(abs(real(-d - depth_))), tol_)) {
+    if (more(real(-depth_tol_), d) && !more(real(abs(real(-d - depth_))), depth_tol_)) {
       found.push_back(Verdict::wrong_sign);
       d = -d;
     }
-    if (more(real(d - depth_), tol_)) found.push_back(Verdict::too_deep);
-    if (more(real(depth_ - d), tol_)) found.push_back(Verdict::too_shallow);
-    if (reply.direction) judge_direction(exact(*reply.direction), d, found);
+    if (more(real(d - depth_), depth_tol_)) found.push_back(Verdict::too_deep);
+    if (more(real(depth_ - d), depth_tol_)) found.push_back(Verdict::too_shallow);
+    const std::optional<Point> u = reply.direction ? judge_direction(exact(*reply.direction), d, found) : std::nullopt;
+    if (witness_off(reply, u, d)) found.push_back(Verdict::witness_off);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
 
-  [[nodiscard]] const mpf_class& tol() const { return tol_; }
+  [[nodiscard]] const mpf_class& depth_tol() const { return depth_tol_; }
+  [[nodiscard]] const mpf_class& direction_tol() const { return direction_tol_; }
+  [[nodiscard]] const mpf_class& witness_tol() const { return witness_tol_; }
+  [[nodiscard]] const mpf_class& gap_tol() const { return gap_tol_; }
   [[nodiscard]] const mpf_class& depth() const { return depth_; }
   /// h(u) / |u|.
   [[nodiscard]] mpf_class price(const Point& u) const {
@@ -84,19 +91,65 @@ class NaiveJudge {
   static mpq_class along(const Point& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
   static mpf_class length(const Point& u) { return root(real(along(u, u))); }
 
-  void judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found) const {
-    if (given == Point{0, 0, 0}) return found.push_back(Verdict::not_a_direction);
+  /// The direction in which A moves, mended; nothing if it is zero.
+  std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found) const {
+    if (given == Point{0, 0, 0}) {
+      found.push_back(Verdict::not_a_direction);
+      return std::nullopt;
+    }
     const mpq_class u16 = precision_ == Precision::binary64 ? exact_value(0x1p-49) : exact_value(0x1p-20);
-    const mpf_class slack = real(std::max(tolerance_.relative, u16));
+    const mpf_class slack = real(std::max({tolerance_.relative, u16, mpq_class(u16 * tolerance_.ulps / 8)}));
     if (conventions_.unit && more(real(abs(real(length(given) - 1))), slack)) found.push_back(Verdict::not_a_direction);
     const bool b_moves = conventions_.moves == Conventions::Body::b;
     const Point opposite{-given.x, -given.y, -given.z}, u = b_moves ? opposite : given, v = b_moves ? given : opposite;
-    const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), tol_); };
-    const auto separates = [&](const Point& x) { return truth_.depth.status != Status::penetrating || !more(real(travel(x) - d), tol_); };
-    if (consistent(u) && separates(u)) return;
-    if (consistent(v) && separates(v)) return found.push_back(Verdict::wrong_sign);
+    const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), direction_tol_); };
+    const auto separates = [&](const Point& x) {
+      return truth_.depth.status != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
+    };
+    if (consistent(u) && separates(u)) return u;
+    if (consistent(v) && separates(v)) {
+      found.push_back(Verdict::wrong_sign);
+      return v;
+    }
     if (!separates(u)) found.push_back(Verdict::not_separating);
     if (!consistent(u)) found.push_back(Verdict::inconsistent);
+    return u;
+  }
+
+  [[nodiscard]] bool witness_off(const Reply& reply, const std::optional<Point>& u, const mpf_class& d) const {
+    const auto away = [&](const std::optional<Triple>& w, const std::vector<Point>& body) {
+      return w && more(root(real(squared_distance_naive(exact(*w), body))), witness_tol_);
+    };
+    if (away(reply.witness_a, truth_.a) || away(reply.witness_b, truth_.b)) return true;
+    if (!reply.witness_a || !reply.witness_b || (reply.direction && !u)) return false;
+    const Point way = minus(exact(*reply.witness_b), exact(*reply.witness_a));
+    if (!u) return more(real(abs(real(length(way) - d))), gap_tol_);
+    mpf_class squared = real(0);
+    for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+      const mpf_class miss = real(real(way.*axis) - real(d * real(real((*u).*axis) / length(*u))));
+      squared += miss * miss;
+    }
+    return more(root(squared), gap_tol_);
+  }
+
+  /// What an answer may be off by if its numbers are off by `ulps`, or by half of one.
+  void measure_slack() {
+    mpq_class farthest, reach;
+    for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+      for (const Point& p : truth_.a) {
+        for (const Point& q : truth_.b) {
+          farthest = std::max({farthest, mpq_class(abs(p.*axis)), mpq_class(abs(q.*axis))});
+          reach = std::max(reach, mpq_class(abs(q.*axis - p.*axis)));
+        }
+      }
+    }
+    const mpq_class u = precision_ == Precision::binary64 ? exact_value(0x1p-53) : exact_value(0x1p-24);
+    const mpf_class numbers = real(tolerance_.ulps == 0 ? mpq_class(1, 2) : mpq_class(tolerance_.ulps)),
+                    far = real(numbers * ulp(farthest * farthest)), of_depth = real(numbers * ulp(truth_.depth.squared));
+    depth_tol_ = std::max(tol_, of_depth);
+    direction_tol_ = std::max(tol_, real(of_depth + numbers * real(mpq_class(4 * u * reach))));
+    witness_tol_ = std::max(tol_, real(far * 7 / 4));
+    gap_tol_ = std::max(tol_, real(of_depth * 3 + far * 7 / 2));
   }
 
   [[nodiscard]] mpf_class extent() const {
@@ -109,14 +162,14 @@ class NaiveJudge {
     return real(result);
   }
 
-  /// Half of the way from the number below the rounded-down depth's successor: the distance of neighbours, by asking for them.
-  [[nodiscard]] mpf_class ulp() const {
+  /// The distance of neighbours around a root, by asking for them.
+  [[nodiscard]] mpf_class ulp(const mpq_class& squared) const {
     if (precision_ == Precision::binary64) {
-      const double low = root_binary64(truth_.depth.squared, Rounding::rd);
+      const double low = root_binary64(squared, Rounding::rd);
       return real(mpq_class(exact_value(std::nextafter(low, 1e308)) - exact_value(low)));
     }
-    const float low = root_binary32(truth_.depth.squared, Rounding::rd);
-    return real(mpq_class(exact_value(std::nextafter(low, 1e38F)) - exact_value(low)));
+    const float low = root_binary32(squared, Rounding::rd);
+    return real(mpq_class(exact_value(std::nextafter(low, 3e38F)) - exact_value(low)));
   }
 
   const Truth& truth_;
@@ -126,6 +179,7 @@ class NaiveJudge {
   Polytope p_;
   mpz_class denominator_;
   mpf_class depth_{0, bits}, distance_{0, bits}, tol_{0, bits};
+  mpf_class depth_tol_{0, bits}, direction_tol_{0, bits}, witness_tol_{0, bits}, gap_tol_{0, bits};
 };
 
 }  // namespace fathom::testing

@@ -2,6 +2,7 @@
 // Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) - sqrt(q) > t is decided without a root.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "kernels/number/rounding.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/variants.hpp"
+#include "verify/judge/allowance.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -33,8 +35,7 @@ class Comparison {
  public:
   Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
       : original_(original), variant_(variant), made_(made) {
-    if (!original.judgement) return;
-    allowed_ = allowed_squared(tolerance, original.judgement->depth_squared, scaled(extent(made.seen), -made.exponent), made.precision);
+    if (original.judgement) allow(tolerance, original.judgement->depth_squared);
   }
 
   /// What differs; empty: nothing beyond the tolerance.
@@ -51,6 +52,21 @@ class Comparison {
  private:
   [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
 
+  /// The tolerance, or what rounding costs both answers.
+  void allow(const Tolerance& tolerance, const mpq_class& depth_squared) {
+    const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
+    const Sizes there = sizes_of(made_.seen.a.points, made_.seen.b.points);
+    const Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
+    const Slack slack = rounding_slack(here, depth_squared, made_.precision, tolerance.ulps);
+    const Slack slack_there = rounding_slack(there, depth_squared_of(made_, depth_squared), made_.precision, tolerance.ulps);
+    const auto allowed = [&](mpq_class Slack::*const residual) {
+      const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
+      return Allowance(tolerance.relative, depth_squared, std::max(absolute, both)).squared();
+    };
+    allowed_depth_ = allowed(&Slack::depth);
+    allowed_price_ = allowed(&Slack::direction);
+  }
+
   /// The claimed depth in the units of the original; 0 where no overlap is claimed.
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
     if (!reply.overlap) return mpq_class(0);
@@ -62,7 +78,7 @@ class Comparison {
     const std::optional<mpq_class> here = claimed(*original_.reply, 0), there = claimed(*variant_.reply, made_.exponent);
     if (!here || !there) return "";
     const mpq_class difference = abs(*here - *there);
-    if (difference * difference <= allowed_) return "";
+    if (difference * difference <= allowed_depth_) return "";
     std::string text = fmt::format("the depths of the case and of {} differ by {}: {} and {}", of_variant(),
                                    short_text(round_binary64(difference, Rounding::rn)), short_text(round_binary64(*here, Rounding::rn)),
                                    short_text(round_binary64(*there, Rounding::rn)));
@@ -73,7 +89,7 @@ class Comparison {
 
   [[nodiscard]] std::string of_prices() const {
     const auto [p, q] = prices();
-    if (!p || !q || !differ(*p, *q, allowed_)) return "";
+    if (!p || !q || !differ(*p, *q, allowed_price_)) return "";
     return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(signed_root(*p)),
                        short_text(signed_root(*q)));
   }
@@ -86,7 +102,7 @@ class Comparison {
 
   const Outcome &original_, &variant_;
   const Variant& made_;
-  mpq_class allowed_;
+  mpq_class allowed_depth_, allowed_price_;  ///< squared
 };
 
 }  // namespace

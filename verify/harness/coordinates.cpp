@@ -7,22 +7,8 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "verify/judge/allowance.hpp"
 
 namespace fathom::harness {
-namespace {
-
-mpq_class longest_side(const Body& body) {
-  mpq_class longest = 0;
-  for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
-    const auto less = [axis](const Point& p, const Point& q) { return p.*axis < q.*axis; };
-    const auto [low, high] = std::ranges::minmax_element(body.points, less);
-    longest = std::max(longest, mpq_class(*high.*axis - *low.*axis));
-  }
-  return longest;
-}
-
-}  // namespace
 
 mpq_class scaled(const mpq_class& value, long exponent) {
   mpq_class result;
@@ -55,14 +41,6 @@ mpq_class largest_coordinate(const Case& pair) {
   mpq_class largest = 0;
   for_each_coordinate(pair, [&](const mpq_class& value) { largest = std::max(largest, mpq_class(abs(value))); });
   return largest;
-}
-
-mpq_class extent(const Case& pair) { return std::max(longest_side(pair.a), longest_side(pair.b)); }
-
-mpq_class allowed_squared(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& extent, Precision precision) {
-  const mpq_class relative = std::max(tolerance.relative, mpq_class(0)), absolute = std::max(tolerance.absolute, mpq_class(0)) * extent;
-  const mpq_class ulps = ulp_at_root(depth_squared, precision) * tolerance.ulps;
-  return std::max({mpq_class(relative * relative * depth_squared), mpq_class(absolute * absolute), mpq_class(ulps * ulps)});
 }
 
 }  // namespace fathom::harness

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coordinates as numbers of the subject's precision, and lengths against a tolerance: exact.
+// Coordinates as numbers of the subject's precision: exact.
 #pragma once
 
 #include <gmpxx.h>
@@ -43,11 +43,5 @@ void for_each_coordinate(const Case& pair, Look look) {
 
 /// The largest |coordinate|; 0 if all are 0.
 mpq_class largest_coordinate(const Case& pair);
-
-/// The longest side of the bodies' boxes, the larger of the two.
-mpq_class extent(const Case& pair);
-
-/// The square of the length that `tolerance` allows for bodies of this depth^2 and extent.
-mpq_class allowed_squared(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& extent, Precision precision);
 
 }  // namespace fathom::harness

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 
@@ -54,13 +55,29 @@ mpq_class ulp_at_root(const mpq_class& squared, Precision precision) {
 
 mpq_class unit_roundoff(Precision precision) { return power_of_two(-format(precision).bits); }
 
-Allowance::Allowance(const Scene& scene, const Depth& depth, Precision precision, const Tolerance& tolerance)
-    : depth_squared_(depth.squared),
-      ulp_(ulp_at_root(depth.squared, precision)),
-      u_r_(unit_roundoff(precision) * scene.farthest()),
-      fixed_(std::max({mpq_class(0), mpq_class(tolerance.absolute * scene.extent()), mpq_class(tolerance.ulps * ulp_)})),
-      proportional_(sgn(tolerance.relative) > 0 ? mpq_class(square(tolerance.relative) * depth.squared) : mpq_class(0)),
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, unsigned long ulps) {
+  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)), of_depth = most * ulp_at_root(depth_squared, precision),
+                  of_point = most * ulp_at_root(square(sizes.farthest), precision),
+                  of_direction = most * 4 * unit_roundoff(precision) * sizes.reach;
+  return {of_depth, of_depth + of_direction, mpq_class(7, 4) * of_point, 3 * of_depth + mpq_class(7, 2) * of_point};
+}
+
+Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, const mpq_class& fixed)
+    : fixed_(std::max(mpq_class(0), fixed)),
+      proportional_(sgn(relative) > 0 ? mpq_class(square(relative) * depth_squared) : mpq_class(0)),
       squared_(std::max(proportional_, square(fixed_))) {}
+
+Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance) {
+  for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) require_lowest_terms(*part);
+  const mpq_class absolute = tolerance.absolute * sizes.extent;
+  const Slack slack = rounding_slack(sizes, depth_squared, precision, tolerance.ulps);
+  const auto allowed = [&](const mpq_class& length) { return Allowance(tolerance.relative, depth_squared, std::max(absolute, length)); };
+  classification = allowed(tolerance.ulps * ulp_at_root(depth_squared, precision));
+  depth = allowed(slack.depth);
+  direction = allowed(slack.direction);
+  witness = allowed(slack.witness);
+  gap = allowed(slack.gap);
+}
 
 bool Allowance::above(const mpq_class& d, const mpq_class& length) const {
   return sign({d - fixed_, -length}) > 0 && sign_of_sum(d, -length, -proportional_) > 0;
@@ -72,13 +89,13 @@ bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
 
 bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
 
-Accuracy accuracy_of(const mpq_class& d, const Allowance& allowance, Precision precision) {
-  const mpq_class& depth = allowance.depth_squared();
-  if (correctly_rounded(d, depth, precision)) return Accuracy::correctly_rounded;
-  if (within(d, depth, 4 * allowance.ulp())) return Accuracy::ulps_4;
-  if (within(d, depth, 16 * allowance.rounding_unit())) return Accuracy::u_r_16;
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision) {
+  if (correctly_rounded(d, depth_squared, precision)) return Accuracy::correctly_rounded;
+  if (within(d, depth_squared, 4 * ulp_at_root(depth_squared, precision))) return Accuracy::ulps_4;
+  if (within(d, depth_squared, 16 * u_r)) return Accuracy::u_r_16;
   const mpq_class millionth(1, 1'000'000);  // (1 - e) depth <= d <= (1 + e) depth
-  const bool close = sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth && square(d) <= square(1 + millionth) * depth;
+  const bool close =
+      sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth_squared && square(d) <= square(1 + millionth) * depth_squared;
   return close ? Accuracy::millionth : Accuracy::tolerance;
 }
 

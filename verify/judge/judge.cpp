@@ -25,7 +25,7 @@ class Judge {
         tolerance_(tolerance),
         claim_(exact_claim(reply, conventions)),
         scene_(truth),
-        allowance_(scene_, truth.depth, precision, tolerance) {}
+        allowed_(scene_.sizes(), truth.depth.squared, precision, tolerance) {}
 
   Judgement run() {
     result_.status = depth_.status;
@@ -47,10 +47,13 @@ class Judge {
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
 
+  /// u R.
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * scene_.sizes().farthest; }
+
   /// The residuals, of the claim as it stands.
   void measure() {
     if (claim_.depth) {
-      const mpq_class &d = *claim_.depth, &ulp = allowance_.ulp(), &u_r = allowance_.rounding_unit(), &s = depth_.squared;
+      const mpq_class &d = *claim_.depth, &s = depth_.squared, ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
       result_.error = nearest_binary64({d, -s});
       if (sgn(s) > 0) {
         result_.error_ulps = nearest_binary64({d / ulp, -s / (ulp * ulp)});
@@ -88,12 +91,12 @@ class Judge {
   void classification() {
     using Touching = Conventions::Touching;
     if (depth_.status == Status::penetrating && !claim_.overlap) {
-      if (allowance_.negligible(depth_.squared)) remarks_.tolerated = true;
+      if (allowed_.classification.negligible(depth_.squared)) remarks_.tolerated = true;
       else found(Verdict::false_separation);
     }
     if (depth_.status == Status::disjoint && claim_.overlap) {
-      const bool near = depth_.distance && allowance_.negligible(depth_.distance->squared);
-      if (near && !(claim_.depth && allowance_.above(*claim_.depth, 0))) remarks_.tolerated = true;
+      const bool near = depth_.distance && allowed_.classification.negligible(depth_.distance->squared);
+      if (near && !(claim_.depth && allowed_.classification.above(*claim_.depth, 0))) remarks_.tolerated = true;
       else found(Verdict::false_overlap);
     }
     if (depth_.status == Status::touching) {
@@ -106,21 +109,22 @@ class Judge {
   void depth() {
     if (!claim_.depth) return;
     mpq_class& d = *claim_.depth;
-    if (allowance_.below(d, 0) && !allowance_.off(-d, depth_.squared)) {
+    if (allowed_.depth.below(d, 0) && !allowed_.depth.off(-d, depth_.squared)) {
       remarks_.depth_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
     }
-    if (allowance_.above(d, depth_.squared)) found(Verdict::too_deep);
-    if (allowance_.below(d, depth_.squared)) found(Verdict::too_shallow);
+    if (allowed_.depth.above(d, depth_.squared)) found(Verdict::too_deep);
+    if (allowed_.depth.below(d, depth_.squared)) found(Verdict::too_shallow);
   }
 
   void direction() {
     if (claim_.direction_length && !is_direction(*claim_.direction_length)) found(Verdict::not_a_direction);
     if (!claim_.direction || !claim_.depth) return;
     Vector& u = *claim_.direction;
-    bool consistent = !allowance_.off(*claim_.depth, *result_.price_squared), separates = separates_by(*result_.travel_squared);
-    if (!consistent && !allowance_.off(*claim_.depth, scene_.price(-u))) {  // the travel is no more than the price: -u separates too
+    bool consistent = !allowed_.direction.off(*claim_.depth, *result_.price_squared), separates = separates_by(*result_.travel_squared);
+    if (!consistent &&
+        !allowed_.direction.off(*claim_.depth, scene_.price(-u))) {  // the travel is no more than the price: -u separates too
       remarks_.direction_sign = consistent = separates = true;
       found(Verdict::wrong_sign);
       u = -u;
@@ -132,20 +136,21 @@ class Judge {
   [[nodiscard]] bool is_direction(const mpq_class& square) const {
     if (sgn(square) == 0) return false;
     if (!conventions_.unit) return true;
-    const mpq_class t = std::max(tolerance_.relative, mpq_class(16 * unit_roundoff(precision_)));
+    const mpq_class u = unit_roundoff(precision_),
+                    t = std::max({tolerance_.relative, mpq_class(16 * u), mpq_class(2 * u * tolerance_.ulps)});
     return sign({-1 - t, square}) <= 0 && sign({t - 1, square}) >= 0;
   }
 
   /// Whether the claimed depth is no less than that way, but for the tolerance; or there is no way to go.
   [[nodiscard]] bool separates_by(const mpq_class& travel) const {
-    return depth_.status != Status::penetrating || !allowance_.below(*claim_.depth, travel);
+    return depth_.status != Status::penetrating || !allowed_.direction.below(*claim_.depth, travel);
   }
 
   void witnesses() {
-    const auto off = [&](const std::optional<mpq_class>& squared) { return squared && !allowance_.negligible(*squared); };
+    const auto off = [&](const std::optional<mpq_class>& squared) { return squared && !allowed_.witness.negligible(*squared); };
     remarks_.witness_a = off(result_.witness_a_squared);
     remarks_.witness_b = off(result_.witness_b_squared);
-    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = !allowance_.negligible(*gap);
+    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = !allowed_.gap.negligible(*gap);
     if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
   }
 
@@ -159,7 +164,7 @@ class Judge {
     }
     result_.verdict = depth_.status == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
     if (remarks_.tolerated) result_.accuracy = Accuracy::tolerance;
-    else if (claim_.depth) result_.accuracy = accuracy_of(*claim_.depth, allowance_, precision_);
+    else if (claim_.depth) result_.accuracy = accuracy_of(*claim_.depth, depth_.squared, rounding_unit(), precision_);
   }
 
   const Truth& truth_;
@@ -170,7 +175,7 @@ class Judge {
   const Tolerance& tolerance_;
   Claim claim_;
   Scene scene_;
-  Allowance allowance_;
+  Allowances allowed_;
   Remarks remarks_;
   Judgement result_;
 };

@@ -69,6 +69,7 @@ typedef struct fathom_claim {
   int moves_b;        /* 0: whether |depth| * direction moves B away, not A */
   int not_unit;       /* 0: whether directions need not have length 1 */
 
+  /* What rounding costs is allowed besides, see "the slack" in VERDICTS.md: of correctly rounded numbers, or of numbers off by tol_ulps. */
   double tol_relative; /* 1e-3, of the depth. Each of the three is taken as the exact value of its double; none may be negative */
   double tol_absolute; /* 1e-6, of the longest side of the bodies' boxes */
   double tol_ulps;     /* 0; a whole number up to 1e9 */

@@ -18,6 +18,7 @@ namespace fathom {
 
 /// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
 /// the bodies' boxes, the larger of the two; an ulp is that of the subject's precision at the depth. Below 0 counts as 0.
+/// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
 struct Tolerance {
   mpq_class relative{1, 1000};
   mpq_class absolute{1, 1'000'000};

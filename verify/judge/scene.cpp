@@ -2,6 +2,7 @@
 #include "verify/judge/scene.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernels/support.hpp"
 #include "reference/approximate/body_pair.hpp"
@@ -21,22 +22,25 @@ mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
 
 }  // namespace
 
-Scene::Scene(const Truth& truth) : truth_(truth), lattice_(common_lattice(truth.a, truth.b)) { measure(); }
-Scene::~Scene() = default;
-
-void Scene::measure() {
-  const mpq_class* origin[] = {&lattice_.origin.x, &lattice_.origin.y, &lattice_.origin.z};
-  mpz_class Vector::*const axes[] = {&Vector::x, &Vector::y, &Vector::z};
-  for (const std::vector<Vector>* body : {&lattice_.a, &lattice_.b}) {
-    for (std::size_t i = 0; i < 3; ++i) {
+Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
+  Sizes sizes;
+  for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto range = [axis](std::span<const Point> body) {
       const auto [low, high] = std::ranges::minmax_element(
-          *body, [](const mpz_class& x, const mpz_class& y) { return x < y; }, axes[i]);
-      const mpq_class from = ratio((*low).*axes[i], lattice_.denominator), to = ratio((*high).*axes[i], lattice_.denominator);
-      extent_ = std::max(extent_, mpq_class(to - from));
-      farthest_ = std::max({farthest_, mpq_class(abs(*origin[i] + from)), mpq_class(abs(*origin[i] + to))});
-    }
+          body, [](const mpq_class& p, const mpq_class& q) { return p < q; }, axis);
+      return std::pair<const mpq_class&, const mpq_class&>((*low).*axis, (*high).*axis);
+    };
+    const auto [low_a, high_a] = range(a);
+    const auto [low_b, high_b] = range(b);
+    sizes.extent = std::max({sizes.extent, mpq_class(high_a - low_a), mpq_class(high_b - low_b)});
+    sizes.farthest = std::max({sizes.farthest, mpq_class(-low_a), high_a, mpq_class(-low_b), high_b});
+    sizes.reach = std::max({sizes.reach, mpq_class(high_b - low_a), mpq_class(high_a - low_b)});
   }
+  return sizes;
 }
+
+Scene::Scene(const Truth& truth) : truth_(truth), lattice_(common_lattice(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
+Scene::~Scene() = default;
 
 mpq_class Scene::price(const Vector& u) const {
   mpz_class low = dot(u, lattice_.a.front()), high = dot(u, lattice_.b.front());

@@ -15,25 +15,32 @@ namespace fathom {
 
 class BodyPair;
 
+/// Lengths of two bodies along the axes.
+struct Sizes {
+  mpq_class extent;    ///< the longest side of the bodies' boxes, the larger of the two
+  mpq_class farthest;  ///< the largest absolute coordinate of a point
+  mpq_class reach;     ///< the largest absolute coordinate of a difference b - a
+};
+
+/// The bodies are not empty.
+Sizes sizes_of(std::span<const Point> a, std::span<const Point> b);
+
 /// Refers to the truth. Below, h(u) = max_b <u,b> - min_a <u,a>.
 class Scene {
  public:
   explicit Scene(const Truth& truth);
   ~Scene();
 
-  [[nodiscard]] const mpq_class& extent() const { return extent_; }      ///< the longest side of the bodies' boxes, the larger of the two
-  [[nodiscard]] const mpq_class& farthest() const { return farthest_; }  ///< the largest absolute coordinate
+  [[nodiscard]] const Sizes& sizes() const { return sizes_; }
   /// h(u) / |u|, as a signed square. The direction is not zero.
   [[nodiscard]] mpq_class price(const Vector& u) const;
   /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are so already.
   [[nodiscard]] mpq_class travel(const Vector& u);
 
  private:
-  void measure();
-
   const Truth& truth_;
   Lattice lattice_;
-  mpq_class extent_, farthest_;
+  Sizes sizes_;
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };
 

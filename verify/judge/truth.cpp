@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 #include "verify/judge/claim.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 /// False if it overflows.
 bool round_to(mpq_class& x, Precision precision) {
+  require_lowest_terms(x);
   const double rounded = precision == Precision::binary64 ? round_binary64(x, Rounding::rn) : round_binary32(x, Rounding::rn);
   if (!std::isfinite(rounded)) return false;
   x = exact_value(rounded);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rationals that are not as GMP wants them (2/4, 1/-2, 1/0) are refused by all that takes points: no crash, no wrong answer.
+#include "kernels/number/lowest_terms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "reference/approximate/directional.hpp"
+#include "reference/approximate/metric.hpp"
+#include "reference/approximate/separation.hpp"
+#include "reference/approximate/shallow.hpp"
+#include "reference/certificate/certificate.hpp"
+#include "reference/depth/gap.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/width/width.hpp"
+#include "tests/judge/pairs.hpp"
+#include "verify/study/study.hpp"
+
+namespace fathom {
+namespace {
+
+using testing::cube;
+using Points = std::vector<Point>;
+
+/// As the constructor leaves it, which does not look.
+mpq_class raw(long numerator, long denominator) {
+  mpq_class result;
+  result.get_num() = numerator;
+  result.get_den() = denominator;
+  return result;
+}
+
+const std::vector<mpq_class>& no_numbers() {
+  static const std::vector<mpq_class> result{raw(2, 4), raw(1, -2), raw(-1, -2), raw(6, 9), raw(4, 1 << 20),
+                                             raw(0, 5), raw(0, -1), raw(1, 0),   raw(0, 0)};
+  return result;
+}
+
+TEST(LowestTerms, AreAskedExactly) {
+  for (const mpq_class& q : no_numbers()) EXPECT_FALSE(in_lowest_terms(q)) << q.get_num() << ' ' << q.get_den();
+  for (const mpq_class& q : {raw(0, 1), raw(-3, 1), raw(1, 2), raw(-7, 1 << 20), raw(8, 9), raw(-10, 21)}) {
+    EXPECT_TRUE(in_lowest_terms(q)) << q;
+    EXPECT_NO_THROW(require_lowest_terms(q));
+  }
+}
+
+using Door = std::function<void(const Points& a, const Points& b)>;
+
+Door depth_by(Method method) {
+  return [method](const Points& a, const Points& b) {
+    Options options;
+    options.method = method;
+    penetration_depth(a, b, options);
+  };
+}
+
+const std::map<std::string, Door>& doors() {
+  static const std::map<std::string, Door> result{
+      {"exact", depth_by(Method::exact)},
+      {"naive", depth_by(Method::naive)},
+      {"certificate", depth_by(Method::certificate)},
+      {"shallow", [](const Points& a, const Points& b) { shallow_depth(a, b); }},
+      {"approx", [](const Points& a, const Points& b) { approx_depth(a, b, mpq_class(1, 8)); }},
+      {"ray",
+       [](const Points& a, const Points& b) {
+         directional_depth(a, b, {1, 0, 0});
+       }},
+      {"metric",
+       [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
+      {"certify", [](const Points& a, const Points& b) { make_certificate(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
+      {"gap", [](const Points& a, const Points& b) { second_nearest_squared(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
+      {"study", [](const Points& a, const Points& b) { study(a, b); }},
+      {"lattice", [](const Points& a, const Points& b) { common_lattice(a, b); }},
+      {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
+      {"judge",
+       [](const Points& a, const Points& b) {
+         judge(Truth{a, b, testing::cubes().depth}, testing::overlap(0.5));
+       }},
+      {"width", [](const Points& a, const Points& b) { width(a), width(b); }},
+      {"approximate width", [](const Points& a, const Points& b) { approx_width(a, mpq_class(1, 8)), approx_width(b, mpq_class(1, 8)); }},
+      {"seen", [](const Points& a, const Points& b) { seen(a, Precision::binary64), seen(b, Precision::binary32); }},
+      {"unit ball", [](const Points& a, const Points& b) {
+         const auto around = [](Points ball) {
+           for (const Point& p : cube(-2, -2, -2)) ball.push_back(p), ball.push_back({-p.x, -p.y, -p.z});
+           unit_ball(ball);
+         };
+         around(a), around(b);
+       }}};
+  return result;
+}
+
+TEST(LowestTerms, AreRequiredOfPointsAtEveryDoor) {
+  for (const auto& [name, enter] : doors()) {
+    EXPECT_NO_THROW(enter(cube(0), cube(mpq_class(1, 2)))) << name;
+    for (const mpq_class& q : no_numbers()) {
+      for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
+        for (const std::size_t i : {0, 7}) {
+          Points a = cube(0), b = cube(mpq_class(1, 2));
+          std::destroy_at(&(a[i].*axis));  // GMP's own assignment crashes at a denominator below 0
+          std::construct_at(&(a[i].*axis), q);
+          EXPECT_THROW(enter(a, b), std::invalid_argument) << name << ": " << q.get_num() << " over " << q.get_den() << " in A";
+          EXPECT_THROW(enter(b, a), std::invalid_argument) << name << ": " << q.get_num() << " over " << q.get_den() << " in B";
+        }
+      }
+    }
+  }
+}
+
+TEST(LowestTerms, AreRequiredOfDirectionsAndNumbers) {
+  const Points a = cube(0), b = cube(mpq_class(1, 2));
+  for (const mpq_class& q : no_numbers()) {
+    EXPECT_THROW(directional_depth(a, b, {q, 1, 1}), std::invalid_argument);
+    EXPECT_THROW(directional_depth(a, b, {1, 1, q}), std::invalid_argument);
+    EXPECT_THROW(approx_depth(a, b, q), std::invalid_argument);
+    EXPECT_THROW(approx_width(a, q), std::invalid_argument);
+    EXPECT_THROW(shallow_depth(a, b, {}, q), std::invalid_argument);
+    EXPECT_THROW(make_bounds_certificate(a, b, q, 9), std::invalid_argument);
+    EXPECT_THROW(make_bounds_certificate(a, b, 0, q), std::invalid_argument);
+    EXPECT_THROW(judge(testing::cubes(), {}, {}, Precision::binary64, {q, 0, 0}), std::invalid_argument);
+    EXPECT_THROW(judge(testing::cubes(), {}, {}, Precision::binary64, {0, q, 0}), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace fathom
