@@ -78,8 +78,10 @@ std::string outcome_line(const Outcome& outcome) {
   return dumped(json);
 }
 
-std::string header_line(const SubjectInfo& info, const Tolerance& tolerance) {
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from) {
   Json json = line_of("header");
+  json["fathom"] = from.version;
+  json["command"] = from.command;
   json["subject"] = Json::parse(hello_text(info));
   json["tolerance"] = {
       {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
@@ -92,6 +94,12 @@ std::string summary_line(const Totals& totals) {
   json["passed"] = totals.passed;
   json["failed"] = totals.failed;
   json["unsupported"] = totals.unsupported;
+  const Coverage& judged = totals.judged;
+  json["judged"] = {{"overlap", judged.overlap},
+                    {"overlapping", judged.overlapping},
+                    {"depth", judged.depth},
+                    {"direction", judged.direction},
+                    {"witness", judged.witness}};
   return dumped(json);
 }
 
