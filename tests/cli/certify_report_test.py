@@ -222,7 +222,7 @@ class Reports(CliTest):
         for proof in proofs.iterdir():
             self.assertIn(proof.name, texts)
         xml.etree.ElementTree.fromstring(text.split("\n", 1)[1])  # well-formed as XML too
-        self.assertIn("direction that A moves", texts)
+        self.assertIn("direction in which A moves", texts)
         self.assertNotIn("the subject moves B", texts)
 
     def test_html_says_whose_direction_it_is(self):
@@ -233,7 +233,7 @@ class Reports(CliTest):
                                     stdin=case(box([0.5, 0, 0], [1.5, 1, 1]), UNIT, id="a::2"))
         self.assertEqual(code, 1, err)
         texts = " ".join(Page(path.read_text()).texts)
-        for what in ("direction that B moves", "depth, negative where they overlap", "(-0.6, -0.8, 0)", "B moves;",
+        for what in ("direction in which B moves", "depth, negative where they overlap", "(-0.6, -0.8, 0)", "B moves;",
                      "the translation of A that is claimed, which is that of B turned round: the subject moves B"):
             self.assertIn(what, texts)
 

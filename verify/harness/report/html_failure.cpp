@@ -91,7 +91,7 @@ std::string claim_list(const Reply& reply, const Conventions& conventions) {
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
   facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap", reply.depth);
-  facts.add(fmt::format("direction that {} moves", moving_body(conventions)), reply.direction, triple_text);
+  facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
   facts.add("point of A", reply.witness_a, triple_text);
   facts.add("point of B", reply.witness_b, triple_text);
   return facts.list("Claim");
