@@ -142,6 +142,14 @@ class Reports(CliTest):
             _, err = self.certify([reply("a")], "--report", report, "--resume", "--tol-rel", "1/7", code=2)
             self.assertIn("r.jsonl:1: this report is of another", err)
 
+    def test_lines_are_ascii(self):
+        """A terminal may obey what is no ASCII: U+009B begins an escape sequence."""
+        name = "é\x9b2J\x7f\x1b"
+        out, _ = self.certify([reply(name)], "--json", code=0)
+        self.assertTrue(out.isascii())
+        self.assertEqual([c for c in out if c != "\n" and not c.isprintable()], [])
+        self.assertEqual(json.loads(out.splitlines()[1])["id"], name)
+
     def test_junit(self):
         path = self.folder / "junit.xml"
         replies = [reply("a::1"), reply("a::2", DEEP), reply("b-n8-s1", "nan"), reply(HOSTILE, SHALLOW),
