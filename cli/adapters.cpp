@@ -9,25 +9,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/shell_words.hpp"
 #include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {
-namespace {
 
 namespace fs = std::filesystem;
-
-/// For /bin/sh: in single quotes, those inside taken care of.
-std::string quoted(const std::string& word) {
-  std::string result = "'";
-  for (const char c : word) {
-    if (c == '\'') result += "'\\''";
-    else result += c;
-  }
-  return result + '\'';
-}
-
-}  // namespace
 
 const std::vector<Adapter>& adapters() {
   static const std::vector<Adapter> all = {

@@ -14,6 +14,7 @@
 #include "cli/certify_arguments.hpp"
 #include "cli/examples_first.hpp"
 #include "cli/help.hpp"
+#include "cli/shell_words.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "reference/files/source.hpp"
 
@@ -244,6 +245,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   }
   if (asked() == std::end(apps)) return refusal(fmt::format("expected a command: {}", fmt::join(commands, ", ")));
   request.command = static_cast<Command>(asked() - std::begin(apps));
+  if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);
   if (request.command == Command::cases) texts.wrong_cases = wrong_cases(cases, request.cases, request.inputs);
   return completed(std::move(request), texts);
 }

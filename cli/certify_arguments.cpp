@@ -122,7 +122,7 @@ void add_reports(CLI::App& app, Request& request) {
                            fmt::join(all_variants(), ",")))
       ->type_name("[=LIST]");
   add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails");
-  add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list");
+  add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list; comments of one that is there stay");
   add_count(app, "--max-errors", certify.max_errors, "exit code 0 as long as no more cases fail");
   add_path(app, "--junit", certify.junit, "write JUnit XML");
   add_path(app, "--html", certify.html, "write one page with tables, histograms and pictures of failures");

@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <system_error>
 #include <utility>
 
@@ -32,7 +31,9 @@ std::optional<std::size_t> lines_of(const std::string& path) {
 }  // namespace
 
 CertifyCases::CertifyCases(const std::string& input, std::function<void(const std::string&)> tell)
-    : input_(input), tell_(std::move(tell)), items_(CaseStream::open(input, std::cin)), expected_(lines_of(input)) {}
+    : input_(input), tell_(std::move(tell)), items_(CaseStream::open(input, stdin_)), expected_(lines_of(input)) {
+  stdin_.exceptions(std::ios::badbit);
+}
 
 std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {

@@ -4,17 +4,19 @@
 
 #include <cstddef>
 #include <functional>
+#include <istream>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "cli/interruptible_input.hpp"
 #include "reference/files/cases.hpp"
 
 namespace fathom::cli {
 
 class CertifyCases {
  public:
-  /// Opens the stream; throws InputError. "-" is standard input.
+  /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be interrupted.
   CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
 
   /// The next good case; nothing at the end. Of a bad one, or one with an id that was there before, `tell` hears.
@@ -28,6 +30,8 @@ class CertifyCases {
  private:
   std::string input_;
   std::function<void(const std::string&)> tell_;
+  InterruptibleInput standard_input_;
+  std::istream stdin_{&standard_input_};
   CaseStream items_;
   std::set<std::string> ids_;
   std::size_t bad_ = 0;

@@ -18,7 +18,7 @@ constexpr std::size_t most_told = 5;  // sentences of one kind
 
 Collector::Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected)
     : request_(request), expected_(expected) {
-  const std::string header = harness::header_line(info, request.certify.tolerance);
+  const std::string header = harness::header_line(info, request.certify.tolerance, {FATHOM_VERSION, request.certify.command_line, ""});
   const auto remember = [this](harness::Outcome outcome) {
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
     known_.insert_or_assign(std::move(key), std::move(outcome));
@@ -87,7 +87,7 @@ void Collector::close() {
 
 void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
-  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed});
+  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.tally().all().judged});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

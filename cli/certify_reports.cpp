@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "cli/certificate_file.hpp"
 #include "cli/interrupt.hpp"
@@ -35,22 +36,7 @@ std::string certificate_of(const Case& seen, Progress& progress) {
   return text;
 }
 
-/// Writes one certificate for each failing case; by index of the outcome, the file's name.
-std::map<std::size_t, std::string> write_certificates(const CertifyRequest& certify, Collector& found) {
-  std::map<std::size_t, std::string> names;
-  if (certify.certificates.empty()) return names;
-  CertificateFolder folder(certify.certificates);
-  for (const FailedCase& failed : found.failed()) {
-    const Outcome& outcome = found.outcomes()[failed.outcome];
-    const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
-    CertificateFile(path).write(certificate_of(failed.seen, found.progress()));
-    names[failed.outcome] = path;
-    if (interrupt_requested()) throw Interrupted();
-  }
-  return names;
-}
-
-std::vector<HtmlFailure> shown_failures(const Collector& found, const std::map<std::size_t, std::string>& certificates) {
+std::vector<HtmlFailure> shown_failures(const Collector& found, const CertificateNames& certificates) {
   std::map<std::size_t, const Case*> cases;
   for (const FailedCase& failed : found.failed()) cases[failed.outcome] = &failed.seen;
   std::vector<HtmlFailure> shown;
@@ -70,17 +56,48 @@ void probe_reports(const CertifyRequest& certify) {
     if (!path->empty()) CertificateFolder{*path};
 }
 
+ExpectedFailures earlier_list(const CertifyRequest& certify) {
+  std::error_code fault;
+  const bool is_there = std::filesystem::is_regular_file(certify.write_expect_fail, fault);
+  return is_there ? ExpectedFailures::read(certify.write_expect_fail) : ExpectedFailures();
+}
+
+CertificateNames write_certificates(const CertifyRequest& certify, Collector& found) {
+  CertificateNames names;
+  if (certify.certificates.empty()) return names;
+  CertificateFolder folder(certify.certificates);
+  for (const FailedCase& failed : found.failed()) {
+    const Outcome& outcome = found.outcomes()[failed.outcome];
+    const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
+    CertificateFile(path).write(certificate_of(failed.seen, found.progress()));
+    names[failed.outcome] = path;
+    if (interrupt_requested()) throw Interrupted();
+  }
+  return names;
+}
+
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
-                   const std::optional<ExpectedFailures::Check>& known) {
-  const std::map<std::size_t, std::string> certificates = write_certificates(certify, found);
+                   const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates,
+                   const std::string& cut_short) {
+  const harness::Provenance from{FATHOM_VERSION, certify.command_line, cut_short};
   if (!certify.junit.empty())
-    CertificateFile(certify.junit, "report").write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check())));
+    CertificateFile(certify.junit, "report")
+        .write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check()), from));
   if (!certify.html.empty())
     CertificateFile(certify.html, "report")
-        .write(harness::html_page(info, found.outcomes(), shown_failures(found, certificates), certify.tolerance));
-  if (!certify.write_expect_fail.empty())
-    CertificateFile(certify.write_expect_fail, "list").write(harness::expected_failures_text(info, found.outcomes()));
+        .write(harness::html_page(info, found.outcomes(), shown_failures(found, certificates), certify.tolerance, from));
   found.progress().clear();
+}
+
+void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found, const ExpectedFailures& earlier) {
+  if (!certify.write_expect_fail.empty())
+    CertificateFile(certify.write_expect_fail, "list").write(harness::expected_failures_text(info, found.outcomes(), earlier));
+}
+
+std::vector<std::string> where_to_look(const CertifyRequest& certify) {
+  return {certify.report.empty() ? "--report FILE holds every verdict with its numbers"
+                                 : certify.report + " for every verdict with its numbers",
+          certify.html.empty() ? "--html FILE shows the failures in pictures" : certify.html + " for pictures of the failures"};
 }
 
 ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::optional<ExpectedFailures::Check>& known) {

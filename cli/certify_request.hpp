@@ -12,6 +12,7 @@
 namespace fathom::cli {
 
 struct CertifyRequest {
+  std::string command_line;              ///< ready for a shell
   std::string subject, adapter, replay;  ///< just one of them; or
   bool list_adapters = false;
   std::optional<unsigned> jobs;  ///< none: as many as there are processors

@@ -10,6 +10,7 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "verify/harness/report/markup.hpp"
 #include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 #include "verify/harness/shrink/write_shrunk.hpp"
@@ -57,7 +58,7 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
   for (const auto& [kind, failed] : starts(found)) {
     const auto& [verdict, variant] = kind;
     const Outcome& outcome = found.outcomes()[failed->outcome];
-    const std::string title = fmt::format("{} of {}{}", name(verdict), outcome.id, variant.empty() ? "" : '~' + variant);
+    const std::string title = fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
     harness::Examine examine = [&examiner](const Case& pair) { return examiner.examine(pair); };
     // Only a comparison with the original needs both; a variant that fails by itself is a case like any other.
     if (verdict == Verdict::not_invariant) examine = harness::examine_variant(examine, variant, info.precision, request.certify.tolerance);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "reference/files/source.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/harness/near_miss.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -24,27 +24,13 @@ namespace {
 constexpr std::size_t suggestions = 3, longest_name = 60;
 constexpr std::string_view every_family = "all";
 
-/// The least number of letters to insert, delete or replace.
-std::size_t edits(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({replaced, row[j] + 1, row[j + 1] + 1}));
-    }
-  }
-  return row.back();
-}
-
-/// Names that hold `name` come first, then those with the fewest edits.
+/// Names that hold `name` come first, then those by the fewest slips.
 std::vector<std::string_view> nearest_names(std::string_view name) {
   std::vector<std::string_view> names;
   for (const families::Family& family : families::families()) names.push_back(family.name);
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
-    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : edits(typed, other);
+    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : harness::slips(typed, other);
   };
   std::ranges::stable_sort(names, {}, distance);
   names.resize(std::min(names.size(), suggestions));

@@ -44,6 +44,7 @@ class Certify {
   explicit Certify(const Request& request) : request_(request), certify_(request.certify) {
     probe_reports(certify_);
     if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
+    earlier_ = earlier_list(certify_);
     cases_.emplace(request.inputs[0], [this](const std::string& fault) { tell("bad cases", fault); });
     if (!certify_.replay.empty()) replay_ = Replay::read(certify_.replay);
     else command_.shell = certify_.adapter.empty() ? certify_.subject : adapter_command(certify_.adapter);
@@ -60,7 +61,9 @@ class Certify {
     } catch (const harness::JournalError& error) {
       throw OutputError(error.what());
     } catch (const Interrupted&) {
+      take_time_to_write();
       if (found_) found_->close();
+      report_so_far("interrupted");
       if (!certify_.report.empty()) talk(certify_.report + " holds every verdict so far; --resume goes on from there");
       throw;
     }
@@ -121,6 +124,7 @@ class Certify {
     plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
       const std::lock_guard lock(telling_);
       found_->take(original, seen, outcome, known);
+      if (outcome.judgement && !outcome.detail.empty()) found_->tell("misspelt fields", outcome.id + ": " + outcome.detail);
     };
     plan.fault = [this](const Case& pair, const std::exception_ptr& error) { take_fault(pair, error); };
     plan.left_out = [this](const Case& pair, const std::string& sentence) { tell("variants left out", pair.id + ": " + sentence); };
@@ -150,8 +154,9 @@ class Certify {
     if (expected_) known = expected_->check(found_->outcomes());
     const bool whole = missing_ + faults_ == 0;
     if (whole) found_->complete();
-    write_reports(certify_, subject, *found_, known);
-    if (!request_.json) print_table();
+    const CertificateNames certificates = write_certificates(certify_, *found_);
+    report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
+    write_list(certify_, subject, *found_, earlier_);
     if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
     ExitCode code = code_of(certify_, *found_, known);
     if (cases_->bad() > 0 || (replay_ && !replay_->faults().empty())) code = std::max(code, bad_input);
@@ -160,17 +165,34 @@ class Certify {
     return code;
   }
 
+  /// All that tells people and CI systems how it went. Once.
+  void report(const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates, const std::string& cut_short) {
+    reported_ = true;
+    write_reports(certify_, info(), *found_, known, certificates, cut_short);
+    if (!request_.json) print_table();
+    if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty()) talk(warning);
+  }
+
+  /// The same of a run that ended before its time. Cases that the list names and that were not run are nobody's surprise.
+  void report_so_far(const std::string& why) {
+    if (!found_ || reported_ || found_->outcomes().empty()) return;
+    std::optional<ExpectedFailures::Check> known;
+    if (expected_) {
+      known = expected_->check(found_->outcomes());
+      known->unmet_lines.clear();
+    }
+    report(known, {}, why);
+  }
+
   void print_table() {
-    std::string table = found_->summary().table(info());
+    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_));
     if (!table.empty() && table.back() == '\n') table.pop_back();
     print(table);
   }
 
   ExitCode cut_short(const std::string& why) {
-    if (found_) {
-      found_->close();
-      if (!request_.json && found_->summary().total() > 0) print_table();
-    }
+    if (found_) found_->close();
+    report_so_far("incomplete: " + why);
     talk(why);
     talk(found_ ? fmt::format("incomplete: the run ended after {} verdicts", found_->outcomes().size()) : "nothing was judged");
     return incomplete;
@@ -180,12 +202,13 @@ class Certify {
   const CertifyRequest& certify_;
   harness::Command command_;
   std::optional<ExpectedFailures> expected_;
+  ExpectedFailures earlier_;  // the list that a new one replaces
   std::optional<CertifyCases> cases_;
   std::optional<Replay> replay_;
   std::unique_ptr<Examiner> examiner_;
   std::optional<Collector> found_;
   std::mutex telling_;  // of found_
-  bool first_is_taken_ = false;
+  bool first_is_taken_ = false, reported_ = false;
   std::size_t missing_ = 0, faults_ = 0;
 };
 
@@ -194,7 +217,8 @@ class Certify {
 ExitCode run_certify(const Request& request) {
   if (request.certify.list_adapters) return list_adapters();
   std::ios::sync_with_stdio(false);
-  const Working working;
+  constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
+  const Working working(patience);
   Certify certify(request);
   return certify.work();
 }

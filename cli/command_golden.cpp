@@ -78,7 +78,8 @@ ExitCode verify(const GoldenRequest& request) {
     options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
     verified = golden::verify(request.folder, options);
   }
-  for (const golden::Refusal& refusal : verified.refusals) print(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason));
+  for (const golden::Refusal& refusal : verified.refusals)
+    print(without_controls(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason)));
   if (!verified.refusals.empty()) return refused;
   print(fmt::format("s VERIFIED {} version={} seed={} shards={} records={} {}", name_of(verified.level), verified.version, verified.seed,
                     verified.shards, verified.records, request.folder));

@@ -26,7 +26,8 @@ std::optional<std::uint64_t> integer(std::string_view text, std::uint64_t low, s
 
 CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
   const auto check = [low, high](const std::string& text) -> std::string {
-    return integer(text, low, high) ? "" : fmt::format("expected an integer from {} to {}, found {}", low, high, shown(text));
+    const std::string highest = high == UINT64_MAX ? "2^64 - 1" : std::to_string(high);
+    return integer(text, low, high) ? "" : fmt::format("expected an integer from {} to {}, found {}", low, highest, shown(text));
   };
   return CLI::Validator(check, "", "");
 }

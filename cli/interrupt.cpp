@@ -14,8 +14,10 @@ namespace {
 
 // The handler may run on any thread.
 std::atomic<int> working = 0;
+std::atomic<unsigned> seconds_to_stop = 1;
 std::atomic<bool> requested = false, open_line = false;
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<unsigned>::is_always_lock_free &&
+              std::atomic<bool>::is_always_lock_free);
 
 void say(std::string_view text) { [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size()); }
 
@@ -28,7 +30,7 @@ void say(std::string_view text) { [[maybe_unused]] const auto written = ::write(
 
 void note_or_leave(int signal) {
   if (working == 0 || requested.exchange(true)) leave(signal);
-  ::alarm(1);
+  ::alarm(seconds_to_stop);
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -51,7 +53,12 @@ void install_signal_handlers() {
 
 bool interrupt_requested() { return requested; }
 
-Working::Working() { ++working; }
+void take_time_to_write() { ::alarm(0); }
+
+Working::Working(unsigned patience) {
+  seconds_to_stop = patience;
+  ++working;
+}
 Working::~Working() { --working; }
 
 void line_is_open(bool open) { open_line = open; }

@@ -11,14 +11,17 @@ void install_signal_handlers();
 bool interrupt_requested();
 
 /// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
-/// itself. If it has not stopped after a second, or on a second SIGINT, the process ends all the same.
+/// itself. If it has not stopped after so many seconds, or on a second SIGINT, the process ends all the same.
 class Working {
  public:
-  Working();
+  explicit Working(unsigned patience = 1);
   ~Working();
   Working(const Working&) = delete;
   Working& operator=(const Working&) = delete;
 };
+
+/// The work has stopped, and what it came to is being written: from now on only a second SIGINT ends the process before its time.
+void take_time_to_write();
 
 /// Whether an unfinished line stands on the terminal, to be wiped before any last word.
 void line_is_open(bool open);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace fathom::cli {
@@ -16,7 +17,10 @@ struct OutputError : std::runtime_error {
 /// Throws OutputError.
 void print(std::string_view text);
 
-/// Writes "fathom: `text`" and a newline to standard error. Never fails.
+/// `text` with its control characters as \xNN, those of two bytes in UTF-8 too: what a terminal would obey, and line ends.
+std::string without_controls(std::string_view text);
+
+/// Writes "fathom: `text`" and a newline to standard error. Never fails. Of control characters only line ends are written as they are.
 void talk(std::string_view text);
 
 }  // namespace fathom::cli

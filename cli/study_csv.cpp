@@ -6,14 +6,16 @@
 
 #include "cli/answer.hpp"
 #include "cli/study_output.hpp"
+#include "cli/text_result.hpp"
 #include "kernels/number/parse.hpp"
 
 namespace fathom::cli {
 namespace {
 
-/// Between quotes where it must be.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+/// Safe for a terminal, and between quotes where it must be.
+std::string field(const std::string& any) {
+  const std::string text = safe_id(any);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';

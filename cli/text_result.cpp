@@ -12,6 +12,7 @@
 
 #include "cli/counts.hpp"
 #include "cli/decimal.hpp"
+#include "cli/output.hpp"
 #include "cli/text_rows.hpp"
 #include "kernels/number/parse.hpp"
 
@@ -127,11 +128,7 @@ std::string text_line(const Answer& answer, const Request& request) {
 }
 
 std::string safe_id(const std::string& id) {
-  for (const char c : id) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      return nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  }
-  return id;
+  return without_controls(id) == id ? id : nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 namespace {

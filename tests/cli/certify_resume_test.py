@@ -9,6 +9,7 @@ import subprocess
 import threading
 import time
 import unittest
+import xml.etree.ElementTree
 
 from certify_harness import CertifyTest, boxes, liar
 from harness import EXECUTABLE, PATIENCE
@@ -111,18 +112,63 @@ class Killed(CertifyTest):
         if lines[-1]["type"] == "summary":
             self.assertEqual(found.keys(), EXPECTED.keys())
 
-    def test_interrupted(self):
-        with subprocess.Popen([EXECUTABLE, *self.words], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-            while len(self.whole_lines()) < 6:
+    def interrupt(self, *words, lines, stdin=subprocess.DEVNULL, text=b""):
+        """stdout of a run that gets a SIGINT once so many lines are in its report. `text` is all that it reads, and no end."""
+        with subprocess.Popen([EXECUTABLE, *words], stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            if text:
+                process.stdin.write(text)
+                process.stdin.flush()
+            while len(self.whole_lines()) < lines:
                 time.sleep(0.01)
             process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=PATIENCE)
-        self.assertEqual((process.returncode, out), (130, b""))
+            out, err = process.stdout.read(), process.stderr.read()
+            self.assertEqual(process.wait(timeout=PATIENCE), 130)
         self.assertIn(b"--resume goes on from there", err)
         self.assertTrue(err.endswith(b"fathom: interrupted\n"))
+        return out.decode()
+
+    def check_partial(self, out, junit, html, done):
+        """Table, JUnit and page are of the `done` cases that the report holds, and say that there are more."""
+        self.assertTrue(out, "a table")
+        total = out.splitlines()[-1]
+        self.assertIn(f"{done} case{'s' * (done > 1)}: ", total)
+        root = xml.etree.ElementTree.parse(junit).getroot()
+        self.assertEqual(len(list(root.iter("testcase"))), done)
+        self.assertIn(("cut short", "interrupted"), {(p.get("name"), p.get("value")) for p in root.iter("property")})
+        page = html.read_text()
+        self.assertIn("interrupted; this is what was judged", page)
+        self.assertIn(total, page)
+
+    def test_interrupted(self):
+        junit, html, known = self.folder / "junit.xml", self.folder / "page.html", self.folder / "known.txt"
+        known.write_text("".join(f"too-deep box::{i}\n" for i in range(3, COUNT, 10)))
+        out = self.interrupt(*self.words, "--junit", str(junit), "--html", str(html), "--expect-fail", str(known), lines=6)
+        self.check_partial(out, junit, html, len(self.whole_lines()) - 1)
+        self.assertEqual(xml.etree.ElementTree.parse(junit).getroot().get("failures"), "0", "what was not run is nobody's failure")
         code, _, err = self.run_cli(*self.words, "--resume")
         self.assertEqual((code, err), (1, ""))
         self.check_complete()
+
+
+    def test_interrupted_while_it_waits(self):
+        """For a case that does not come, and for a subject that does not answer."""
+        junit, html = self.folder / "junit.xml", self.folder / "page.html"
+        reports = ["--junit", str(junit), "--html", str(html), "--report", str(self.report)]
+        out = self.interrupt("certify", "--subject", liar("honest"), *reports, "-", lines=2, stdin=subprocess.PIPE, text=boxes(1).encode())
+        self.check_partial(out, junit, html, 1)
+        self.report.unlink()
+        cases = self.file("cases.jsonl", boxes(0) + boxes(1, marked=True))
+        out = self.interrupt("certify", "--jobs", "1", "--time-out", "1000", "--subject", liar("hang"), *reports, cases, lines=2)
+        self.check_partial(out, junit, html, 1)
+
+    def test_interrupted_before_the_first_answer(self):
+        """There is nothing to report."""
+        cases = self.file("cases.jsonl", boxes(1, marked=True))
+        page = self.folder / "page.html"
+        out = self.interrupt("certify", "--time-out", "1000", "--subject", liar("hang"), "--report", str(self.report), "--html", str(page),
+                             cases, lines=1)
+        self.assertEqual(out, "")
+        self.assertFalse(page.exists())
 
 
 class Resumed(CertifyTest):

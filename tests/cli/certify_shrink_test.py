@@ -94,6 +94,16 @@ class Shrink(CliTest):
         self.assertIn("differ by ", out)
 
 
+    def test_no_control_character_of_an_id_reaches_a_terminal(self):
+        evil = "x\x1b[2J\x9b31m\nfathom: fine"
+        stream = self.boxes().replace('"boxes"', json.dumps(evil))
+        code, out, err = self.run_cli("certify", "--subject", self.subject("shallow"), "--jobs", 1, "--shrink", self.folder / "small", "-",
+                                      stdin=stream)
+        self.assertEqual(code, 1, err)
+        self.assertIn("too-shallow of x\\x1b[2J\\xc2\\x9b31m\\x0afathom: fine: ", out)
+        self.assertEqual([c for c in out + err if c != "\n" and not c.isprintable()], [])
+
+
 class FromFcl(CliTest):
     def test_a_log_becomes_cases(self):
         path = self.file("error.log", "noise\n" + BOX + "noise\n" + BOX.replace("1.5", "1.625"))

@@ -90,6 +90,15 @@ class Csv(CliTest):
                 for tier in ("calls", "exact", "zero"):
                     self.assertEqual(row[f"{predicate}_{tier}"], str(study["predicates"][predicate][tier]))
 
+    def test_no_control_character_reaches_a_terminal(self):
+        evil = "\x1b[2J\x7f\x9b31m\n"
+        bad = case([[0, 0]], UNIT, id=evil + "bad")
+        _, out, err = self.run_cli("study", "--csv", "-", stdin=case(UNIT, UNIT, id=evil) + bad)
+        self.assertEqual([c for c in out + err if c != "\n" and not c.isprintable()], [])
+        self.assertEqual([json.loads(row["id"]) for row in self.rows(out)], [evil, evil + "bad"])
+        err = self.refused("study", f"{self.folder}/none\x1b[2J.off", CUBE)
+        self.assertEqual([c for c in err if c != "\n" and not c.isprintable()], [])
+
     def test_two_meshes(self):
         self.assertEqual([row["id"] for row in self.rows(self.answer("study", "--csv", CUBE, ICOSAHEDRON))], [f"{CUBE} {ICOSAHEDRON}"])
 

@@ -132,6 +132,15 @@ TEST_F(Journals, OfAnotherRun) {
   EXPECT_EQ(text(), header() + '\n') << "untouched";
 }
 
+TEST_F(Journals, OfTheSameRunByAnotherCommand) {
+  const auto from = [](const char* version, const char* command) { return header_line({}, {}, {version, command, ""}); };
+  write(from("1", "fathom certify --subject ./x a") + '\n');
+  EXPECT_EQ(resumed(from("1", "fathom certify --resume --subject ./x a")).size(), 0U);
+  EXPECT_EQ(text(), from("1", "fathom certify --subject ./x a") + '\n') << "the one that began it";
+  EXPECT_THROW(resumed(from("2", "fathom certify --subject ./x a")), InputError) << "another fathom may judge otherwise";
+  for (const char* none : {"", "[]", "null", "nonsense"}) EXPECT_FALSE(same_run(none, none)) << none;
+}
+
 TEST_F(Journals, WithAForeignLine) {
   write(header() + "\nnonsense\n" + outcome_line(rich("one")) + '\n');
   EXPECT_THROW(resumed(header()), InputError);

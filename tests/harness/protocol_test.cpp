@@ -10,6 +10,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "verify/harness/loose_json.hpp"
+#include "verify/harness/near_miss.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
@@ -55,6 +56,14 @@ TEST(Hello, LacksNothing) {
     EXPECT_THROW(read_hello(with(hello, part, other)), ProtocolError) << other;
   for (const char* line : {"", "hello", "{", "[]", "\"hello\"", "null", "{}", "\xff\xfe"})
     EXPECT_THROW(read_hello(line), ProtocolError) << line;
+}
+
+TEST(NearMisses, OneSlipForThreeLetters) {
+  for (const char* text : {"depht", "dept", "Depth", "depths", "xepth"}) EXPECT_TRUE(is_near(text, "depth")) << text;
+  for (const char* text : {"", "death_", "dpeht", "deep", "penetration_depth", "d"}) EXPECT_FALSE(is_near(text, "depth")) << text;
+  EXPECT_TRUE(is_near("driection_", "direction"));
+  EXPECT_FALSE(is_near("c", "a"));
+  EXPECT_EQ(slips("kitten", "sitting"), 3U);
 }
 
 std::string reply_with(const std::string& fields) { return R"({"type":"reply","id":"7",)" + fields + "}"; }
@@ -177,6 +186,17 @@ TEST(Seen, OverflowAndDigest) {
   moved.id = "other";
   EXPECT_EQ(digest_of(moved), digest_of(tenth));
   EXPECT_EQ(digest_of(tenth).size(), 16U);
+}
+
+TEST(Replies, RemarkOnFieldsThatLookMisspelt) {
+  const auto remark = [](const std::string& fields) {
+    return read_reply(reply_with("\"overlap\":true" + fields), Precision::binary64).remark;
+  };
+  EXPECT_EQ(remark(R"(,"depht":1)"), "the field 'depht' is not read: is 'depth' meant?");
+  EXPECT_EQ(remark(R"(,"depht":1,"depth":1,"time":3,"notes":{"depht":1})"), "")
+      << "it is there; and what is far from any field is left alone";
+  EXPECT_EQ(remark(R"(,"directoin":1,"witness":{"A":[0,0,0],"b":[0,0,0]})"),
+            "the field 'directoin' is not read: is 'direction' meant?; the field 'A' is not read: is 'a' meant?");
 }
 
 }  // namespace

@@ -80,6 +80,13 @@ class Hello(Conversation):
             with Client(PROGRAM, mode, f"{name}={value}") as subject:
                 self.assertEqual(subject.hello["settings"][name], value)
 
+    def test_no_limit_is_told_in_words(self):
+        if PROGRAM != "libccd":
+            return
+        for words, told in (([], "no limit"), (["max_iterations=no limit"], "no limit"), (["max_iterations=500"], "500")):
+            with Client(PROGRAM, "epa", *words) as subject:
+                self.assertEqual(subject.hello["settings"]["max_iterations"], told)
+
     def test_wrong_command_lines(self):
         for words in ([], ["all"], [OWN[0], "speed=1"], [OWN[0], "margin"], [OWN[0], "=1"], [OWN[0], "a=1", "a=1"],
                       *([mode, key + "=x"] for mode in OWN for key in ("margin", "contacts", "epa_tolerance", "max_iterations"))):

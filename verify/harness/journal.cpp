@@ -32,7 +32,7 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
   for (std::size_t newline = text.find('\n'); newline != std::string::npos; newline = text.find('\n', kept)) {
     const std::string_view line = std::string_view(text).substr(kept, newline - kept);
     ++number;
-    if (number == 1 && line != header)
+    if (number == 1 && !same_run(line, header))
       throw InputError(
           path, 1, "this report is of another subject, version, setting or tolerance: expected " + header + ", found " + std::string(line));
     if (number > 1 && is_summary(line)) return kept;

@@ -9,7 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "verify/harness/coverage.hpp"
 #include "verify/harness/outcome.hpp"
+#include "verify/harness/provenance.hpp"
 
 namespace fathom::harness {
 
@@ -17,11 +19,14 @@ namespace fathom::harness {
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
 
-/// The first line: whose outcomes they are, and by which tolerance they were judged.
-std::string header_line(const SubjectInfo& info, const Tolerance& tolerance);
+/// The first line: whose outcomes they are, by which tolerance they were judged, and by which fathom and command.
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from = {});
+/// Whether two headers say the same but for the command.
+bool same_run(std::string_view header, std::string_view other);
 /// The last line of a run that met every case.
 struct Totals {
   std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0;
+  Coverage judged = {};
 };
 std::string summary_line(const Totals& totals);
 
@@ -37,7 +42,7 @@ class Journal {
   /// Starts a new one. InputError if the file exists and is not empty, or cannot be made.
   static Journal create(const std::string& path, const std::string& header);
   /// Goes on with the one that is there, if it is there: calls `known` for each outcome in it, then cuts off a summary and a torn last
-  /// line. InputError, naming the line, if its header is another one, or a line is none of ours.
+  /// line. InputError, naming the line, if its header is not that of the same run, or a line is none of ours.
   static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known);
 
   ~Journal();

@@ -27,8 +27,8 @@ struct Outcome {
   std::string variant;  ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale"
   std::string digest;   ///< of the points as the subject saw them: 16 hexadecimal digits
   Verdict verdict = Verdict::garbage;
-  std::string detail;                  ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line
-  std::optional<Reply> reply;          ///< if one was understood
+  std::string detail;          ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line, a misspelt field
+  std::optional<Reply> reply;  ///< if one was understood
   std::optional<Judgement> judgement;  ///< if the reply was judged
   double seconds = 0;                  ///< wall time until the answer
 };

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumped(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 Json line_of(const char* type) { return {{"schema", "fathom/verdict/1"}, {"type", type}}; }
 
@@ -78,8 +78,10 @@ std::string outcome_line(const Outcome& outcome) {
   return dumped(json);
 }
 
-std::string header_line(const SubjectInfo& info, const Tolerance& tolerance) {
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from) {
   Json json = line_of("header");
+  json["fathom"] = from.version;
+  json["command"] = from.command;
   json["subject"] = Json::parse(hello_text(info));
   json["tolerance"] = {
       {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
@@ -92,6 +94,12 @@ std::string summary_line(const Totals& totals) {
   json["passed"] = totals.passed;
   json["failed"] = totals.failed;
   json["unsupported"] = totals.unsupported;
+  const Coverage& judged = totals.judged;
+  json["judged"] = {{"overlap", judged.overlap},
+                    {"overlapping", judged.overlapping},
+                    {"depth", judged.depth},
+                    {"direction", judged.direction},
+                    {"witness", judged.witness}};
   return dumped(json);
 }
 

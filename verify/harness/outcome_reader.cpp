@@ -110,7 +110,19 @@ Outcome outcome(const Json& json) {
   return outcome;
 }
 
+/// What must not change from a run to the one that goes on with its report.
+Json lasting(std::string_view header) {
+  Json json = Json::parse(header, nullptr, false);
+  if (json.is_object()) json.erase("command");
+  return json;
+}
+
 }  // namespace
+
+bool same_run(std::string_view header, std::string_view other) {
+  const Json one = lasting(header);
+  return one.is_object() && one == lasting(other);
+}
 
 std::optional<Outcome> read_outcome(std::string_view line) {
   try {

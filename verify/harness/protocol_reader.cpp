@@ -9,6 +9,7 @@
 
 #include "reference/files/source.hpp"
 #include "verify/harness/loose_json.hpp"
+#include "verify/harness/near_miss.hpp"
 #include "verify/harness/protocol.hpp"
 
 namespace fathom::harness {
@@ -117,6 +118,22 @@ Reply read_answer(const Json& object, Precision precision) {
   return reply;
 }
 
+/// Of both objects of a reply.
+std::string misspelt(const Json& reply) {
+  constexpr std::string_view known[] = {"type", "id", "overlap", "depth", "direction", "witness", "unsupported", "failed"};
+  constexpr std::string_view of_witness[] = {"a", "b"};
+  const auto fields = [](const Json& object) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : object.items()) names.push_back(name);
+    return names;
+  };
+  std::string remark = near_misses(fields(reply), known);
+  if (const Json* witness = field(reply, "witness"))
+    if (const std::string inside = near_misses(fields(*witness), of_witness); !inside.empty())
+      remark += (remark.empty() ? "" : "; ") + inside;
+  return remark;
+}
+
 }  // namespace
 
 SubjectInfo read_hello(std::string_view line) {
@@ -142,10 +159,10 @@ SubjectInfo read_hello(std::string_view line) {
 Answer read_reply(std::string_view line, Precision precision) {
   const Json object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", shown(line));
-  Answer answer{text_in(object, "id", "the reply"), Failed()};
+  Answer answer{text_in(object, "id", "the reply"), Failed(), ""};
   if (field(object, "unsupported")) answer.said = Unsupported{text_in(object, "unsupported", "the reply")};
   else if (field(object, "failed")) answer.said = Failed{text_in(object, "failed", "the reply")};
-  else answer.said = read_answer(object, precision);
+  else answer.said = read_answer(object, precision), answer.remark = misspelt(object);
   return answer;
 }
 

@@ -74,6 +74,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const Answer& answer, cons
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);
   outcome.judgement = judge(truth, *outcome.reply, info.conventions, info.precision, tolerance);
   outcome.verdict = outcome.judgement->verdict;
+  outcome.detail = answer.remark;
 }
 
 }  // namespace fathom::harness

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace subject {
@@ -160,13 +161,15 @@ double Settings::number(const std::string& key, double usual) {
 }
 
 unsigned long Settings::count(const std::string& key, unsigned long usual) {
+  constexpr unsigned long endless = std::numeric_limits<unsigned long>::max();
+  constexpr const char* no_limit = "no limit";
   unsigned long value = usual;
   if (const auto text = taken(key)) {
     const json read = json::parse(*text, nullptr, false);
-    if (!read.is_number_unsigned()) throw std::invalid_argument(key + " expects a whole number, found " + *text);
-    value = read.get<unsigned long>();
+    if (*text != no_limit && !read.is_number_unsigned()) throw std::invalid_argument(key + " expects a whole number, found " + *text);
+    value = *text == no_limit ? endless : read.get<unsigned long>();
   }
-  note(key, std::to_string(value));
+  note(key, value == endless ? no_limit : std::to_string(value));
   return value;
 }
 

@@ -38,7 +38,8 @@ class Settings {
  public:
   /// Throws std::invalid_argument for a word that is no key=value, or a key that comes twice.
   explicit Settings(const std::vector<std::string>& words);
-  /// The value in force. Throws std::invalid_argument for a value that is no number (for `count`: no whole number).
+  /// The value in force. Throws std::invalid_argument for a value that is no number (for `count`: no whole number; the largest, which
+  /// stands for none, is told and may be given as "no limit").
   double number(const std::string& key, double usual);
   unsigned long count(const std::string& key, unsigned long usual);
   /// Tells what cannot be changed.

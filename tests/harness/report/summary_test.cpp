@@ -90,7 +90,48 @@ TEST(Summary, ClassesOfPasses) {
     passed.judgement->accuracy = accuracy;
     summary.add(passed);
   }
-  EXPECT_NE(summary.table({}).find("\npasses       correctly rounded: 2; 1e-6: 1\n3 cases: 3 pass, 0 fail\n"), std::string::npos);
+  EXPECT_NE(summary.table({}).find(
+                "\npasses       correctly rounded: 2; 1e-6: 1\njudged       overlap in 0 of 3 cases\n3 cases: 3 pass, 0 fail\n"),
+            std::string::npos);
+}
+
+Outcome answered(bool overlap, bool depth, bool direction, bool witness_b) {
+  Outcome result = judged("a::1", Verdict::pass, 0, 0);
+  result.reply = Reply{overlap, {}, {}, Triple{}, {}};
+  if (depth) result.reply->depth = 1;
+  if (direction) result.reply->direction = Triple{1, 0, 0};
+  if (witness_b) result.reply->witness_b = Triple{};
+  return result;
+}
+
+// What no depth stands beside is not judged, and neither is half a pair of points, or anything of bodies that are said to be apart.
+TEST(Summary, WhatWasJudged) {
+  Summary summary;
+  EXPECT_EQ(coverage_warning(summary.tally().all().judged), "");
+  for (const Outcome& each : {answered(true, false, true, true), answered(true, false, false, false), answered(false, true, true, true)})
+    summary.add(each);
+  EXPECT_TRUE(coverage_warning(summary.tally().all().judged).starts_with("depth judged 0 of 2: ")) << "of those that overlap";
+  EXPECT_NE(
+      summary.table({}).find("\njudged       overlap in 3 of 3 cases; depth in 0 of 2 said to overlap; direction in 0; witness in 0\n"),
+      std::string::npos);
+  for (const Outcome& each : {answered(true, true, true, false), answered(true, true, false, true)}) summary.add(each);
+  summary.add(outcome("a::2", Verdict::crash));
+  EXPECT_NE(
+      summary.table({}).find("\njudged       overlap in 5 of 6 cases; depth in 2 of 4 said to overlap; direction in 1; witness in 1\n"),
+      std::string::npos);
+  EXPECT_EQ(coverage_warning(summary.tally().all().judged), "");
+}
+
+TEST(Summary, WorstFailuresByName) {
+  const std::vector<Outcome> outcomes{judged("a", Verdict::too_deep, 0.1, 1),  judged("b", Verdict::pass, 9, 1),
+                                      judged("c", Verdict::too_deep, -0.5, 1), judged("d", Verdict::too_deep, 0.5, 1),
+                                      outcome("e", Verdict::crash, "swap"),    outcome("f", Verdict::unsupported)};
+  Summary summary;
+  for (const Outcome& each : outcomes) summary.add(each);
+  const std::string table = summary.table({}, outcomes, {"here", "there"});
+  EXPECT_NE(table.find("\n  crash             e ~swap\n  too-deep          c; d; a\nsee          here; there\n"), std::string::npos)
+      << table;
+  EXPECT_EQ(Summary().table({}, {}, {"here"}).find("here"), std::string::npos) << "nothing failed";
 }
 
 TEST(Summary, OfNothing) {

@@ -76,6 +76,23 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
+/// Without the ends of lines, "\n" or "\r\n".
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+constexpr std::string_view opening = "# Known failures of ", purpose = ", for fathom certify --expect-fail.";
+
+/// Whether we wrote it over a list.
+bool is_opening(std::string_view line) { return line.starts_with(opening) && line.find(purpose) != std::string_view::npos; }
+
 }  // namespace
 
 std::string failure_key(const Outcome& outcome) { return key_of(outcome.id, outcome.variant); }
@@ -83,27 +100,30 @@ std::string failure_line(const Outcome& outcome) { return fmt::format("{} {}", n
 
 ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(read_file(path), path); }
 
+std::string ExpectedFailures::Entry::text() const { return fmt::format("{} {}", fathom::name(verdict), key); }
+
+std::optional<ExpectedFailures::Entry> ExpectedFailures::entry_in(std::string_view words, const std::string& name, std::size_t line) {
+  const std::string_view first = next_word(words);
+  if (first.empty()) return std::nullopt;
+  const std::optional<Verdict> verdict = verdict_named(first);
+  if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + shown(first));
+  if (!fails(*verdict)) throw InputError(name, line, shown(first) + " is no failure");
+  const std::string_view second = next_word(words);
+  if (second.empty()) throw InputError(name, line, "expected the id of a case after " + shown(first));
+  const std::optional<std::string> key = canonical_key(second);
+  if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + shown(second));
+  if (const std::string_view more = next_word(words); !more.empty())
+    throw InputError(name, line, "expected nothing but a comment after the id, found " + shown(more) + "; a blank in an id is %20");
+  return Entry{*verdict, *key, line};
+}
+
 ExpectedFailures ExpectedFailures::parse(const std::string& text, const std::string& name) {
   ExpectedFailures result;
   result.name_ = name;
-  std::string_view rest = text;
-  for (std::size_t line = 1; !rest.empty(); ++line) {
-    std::string_view words = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(words.size() + 1, rest.size()));
-    if (words.ends_with('\r')) words.remove_suffix(1);
-    const std::string_view first = next_word(words);
-    if (first.empty()) continue;
-    const std::optional<Verdict> verdict = verdict_named(first);
-    if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + shown(first));
-    if (!fails(*verdict)) throw InputError(name, line, shown(first) + " is no failure");
-    const std::string_view second = next_word(words);
-    if (second.empty()) throw InputError(name, line, "expected the id of a case after " + shown(first));
-    const std::optional<std::string> key = canonical_key(second);
-    if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + shown(second));
-    if (const std::string_view more = next_word(words); !more.empty())
-      throw InputError(name, line, "expected nothing but a comment after the id, found " + shown(more) + "; a blank in an id is %20");
-    result.entries_.push_back({*verdict, *key, line});
-  }
+  result.text_ = text;
+  std::size_t number = 0;
+  for (const std::string_view line : lines_of(text))
+    if (std::optional<Entry> entry = entry_in(line, name, ++number)) result.entries_.push_back(*std::move(entry));
   return result;
 }
 
@@ -122,7 +142,7 @@ ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcome
     std::erase_if(met.listed, [&](const Entry& entry) {
       const auto same = std::ranges::find(met.got, entry.verdict);
       if (same == met.got.end()) return false;
-      result.allowed.insert(fmt::format("{} {}", fathom::name(entry.verdict), key));
+      result.allowed.insert(entry.text());
       met.got.erase(same);
       return true;
     });
@@ -137,7 +157,7 @@ void ExpectedFailures::settle(const std::string& key, const std::vector<Entry>& 
     const std::string place = fmt::format("{}:{}: {} is listed as {}", name_, listed[i].line, key, fathom::name(listed[i].verdict));
     if (i >= got.size()) {
       ++result.unmet;
-      result.unmet_lines.push_back(fmt::format("{} {}", fathom::name(listed[i].verdict), key));
+      result.unmet_lines.push_back(listed[i].text());
       result.surprises.push_back(place + ", but no such case was run");
     } else if (passes(got[i])) {
       ++result.fixed;
@@ -155,14 +175,29 @@ void ExpectedFailures::settle(const std::string& key, const std::vector<Entry>& 
   }
 }
 
-std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes) {
-  std::vector<std::string> lines;
+std::string ExpectedFailures::renewed(std::multiset<std::string>& failing) const {
+  std::string result;
+  std::size_t number = 0;
+  auto entry = entries_.begin();
+  for (const std::string_view line : lines_of(text_)) {
+    if (++number == 1 && is_opening(line)) continue;
+    if (entry != entries_.end() && entry->line == number) {
+      const auto found = failing.find((entry++)->text());
+      if (found == failing.end()) continue;
+      failing.erase(found);
+    }
+    result.append(line) += '\n';
+  }
+  return result;
+}
+
+std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before) {
+  std::multiset<std::string> failing;
   for (const Outcome& outcome : outcomes)
-    if (fails(outcome.verdict)) lines.push_back(failure_line(outcome));
-  std::ranges::sort(lines);
-  std::string result = fmt::format("# Known failures of {}, for fathom certify --expect-fail. A line: verdict, id, perhaps a comment.\n",
-                                   ascii(title(subject)));
-  for (const std::string& line : lines) result += line + "\n";
+    if (fails(outcome.verdict)) failing.insert(failure_line(outcome));
+  std::string result = fmt::format("{}{}{} A line: verdict, id, perhaps a comment.\n", opening, ascii(title(subject)), purpose);
+  result += before.renewed(failing);
+  for (const std::string& line : failing) result += line + "\n";
   return result;
 }
 

@@ -10,9 +10,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verify/harness/outcome.hpp"
@@ -46,20 +48,27 @@ class ExpectedFailures {
   [[nodiscard]] Check check(std::span<const Outcome> outcomes) const;
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
+  /// What stays of the list: its comments, and its lines that are among `failing`, as `failure_line` writes them; they are taken out there.
+  [[nodiscard]] std::string renewed(std::multiset<std::string>& failing) const;
+
  private:
   struct Entry {
     Verdict verdict;
     std::string key;
     std::size_t line;
+    [[nodiscard]] std::string text() const;  ///< as `failure_line` writes it
   };
+  /// What a line says; nothing if it is blank or a comment. Throws InputError.
+  static std::optional<Entry> entry_in(std::string_view words, const std::string& name, std::size_t line);
   /// What is left of one id when entries and outcomes that agree are struck out.
   void settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got, Check& result) const;
 
   std::vector<Entry> entries_;
-  std::string name_;
+  std::string name_, text_;
 };
 
-/// The list that a run agrees with: sorted, with a comment that says what it is and of which subject. `read` takes it back.
-std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes);
+/// The list that a run agrees with, with a comment that says what it is and of which subject. `read` takes it back. Of an earlier list, the
+/// lines that are still true stay as they are, and so do comments; what is new comes behind them, sorted.
+std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before = {});
 
 }  // namespace fathom::harness

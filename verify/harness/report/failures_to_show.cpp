@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "verify/harness/report/html.hpp"
+#include "verify/harness/report/worst.hpp"
 
 namespace fathom::harness {
-namespace {
-
-/// Larger is worse. Answers without a depth, and with one where there is none, have no relative error: they come first.
-double badness(const Outcome& outcome) {
-  constexpr double beyond = std::numeric_limits<double>::infinity();
-  if (!outcome.judgement || !outcome.judgement->error_relative) return beyond;
-  const double error = std::abs(*outcome.judgement->error_relative);
-  return std::isnan(error) ? beyond : error;
-}
-
-}  // namespace
 
 std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std::size_t most) {
   std::vector<std::pair<double, std::size_t>> worst;

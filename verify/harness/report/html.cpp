@@ -17,16 +17,24 @@ namespace {
 
 constexpr std::size_t most_listed = 5000;
 
-std::string header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance) {
+/// What a reader must know before any number.
+std::string warning(const std::string& text) {
+  return text.empty() ? "" : fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", markup(text));
+}
+
+std::string header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const Provenance& from) {
   const TallyRow& all = tally.all();
-  std::string result = fmt::format("<header><h1>{}</h1>\n<p><strong>{}</strong></p>\n<dl>", markup(title(subject)),
-                                   totals_text(all.total, all.passes(), all.failures()));
+  const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
+  std::string result =
+      fmt::format("<header><h1>{}</h1>\n<p><strong>{}</strong></p>\n{}{}<dl>", markup(title(subject)),
+                  totals_text(all.total, all.passes(), all.failures()), warning(cut_short), warning(coverage_warning(all.judged)));
   const auto add = [&](const char* what, const std::string& text) { result += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text)); };
   add("conventions", conventions_text(subject.conventions));
   for (const std::string& setting : settings_text(subject)) add("setting", setting);
   add("tolerance", tolerance_text(tolerance));
   if (const std::vector<std::string> classes = accuracy_entries(all); !classes.empty())
     add("passes", fmt::format("{}", fmt::join(classes, "; ")));
+  add("judged", fmt::format("{}", fmt::join(coverage_entries(all.judged), "; ")));
   return result + "</dl></header>\n";
 }
 
@@ -101,10 +109,17 @@ std::string account(std::size_t failures, std::size_t shown, std::size_t rest) {
           : fmt::format("The other {} are <a href=\"#others\">listed below</a>", rest));
 }
 
+std::string footer(const Provenance& from) {
+  const std::string version = from.version.empty() ? "" : " " + from.version;
+  const std::string command = from.command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", markup(from.command));
+  return fmt::format("<footer><p class=\"soft\">Judged by fathom{}. Truths are exact; errors are correctly rounded.</p>{}</footer>\n",
+                     markup(version), command);
+}
+
 }  // namespace
 
 std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes, std::span<const HtmlFailure> failures,
-                      const Tolerance& tolerance) {
+                      const Tolerance& tolerance, const Provenance& from) {
   Tally tally;
   for (const Outcome& outcome : outcomes) tally.add(outcome);
   const std::vector<const HtmlFailure*> shown = chosen(failures);
@@ -114,14 +129,12 @@ std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outco
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>"
       "<title>{}: verdicts</title><style>{}</style></head>\n<body>\n",
       markup(title(subject)), page_style());
-  result += header(subject, tally, tolerance) + "<main>\n<section><h2>Verdicts</h2>\n" + tally_table(tally) + "</section>\n";
+  result += header(subject, tally, tolerance, from) + "<main>\n<section><h2>Verdicts</h2>\n" + tally_table(tally) + "</section>\n";
   const std::string charts = histogram(outcomes, false, tolerance.relative.get_d()) + histogram(outcomes, true, 0);
   if (!charts.empty()) result += "<section><h2>Errors</h2>\n" + charts + "</section>\n";
   result += "<section><h2>Failures</h2>\n" + account(tally.all().failures(), shown.size(), rest.size());
   result += shown_failures(subject, shown, tally) + "</section>\n" + listed_failures(rest);
-  return result +
-         "</main>\n<footer><p class=\"soft\">Judged by fathom certify. Truths are exact; errors are correctly "
-         "rounded.</p></footer>\n</body></html>\n";
+  return result + "</main>\n" + footer(from) + "</body></html>\n";
 }
 
 }  // namespace fathom::harness

@@ -86,11 +86,12 @@ std::string truth_list(const Outcome& outcome, const std::optional<Truth>& truth
   return facts.list("Truth");
 }
 
-std::string claim_list(const Reply& reply) {
+/// The subject's own numbers, each with the convention that it is by.
+std::string claim_list(const Reply& reply, const Conventions& conventions) {
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
-  facts.add("depth", reply.depth);
-  facts.add("direction", reply.direction, triple_text);
+  facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap", reply.depth);
+  facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
   facts.add("point of A", reply.witness_a, triple_text);
   facts.add("point of B", reply.witness_b, triple_text);
   return facts.list("Claim");
@@ -161,7 +162,10 @@ std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Tru
   if (truth.depth.status == Status::penetrating)
     caption += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it dotted";
   if (truth.depth.distance) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
-  if (claimed) caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation that is claimed";
+  if (claimed) {
+    caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
+    if (subject.conventions.moves == Conventions::Body::b) caption += ", which is that of B turned round: the subject moves B";
+  }
   return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n",
                      pair_picture(truth, claimed, anchor, label), caption);
 }
@@ -176,7 +180,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
   if (truth) result += figure(subject, outcome, *truth, anchor);
   result += "<div class=\"facts\">\n";
-  if (outcome.reply) result += claim_list(*outcome.reply);
+  if (outcome.reply) result += claim_list(*outcome.reply, subject.conventions);
   result += truth_list(outcome, truth, failure.certificate_name);
   if (outcome.judgement) result += residual_list(*outcome.judgement);
   result += "</div>\n";

@@ -25,6 +25,7 @@ thead th { vertical-align: bottom; font-weight: 600; } tbody th { text-align: le
 tr.all th, tr.all td { font-weight: 700; } td.text, th.text { text-align: left; } tbody th.id { white-space: normal; overflow-wrap: anywhere; }
 article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; }
 article > p { margin: .25rem 0 .5rem; } .verdict { color: var(--claimed); font-weight: 600; } .soft { color: var(--soft); }
+.warning { border-left: .3rem solid var(--claimed); padding-left: .7rem; } footer code { overflow-wrap: anywhere; }
 figure { margin: .5rem 0; } figcaption { color: var(--soft); font-size: .9rem; }
 .pairs { display: flex; flex-wrap: wrap; gap: .5rem; } svg { max-width: 100%; height: auto; }
 svg.pair { background: var(--shade); border-radius: 4px; }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "verify/harness/report/markup.hpp"
@@ -59,11 +60,13 @@ void add_case(Suite& suite, const std::string& class_name, const std::string& ca
                              seconds, child.empty() ? "/>" : ">" + child + "</testcase>");
 }
 
-std::string properties(const SubjectInfo& subject) {
+std::string properties(const SubjectInfo& subject, const Provenance& from) {
   std::string result = "    <properties>\n";
   const auto add = [&](const std::string& name, const std::string& value) {
     result += fmt::format("      <property{}{}/>\n", attribute("name", name), attribute("value", value));
   };
+  for (const auto& [name, value] : {std::pair("fathom", &from.version), {"command", &from.command}, {"cut short", &from.cut_short}})
+    if (!value->empty()) add(name, *value);
   add("subject", title(subject));
   add("conventions", conventions_text(subject.conventions));
   for (const auto& [name, value] : subject.settings) add("setting." + name, value);
@@ -76,7 +79,8 @@ std::string suite_xml(const std::string& name, const Suite& suite, const std::st
 
 }  // namespace
 
-std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known) {
+std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known,
+                      const Provenance& from) {
   std::map<std::string, Suite> suites;
   for (const Outcome& outcome : outcomes) {
     const std::string family = family_of(outcome.id);
@@ -86,7 +90,7 @@ std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outco
              child);
   }
   Suite all, unmet;
-  const std::string common = properties(subject);
+  const std::string common = properties(subject, from);
   std::string body;
   for (const auto& [family, suite] : suites) {
     all.add(suite);

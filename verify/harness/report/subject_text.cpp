@@ -19,9 +19,11 @@ std::string conventions_text(const Conventions& conventions) {
                          : conventions.touching == Touching::separate ? "bodies that touch are separate"
                                                                       : "bodies that touch are either";
   return fmt::format("{}; the depth is {}; {} moves; directions {}", touching,
-                     conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
-                     conventions.moves == Conventions::Body::a ? "A" : "B", conventions.unit ? "have length 1" : "may have any length");
+                     conventions.depth == Conventions::Sign::positive ? "positive" : "negative", moving_body(conventions),
+                     conventions.unit ? "have length 1" : "may have any length");
 }
+
+const char* moving_body(const Conventions& conventions) { return conventions.moves == Conventions::Body::a ? "A" : "B"; }
 
 std::vector<std::string> settings_text(const SubjectInfo& subject) {
   std::vector<std::string> result;

@@ -15,6 +15,8 @@ namespace fathom::harness {
 std::string title(const SubjectInfo& subject);
 /// "bodies that touch are either; the depth is positive; A moves; directions have length 1".
 std::string conventions_text(const Conventions& conventions);
+/// The body that a claimed direction moves: "A" or "B".
+const char* moving_body(const Conventions& conventions);
 /// "epa_tolerance = 1e-4", sorted by name.
 std::vector<std::string> settings_text(const SubjectInfo& subject);
 /// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts".

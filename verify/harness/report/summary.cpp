@@ -9,6 +9,7 @@
 
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/worst.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -17,6 +18,9 @@ using Lines = std::vector<std::string>;
 
 constexpr std::size_t widest = 140;
 constexpr std::size_t gap = 2;
+constexpr std::size_t label_width = 13, verdict_width = 20;
+constexpr std::size_t most_named = 5;   // failing cases of a verdict
+constexpr std::size_t longest_id = 60;  // characters
 
 /// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The first is flush left.
 struct Column {
@@ -109,8 +113,7 @@ void add_table(Lines& lines, const Tally& tally) {
 }
 
 /// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own is cut.
-void add_entries(Lines& lines, const std::string& label, const Lines& entries) {
-  constexpr std::size_t indent = 13;
+void add_entries(Lines& lines, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
   std::string line = fmt::format("{:<{}}", label, indent);
   bool any = false;
   for (const std::string& entry : entries) {
@@ -126,16 +129,35 @@ void add_entries(Lines& lines, const std::string& label, const Lines& entries) {
   if (!entries.empty()) lines.push_back(line);
 }
 
+/// "too-deep          a::7; a::2; 12 more" for each verdict.
+void add_failures(Lines& lines, std::span<const Outcome> outcomes) {
+  const auto worst = worst_failures(outcomes);
+  if (worst.empty()) return;
+  lines.emplace_back("failing cases, the worst of each verdict first");
+  for (const auto& [verdict, indices] : worst) {
+    Lines entries;
+    for (const std::size_t i : indices) {
+      if (entries.size() == most_named) break;
+      entries.push_back(ascii(shown_id(outcomes[i].id, outcomes[i].variant), longest_id));
+    }
+    if (indices.size() > most_named) entries.push_back(fmt::format("{} more", indices.size() - most_named));
+    add_entries(lines, fmt::format("  {}", name(verdict)), entries, verdict_width);
+  }
+}
+
 }  // namespace
 
-std::string Summary::table(const SubjectInfo& subject) const {
+std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where) const {
   Lines lines{ascii(title(subject), widest)};
   add_entries(lines, "conventions", {conventions_text(subject.conventions)});
   add_entries(lines, "settings", settings_text(subject));
   lines.emplace_back();
   add_table(lines, tally_);
   lines.emplace_back();
+  add_failures(lines, outcomes);
+  if (failures() > 0) add_entries(lines, "see", where);
   add_entries(lines, "passes", accuracy_entries(tally_.all()));
+  add_entries(lines, "judged", coverage_entries(tally_.all().judged));
   lines.push_back(totals_text(total(), passes(), failures()));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

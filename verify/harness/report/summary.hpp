@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "verify/harness/report/tally.hpp"
 
@@ -13,9 +15,11 @@ class Summary {
  public:
   void add(const Outcome& outcome) { tally_.add(outcome); }
 
-  /// Several lines, the last with its newline: the subject with its conventions and settings, a row for each family, totals.
-  /// At most 140 columns wide, pure ASCII, whatever names hold; only the verdicts that occur have a column.
-  [[nodiscard]] std::string table(const SubjectInfo& subject) const;
+  /// Several lines, the last with its newline: the subject with its conventions and settings, a row for each family, of `outcomes` the
+  /// worst failures of each verdict by name, `where` to look for more, what was judged, totals. At most 140 columns wide, pure ASCII,
+  /// whatever names hold; only the verdicts that occur have a column.
+  [[nodiscard]] std::string table(const SubjectInfo& subject, std::span<const Outcome> outcomes = {},
+                                  const std::vector<std::string>& where = {}) const;
   [[nodiscard]] std::size_t failures() const { return tally_.all().failures(); }
   [[nodiscard]] std::size_t passes() const { return tally_.all().passes(); }
   [[nodiscard]] std::size_t total() const { return tally_.all().total; }

@@ -42,6 +42,7 @@ double Errors::median() const {
 void TallyRow::add(const Outcome& outcome) {
   ++total;
   ++verdicts[static_cast<std::size_t>(outcome.verdict)];
+  judged.add(outcome);
   if (!outcome.judgement) return;
   const Judgement& judgement = *outcome.judgement;
   if (judgement.accuracy && fathom::passes(outcome.verdict)) ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
@@ -53,6 +54,7 @@ void TallyRow::add(const TallyRow& other) {
   total += other.total;
   add_counts(verdicts, other.verdicts);
   add_counts(accuracies, other.accuracies);
+  judged.add(other.judged);
   relative.add(other.relative);
   u_r.add(other.u_r);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/harness/coverage.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {
@@ -34,6 +35,7 @@ struct TallyRow {
   std::array<std::size_t, verdict_count> verdicts{};     ///< how many outcomes have each verdict
   std::array<std::size_t, accuracy_count> accuracies{};  ///< how many passes are in each class
   std::size_t total = 0;
+  Coverage judged;
   Errors relative, u_r;
 
   void add(const Outcome& outcome);

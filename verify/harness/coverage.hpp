@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run judged at all: a subject that leaves its depths out, or misspells them, passes whatever they are.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+/// How many answers held each field and were judged by it.
+struct Coverage {
+  std::size_t cases = 0;                              ///< outcomes of any kind
+  std::size_t overlap = 0;                            ///< of them: with an answer, whose classification was judged
+  std::size_t overlapping = 0;                        ///< of those: answers that say that the bodies overlap; of these alone more is read
+  std::size_t depth = 0, direction = 0, witness = 0;  ///< direction and both witness points are judged beside a depth alone
+  std::size_t without_depth = 0;                      ///< answers whose direction or witness points came without one
+
+  void add(const Outcome& outcome);
+  void add(const Coverage& other);
+};
+
+/// "overlap in 9 of 9 cases", "depth in 0 of the 9 said to overlap", "direction in 0", "witness in 0"; the first alone if none is.
+std::vector<std::string> coverage_entries(const Coverage& coverage);
+
+/// A sentence if answers say that bodies overlap and none has a depth; else empty.
+std::string coverage_warning(const Coverage& coverage);
+
+}  // namespace fathom::harness

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/near_miss.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "reference/files/source.hpp"
+
+namespace fathom::harness {
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+}  // namespace
+
+std::size_t slips(std::string_view s, std::string_view t) {
+  std::vector<std::vector<std::size_t>> least(s.size() + 1, std::vector<std::size_t>(t.size() + 1));
+  for (std::size_t i = 0; i <= s.size(); ++i) {
+    for (std::size_t j = 0; j <= t.size(); ++j) {
+      if (i == 0 || j == 0) {
+        least[i][j] = i + j;
+        continue;
+      }
+      const bool same = lower(s[i - 1]) == lower(t[j - 1]);
+      least[i][j] = std::min({least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + (same ? 0 : 1)});
+      const bool swapped = i > 1 && j > 1 && lower(s[i - 1]) == lower(t[j - 2]) && lower(s[i - 2]) == lower(t[j - 1]);
+      if (swapped) least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
+    }
+  }
+  return least[s.size()][t.size()];
+}
+
+bool is_near(std::string_view text, std::string_view word) {
+  const std::size_t most = word.size() / 3;
+  return text.size() <= word.size() + most && slips(text, word) <= most;
+}
+
+std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known) {
+  std::string result;
+  for (const std::string_view word : known) {
+    if (std::ranges::find(there, word) != there.end()) continue;
+    const auto slip = [&](const std::string& field) { return is_near(field, word) && std::ranges::find(known, field) == known.end(); };
+    const auto field = std::ranges::find_if(there, slip);
+    if (field != there.end())
+      result += fmt::format("{}the field {} is not read: is '{}' meant?", result.empty() ? "" : "; ", shown(*field), word);
+  }
+  return result;
+}
+
+}  // namespace fathom::harness
