@@ -33,6 +33,13 @@ struct Outcome {
   double seconds = 0;                  ///< wall time until the answer
 };
 
+/// What a subject did that is no case's fault: it ended, wrote something or went deaf after a good answer, and on the case that it had then
+/// a fresh process did no such thing; or it ended badly after it was told to stop.
+struct Unattributed {
+  std::optional<std::string> after;  ///< the id of the last case that the process had answered; nothing: it had answered none
+  std::string detail;                ///< "killed by signal 11 (Segmentation fault)"
+};
+
 /// The family that an id names: what stands before "::", or before "-n<size>-s<seed>"; else empty.
 std::string family_of(const std::string& id);
 

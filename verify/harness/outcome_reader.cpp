@@ -110,16 +110,30 @@ Outcome outcome(const Json& json) {
   return outcome;
 }
 
-}  // namespace
+Unattributed unattributed(const Json& json) {
+  if (json.at("schema") != "fathom/verdict/1" || json.at("type") != "unattributed") throw Unreadable();
+  Unattributed unattributed;
+  if (json.contains("after")) unattributed.after = json.at("after").get<std::string>();
+  unattributed.detail = json.at("detail").get<std::string>();
+  return unattributed;
+}
 
-std::optional<Outcome> read_outcome(std::string_view line) {
+/// Nothing if `line` is not what `read` reads.
+template <class Line>
+std::optional<Line> read_line(std::string_view line, Line (*read)(const Json&)) {
   try {
-    return outcome(Json::parse(line));
+    return read(Json::parse(line));
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const Unreadable&) {
     return std::nullopt;
   }
 }
+
+}  // namespace
+
+std::optional<Outcome> read_outcome(std::string_view line) { return read_line(line, outcome); }
+
+std::optional<Unattributed> read_unattributed(std::string_view line) { return read_line(line, unattributed); }
 
 }  // namespace fathom::harness

@@ -128,6 +128,12 @@ void add_entries(Lines& lines, const std::string& label, const Lines& entries) {
 
 }  // namespace
 
+std::size_t Summary::unattributed() const {
+  std::size_t result = 0;
+  for (const auto& [detail, count] : unattributed_) result += count;
+  return result;
+}
+
 std::string Summary::table(const SubjectInfo& subject) const {
   Lines lines{ascii(title(subject), widest)};
   add_entries(lines, "conventions", {conventions_text(subject.conventions)});
@@ -136,7 +142,10 @@ std::string Summary::table(const SubjectInfo& subject) const {
   add_table(lines, tally_);
   lines.emplace_back();
   add_entries(lines, "passes", accuracy_entries(tally_.all()));
-  lines.push_back(totals_text(total(), passes(), failures()));
+  Lines things;
+  for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
+  add_entries(lines, "unattributed", things);
+  lines.push_back(totals_text(total(), passes(), failures(), unattributed()));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "verify/harness/report/tally.hpp"
@@ -12,6 +13,7 @@ namespace fathom::harness {
 class Summary {
  public:
   void add(const Outcome& outcome) { tally_.add(outcome); }
+  void add(const Unattributed& unattributed) { ++unattributed_[unattributed.detail]; }
 
   /// Several lines, the last with its newline: the subject with its conventions and settings, a row for each family, totals.
   /// At most 140 columns wide, pure ASCII, whatever names hold; only the verdicts that occur have a column.
@@ -19,10 +21,13 @@ class Summary {
   [[nodiscard]] std::size_t failures() const { return tally_.all().failures(); }
   [[nodiscard]] std::size_t passes() const { return tally_.all().passes(); }
   [[nodiscard]] std::size_t total() const { return tally_.all().total; }
+  /// How often something happened that is no case's fault.
+  [[nodiscard]] std::size_t unattributed() const;
   [[nodiscard]] const Tally& tally() const { return tally_; }
 
  private:
   Tally tally_;
+  std::map<std::string, std::size_t> unattributed_;  // by what happened
 };
 
 }  // namespace fathom::harness
