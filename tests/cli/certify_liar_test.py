@@ -18,7 +18,8 @@ WAYS = {
     "array": ("garbage", "expected a JSON object"), "nested": ("garbage", "expected a JSON object, found '[[["),
     "huge-line": ("garbage", "a line of more than 16777216 bytes"), "half-line": ("garbage", "a line that was cut off: '{"),
     "cut-line": ("garbage", "a line that was cut off: '{"), "other-id": ("garbage", "found one to '99999'"),
-    "no-id": ("garbage", 'expected "id" in the reply, found none; the line: \'{"type": "reply", "overlap": true'),
+    "null-depth": ("garbage", 'expected a number for "depth" (NaN is "nan"), found \'null\''),
+    "null-apart": ("garbage", 'expected three numbers for "direction", found \'null\''), "no-id": ("garbage", 'expected "id" in the reply, found none; the line: \'{"type": "reply", "overlap": true'),
     "close-output": ("silent", "closed its output and lived on"), "linger": ("crash", "ended with exit code 9"),
     "second-hello": ("garbage", 'expected a message of type "reply"'), "dribble": ("pass", None),
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "reference/files/body.hpp"
@@ -19,6 +20,7 @@ struct SubjectInfo {
   Precision precision = Precision::binary64;
   Conventions conventions;
   bool wants_faces = false;                     ///< the facets of the hulls come with each case, as polygons of point indices
+  std::set<std::string> promises;               ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: told, never read
 };
 
