@@ -57,6 +57,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_standard_streams();
   install_signal_handlers();
   return run(argc, argv);
 }

@@ -100,7 +100,7 @@ class NoCasesFault(CertifyTest):
         self.assertEqual((code, set(self.verdicts(lines).values()), err), (0, {"pass"}, ""))
 
     def test_in_the_table(self):
-        code, out, _ = self.run_cli("certify", "--jobs", "1", "--subject", liar("exits-soon"), "-", stdin=STREAM)
+        code, out, _ = self.run_cli("certify", "--jobs", "1", "--subject", liar("exits-soon"), "-", stdin=boxes(0) + boxes(1) + boxes(2))
         self.assertEqual(code, 1)
         self.assertIn("\nunattributed 3 x ended with exit code 3\n", out)
         self.assertTrue(out.endswith("\n3 cases: 3 pass, 0 fail; 3 unattributed\n"), out)

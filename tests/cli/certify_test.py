@@ -261,6 +261,19 @@ class Runs(CertifyTest):
         out = self.answer("check", folder / "box%3A%3A1.cert")
         self.assertTrue(out.startswith("s VERIFIED penetrating depth_squared="), out)
 
+    def test_ids_too_long_for_the_name_of_a_file(self):
+        long = "x" * 300
+        stream = boxes(0, marked=True).replace("box::0", long) + boxes(1, marked=True).replace("box::1", long + "y") + boxes(2)
+        code, lines, err = self.certify("--certificates", self.folder / "proofs", "--shrink", self.folder / "small", "--html", self.folder / "page",
+                                        "--junit", self.folder / "junit", "--report", self.folder / "r", "--subject", liar("too-deep"), "-", stdin=stream)
+        self.assertEqual((code, lines[-1]["failed"]), (1, 2), err)
+        self.assertEqual(len(list((self.folder / "proofs").iterdir())), 2)
+
+    def test_long_time_outs(self):
+        for seconds in ("1e6", "1e9", "1e30", "1e400"):
+            code, lines, err = self.certify("--time-out", seconds, "--subject", liar("honest"), "-", stdin=boxes(0))
+            self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
+
     def test_adapters(self):
         names = [line.split()[0] for line in self.answer("certify", "--list-adapters").splitlines()]
         self.assertEqual(len(names), len(set(names)))
@@ -286,6 +299,14 @@ class Replays(CertifyTest):
         code, lines, err = self.replay(self.REPLY, boxes(0))
         self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
         self.assertEqual(lines[0]["subject"]["name"], "replay")
+
+    def test_from_standard_input(self):
+        cases = self.file("cases.jsonl", boxes(0))
+        code, lines, err = self.certify("--replay", "-", cases, stdin=self.REPLY)
+        self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
+        code, _, err = self.certify("--replay", "-", cases, stdin="noise\n")
+        self.assertIn("<stdin>:1: expected a JSON object, found 'noise'", err)
+        self.assertIn("cannot both come from standard input", self.refused("certify", "--replay", "-", "-", stdin=self.REPLY))
 
     def test_hello_and_order(self):
         hello = ('{"type":"hello","protocol":"fathom/subject/1","name":"mine","version":"3","precision":"binary32",'
