@@ -110,10 +110,13 @@ class Subjects(CertifyTest):
         for line in lines:
             validator(VERDICT).validate(line)
         self.assertEqual({line.get("variant") for line in lines}, {None, "swap", "translate", "permute", "scale"})
+        _, things, _ = self.certify("--subject", liar("one-shot"), "-", stdin=boxes(0))
+        self.assertEqual([line["type"] for line in things], ["header", "case", "unattributed", "summary"])
+        lines += things
         for line in lines:
             for field in line:
                 self.assertFalse(validator(VERDICT).is_valid({k: v for k, v in line.items() if k != field})
-                                 and field not in ("variant", "detail", "judgement"), field)
+                                 and field not in ("variant", "after", "judgement") and (field, line["type"]) != ("detail", "case"), field)
             self.assertFalse(validator(VERDICT).is_valid({**line, "more": 1}))
         good = {"type": "reply", "id": "1", "overlap": True, "depth": "0x1.8p3", "direction": [1, "nan", "-inf"]}
         validator(SUBJECT).validate(good)
