@@ -50,6 +50,12 @@ class Liars(CertifyTest):
             with self.subTest(way):
                 self.check(way, "time-out", detail, "--time-out", "0.5")
 
+    def test_no_shell_holds_the_output_open(self):
+        """It is seen to be closed at once: no time is up."""
+        plain = liar("close-output").removeprefix("exec ")
+        code, lines, _ = self.certify("--jobs", "1", "--time-out", "1e9", "--subject", plain, "-", stdin=STREAM)
+        self.assertEqual((code, self.verdicts(lines)), (1, {"box::0": "pass", "box::1": "silent", "box::2": "pass"}))
+
     def test_stops_reading(self):
         """A case larger than a pipe holds, and a subject that is deaf from the start."""
         many = [[i / 1000, i % 7, i % 11] for i in range(20000)]
