@@ -15,11 +15,13 @@
 #include "cli/output.hpp"
 #include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
+#include "verify/golden/sha256.hpp"
 
 namespace fathom::cli {
 namespace {
 
 constexpr std::size_t longest_name = 255;  // of a file, in bytes
+constexpr std::size_t kept_of_long = 180;  // of a name that would be longer
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why, const std::string& what = "certificate") {
   throw InputError(path, 0, "cannot write a " + what + ": " + why);
@@ -84,7 +86,6 @@ CertificateFolder::CertificateFolder(std::string path) : path_(std::move(path)) 
 
 std::string CertificateFolder::file(const std::string& id) {
   const std::string name = certificate_file_name(id);
-  if (name.size() > longest_name) refuse(path_, "the id " + shown(id) + " is too long for the name of a file");
   if (!names_.insert(name).second) refuse(path_ + "/" + name, "it belongs to an earlier case with the same id");
   return path_ + "/" + name;
 }
@@ -97,7 +98,10 @@ std::string certificate_file_name(const std::string& id) {
     if (is_safe(byte) && !hidden) name += c;
     else name += fmt::format("%{:02X}", byte);
   }
-  return (name.empty() ? "%" : name) + ".cert";
+  constexpr std::string_view end = ".cert";
+  if (name.empty()) name = "%";
+  if (name.size() + end.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + golden::digest_of(id).sha256;
+  return name.append(end);
 }
 
 }  // namespace fathom::cli

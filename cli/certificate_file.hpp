@@ -33,7 +33,7 @@ class CertificateFolder {
   /// Throws InputError when it is no folder and cannot become one.
   explicit CertificateFolder(std::string path);
 
-  /// The path for the certificate of a case. Throws InputError when the id was asked for before, or makes too long a name.
+  /// The path for the certificate of a case. Throws InputError when the id was asked for before.
   std::string file(const std::string& id);
 
  private:
@@ -41,8 +41,8 @@ class CertificateFolder {
   std::set<std::string> names_;
 };
 
-/// The id with ".cert". Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot; different ids
-/// make different names.
+/// The id with ".cert". Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot; of a
+/// name longer than a file's may be, the beginning, '~' and the SHA-256 of the id. Different ids make different names.
 std::string certificate_file_name(const std::string& id);
 
 }  // namespace fathom::cli

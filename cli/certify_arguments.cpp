@@ -19,7 +19,6 @@ namespace fathom::cli {
 namespace {
 
 constexpr unsigned most_jobs = 1024;
-constexpr double longest_time = 1e6;  // seconds
 
 /// What was typed by hand is meant as typed: decimals are exact.
 std::optional<mpq_class> typed_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
@@ -41,7 +40,7 @@ bool is_jobs(const std::string& text) {
 }
 bool is_time(const std::string& text) {
   const auto time = typed_number(text);
-  return time && *time > 0 && *time <= longest_time;
+  return time && *time > 0;
 }
 bool is_tolerance(const std::string& text) {
   const auto value = typed_number(text);
@@ -83,7 +82,7 @@ void add_subject(CLI::App& app, CertifyRequest& certify) {
   add_path(app, "--subject", certify.subject, "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command", "COMMAND");
   add_path(app, "--adapter", certify.adapter,
            "a library by the name that --list-adapters shows; its settings may\nfollow: libccd-epa,epa_tolerance=1e-12", "NAME");
-  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line");
+  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line;\n- for standard input");
   app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
   app.add_option_function<std::string>(
          "--jobs", [&certify](const std::string& text) { certify.jobs = typed_count<unsigned>(text); },
@@ -151,6 +150,7 @@ std::string wrong_certify(CertifyRequest& certify, const std::vector<std::string
     return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
                        inputs.size(), inputs.size() == 1 ? "" : "s");
   if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
+  if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
   if (certify.report == "-") return "--report writes a file; --json writes to standard output";
   if (!certify.replay.empty() && !certify.metamorphic.empty())
     return "--metamorphic puts new cases to a subject, and a replay answers none";

@@ -23,11 +23,14 @@ Collector::Collector(const Request& request, const harness::SubjectInfo& info, s
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
     known_.insert_or_assign(std::move(key), std::move(outcome));
   };
+  std::vector<harness::Unattributed> earlier;
+  const auto keep = [&earlier](harness::Unattributed unattributed) { earlier.push_back(std::move(unattributed)); };
   const std::string& report = request.certify.report;
   if (!report.empty())
-    journal_.emplace(request.certify.resume ? harness::Journal::resume(report, header, remember)
+    journal_.emplace(request.certify.resume ? harness::Journal::resume(report, header, remember, keep)
                                             : harness::Journal::create(report, header));
   if (request.json) print(header);
+  for (const harness::Unattributed& unattributed : earlier) take(unattributed, true);
 }
 
 const harness::Outcome* Collector::known(const std::string& id, const std::string& variant, const std::string& digest) const {
@@ -56,6 +59,16 @@ void Collector::take(const Case& original, const Case& seen, const harness::Outc
     if (error > worst_) worst_ = error;
   }
   show_progress();
+}
+
+void Collector::take(const harness::Unattributed& unattributed, bool known) {
+  const std::string line = harness::unattributed_line(unattributed);
+  if (journal_ && !known) journal_->add(line);
+  if (request_.json) {
+    progress_.clear();
+    print(line);
+  }
+  summary_.add(unattributed);
 }
 
 void Collector::show_progress() {
@@ -87,7 +100,8 @@ void Collector::close() {
 
 void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
-  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.tally().all().judged});
+  const std::string line =
+      harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), summary_.tally().all().judged});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

@@ -35,6 +35,8 @@ class Collector {
 
   /// Takes one outcome: written down before anything else is done. `known`: it is in the report already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
+  /// Takes what is no case's fault, in the same way; `known`: it is in the report already.
+  void take(const harness::Unattributed& unattributed, bool known = false);
   /// A sentence for the user, past the progress bar. The first few of a kind are printed, the others counted.
   void tell(const std::string& kind, const std::string& sentence);
   /// Says how often sentences were only counted; takes the bar away.

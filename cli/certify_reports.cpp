@@ -107,7 +107,7 @@ ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::opt
     for (const std::string& surprise : known->surprises) talk(surprise);
   const bool as_listed = !known || known->fixed + known->changed + known->unmet == 0;
   const std::size_t failures = known ? known->unlisted : summary.failures();
-  if (!as_listed || failures > allowed) return judged_wrong;
+  if (!as_listed || failures > allowed || summary.unattributed() > 0) return judged_wrong;
   if (summary.failures() + summary.passes() > 0) return fine;
   talk(summary.total() == 0 ? "no case was judged" : "no case was judged: the subject declined all of them");
   return incomplete;

@@ -52,7 +52,7 @@ class Certify {
 
   ExitCode work() {
     try {
-      if (!replay_) examiner_ = std::make_unique<Examiner>(command_, settings());
+      if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
       found_.emplace(request_, info(), cases_->expected());
       examine();
       return finish();
@@ -79,12 +79,20 @@ class Certify {
     else talk(sentence);
   }
 
+  /// What is no case's fault; once the report is complete, it is told only.
+  void take(const harness::Unattributed& thing) {
+    tell("notes on the subject",
+         "no case's fault: the subject, " + (thing.after ? "after case " + shown(*thing.after) : "before any case") + ": " + thing.detail);
+    const std::lock_guard lock(telling_);
+    if (found_ && !complete_) found_->take(thing);
+  }
+
   harness::Settings settings() {
     harness::Settings settings;
     settings.time_out = certify_.time_out;
     settings.tolerance = certify_.tolerance;
     settings.stop = interrupt_requested;
-    settings.note = [this](const std::string& sentence) { tell("notes on the subject", sentence); };
+    settings.unattributed = [this](const harness::Unattributed& thing) { take(thing); };
     return settings;
   }
 
@@ -98,13 +106,12 @@ class Certify {
   }
 
   /// What examines in one thread. The examiner that is there already serves the first.
-  harness::Examine make_examine() {
-    if (replay_) return [this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); };
-    if (!std::exchange(first_is_taken_, true)) return [this](const Case& pair) { return examiner_->examine(pair); };
-    const std::shared_ptr<Examiner> another = one_more();
-    if (hello_text(another->info()) != hello_text(info()))
+  harness::Worker make_worker() {
+    if (replay_) return {[this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); }, {}};
+    const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
+    if (hello_text(examiner->info()) != hello_text(info()))
       throw harness::SubjectError("the subject says something else of itself each time that it is started");
-    return [another](const Case& pair) { return another->examine(pair); };
+    return {[examiner](const Case& pair) { return examiner->examine(pair); }, [examiner] { examiner->finish(); }};
   }
 
   void examine() {
@@ -119,7 +126,7 @@ class Certify {
       if (interrupt_requested()) throw Interrupted();
       return cases_->next();
     };
-    plan.examiner = [this] { return make_examine(); };
+    plan.worker = [this] { return make_worker(); };
     plan.known = [this](const auto& id, const auto& variant, const auto& digest) { return found_->known(id, variant, digest); };
     plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
       const std::lock_guard lock(telling_);
@@ -154,6 +161,7 @@ class Certify {
     if (expected_) known = expected_->check(found_->outcomes());
     const bool whole = missing_ + faults_ == 0;
     if (whole) found_->complete();
+    complete_ = true;
     const CertificateNames certificates = write_certificates(certify_, *found_);
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
@@ -205,10 +213,10 @@ class Certify {
   ExpectedFailures earlier_;  // the list that a new one replaces
   std::optional<CertifyCases> cases_;
   std::optional<Replay> replay_;
-  std::unique_ptr<Examiner> examiner_;
+  std::shared_ptr<Examiner> examiner_;
   std::optional<Collector> found_;
   std::mutex telling_;  // of found_
-  bool first_is_taken_ = false, reported_ = false;
+  bool first_is_taken_ = false, reported_ = false, complete_ = false;
   std::size_t missing_ = 0, faults_ = 0;
 };
 

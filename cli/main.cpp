@@ -59,6 +59,7 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const fathom::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
+  hold_standard_streams();
   install_signal_handlers();
   return run(argc, argv);
 }

@@ -13,6 +13,10 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Opens the standard streams that are closed, so that no file of ours takes their place and gets what is meant for them. They stay as
+/// unusable as they were: what is written or read is refused as before.
+void hold_standard_streams();
+
 /// Writes `text` and a newline to standard output and flushes, so that a reader has each result before the next case is read.
 /// Throws OutputError.
 void print(std::string_view text);

@@ -110,15 +110,105 @@ class Subjects(CertifyTest):
         for line in lines:
             validator(VERDICT).validate(line)
         self.assertEqual({line.get("variant") for line in lines}, {None, "swap", "translate", "permute", "scale"})
+        _, things, _ = self.certify("--subject", liar("one-shot"), "-", stdin=boxes(0))
+        self.assertEqual([line["type"] for line in things], ["header", "case", "unattributed", "summary"])
+        lines += things
         for line in lines:
             for field in line:
                 self.assertFalse(validator(VERDICT).is_valid({k: v for k, v in line.items() if k != field})
-                                 and field not in ("variant", "detail", "judgement"), field)
+                                 and field not in ("variant", "after", "judgement") and (field, line["type"]) != ("detail", "case"), field)
             self.assertFalse(validator(VERDICT).is_valid({**line, "more": 1}))
         good = {"type": "reply", "id": "1", "overlap": True, "depth": "0x1.8p3", "direction": [1, "nan", "-inf"]}
         validator(SUBJECT).validate(good)
         for wrong in ({"overlap": 1}, {"depth": "deep"}, {"direction": [1, 2]}, {"witness": {"a": 1}}, {"id": None}, {"type": "repl"}):
             self.assertFalse(validator(SUBJECT).is_valid({**good, **wrong}), wrong)
+
+
+class Agreement(CertifyTest):
+    """The program takes just what the schema allows."""
+
+    HELLO = {"type": "hello", "protocol": "fathom/subject/1", "name": "mine", "version": "1", "precision": "binary64",
+             "conventions": {"touching": "either", "depth": "positive", "moves": "a", "unit": True}}
+    REPLY = {"type": "reply", "id": "7", "overlap": True}
+
+    def takes(self, *lines):
+        another = json.dumps({**self.REPLY, "id": "8"})  # so that a case is judged
+        replies = self.file("replies.jsonl", "".join(line + "\n" for line in (*lines, another)))
+        code, _, err = self.certify("--replay", replies, "-", stdin=boxes(0).replace("box::0", "7") + boxes(1).replace("box::1", "8"))
+        self.assertIn(code, (0, 1, 2, 4), err)  # 2: the hello; 4: a case has no reply
+        return code < 2
+
+    def check(self, part, message):
+        line = json.dumps(message)
+        with self.subTest(line):
+            self.assertEqual(self.takes(line), validator(SUBJECT, (part,)).is_valid(message))
+
+    def test_numbers(self):
+        for number in (1, -1.5, 0, 1e300, "1", "+1", "-1.5", "1.", ".5", ".", "", "-", "1e5", "1e", "1e+", "1E-5", "1/1", "4/2", "0x1.8p3", "0x",
+                       "0x.", "0x.8", "0xp1", "0X1P+1", "1p3", "nan", "-NaN", "nan(0x1)", "nan()", "nan(", "nan(-)", "nanx", "nano", "inf", "+INF", "infinity",
+                       "infinit", "--1", "1 ", " 1", "1,5", "one", "0b1", "1_0", "true", True, None, [], [1], {}, {"": 1}):
+            self.check("reply", {**self.REPLY, "depth": number})
+
+    def test_replies(self):
+        for changes in ({"overlap": False}, {"overlap": "true"}, {"overlap": 1}, {"overlap": None}, {"overlap": "1/1"}, {"id": 7}, {"id": 7.0}, {"id": 7.5}, {"id": None},
+                        {"id": True}, {"id": ["7"]}, {"type": "Reply"}, {"type": None}, {"more": None}, {"direction": [1, "0", "nan"]}, {"direction": [1, 2]},
+                        {"direction": [1, 2, None]}, {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None}, {"witness": {}},
+                        {"witness": {"a": None}}, {"witness": {"a": [1, 2, 3]}}, {"witness": {"a": [1, 2, 3], "b": "x"}}, {"witness": [1]},
+                        {"unsupported": "x"}, {"failed": "x"}, {"unsupported": None}, {"failed": 7}):
+            self.check("reply", {**self.REPLY, **changes})
+            self.check("reply", {**self.REPLY, "overlap": False, **changes})
+        nothing = {"type": "reply", "id": "7"}
+        self.check("reply", nothing)
+        for name in ("unsupported", "failed"):
+            for value in ("x", "", 7, None, True, ["x"]):
+                self.check("reply", {**nothing, name: value})
+            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"unsupported": "y"}, {"failed": "y"}, {"more": 1}):
+                self.check("reply", {**nothing, name: "x", **other})
+
+    def test_hellos(self):
+        good = json.dumps(self.REPLY)
+        for changes in ({}, {"name": ""}, {"name": 7}, {"name": None}, {"version": 2.1}, {"version": ""}, {"version": None}, {"library": "fcl"}, {"library": None},
+                        {"library": 1}, {"precision": "binary16"}, {"precision": 64}, {"settings": None}, {"settings": []}, {"settings": {"a": [1, None]}},
+                        {"capabilities": None}, {"capabilities": {}}, {"capabilities": {"faces": 1}}, {"capabilities": {"faces": None}},
+                        {"conventions": None}, {"conventions": {}}, {"promises": []}, {"promises": ["depth", "direction", "witness"]},
+                        {"promises": ["depth", "depth"]}, {"promises": ["overlap"]}, {"promises": "depth"}, {"promises": None}, {"promises": [1]},
+                        {"protocol": 1}, {"more": None}):
+            hello = {**self.HELLO, **changes}
+            with self.subTest(changes):
+                self.assertEqual(self.takes(json.dumps(hello), good), validator(SUBJECT, ("hello",)).is_valid(hello))
+        for name, value in (("touching", "maybe"), ("depth", None), ("moves", "A"), ("unit", "true"), ("unit", 1), ("unit", None)):
+            hello = {**self.HELLO, "conventions": {**self.HELLO["conventions"], name: value}}
+            with self.subTest(hello["conventions"]):
+                self.assertEqual(self.takes(json.dumps(hello), good), validator(SUBJECT, ("hello",)).is_valid(hello))
+
+    def test_bare_words(self):
+        """What is no JSON: numbers as printf and Lua write them, and nothing else."""
+        for text, taken in {"nan": True, "-inf": True, "0x1p3": True, ".5": True, "+1": True, "7.": True, "nano": False, "yes": False, "True": False,
+                            "1/1": False, "'1'": False}.items():
+            with self.subTest(text):
+                self.assertEqual(self.takes(f'{{"type":"reply","id":"7","overlap":true,"depth":{text}}}'), taken)
+        for line in ('{type:"reply","id":"7","overlap":true}', '{"type":reply,"id":"7","overlap":true}', '{"type":"reply","id":"7","overlap":"true"}'):
+            self.assertFalse(self.takes(line), line)
+        self.assertTrue(self.takes('{"type":"reply","id":7.0,"overlap":true}'))
+
+    def test_promises(self):
+        hello = json.dumps({**self.HELLO, "promises": ["depth", "direction", "witness"]})
+        direction, witness = {"direction": [-1, 0, 0]}, {"witness": {"a": [1, 0, 0], "b": [0.5, 0, 0]}}
+        for reply, verdict, says in (({"depth": 0.5, **direction, **witness}, "pass", "right"),
+                                     ({**direction, **witness}, "inconsistent", "inconsistent: the hello promises depth, and the reply has none"),
+                                     ({"depht": 0.5}, "inconsistent", "inconsistent: the hello promises depth, direction, witness, and"),
+                                     ({"depth": 0.5, **direction, "witness": {"a": [1, 0, 0]}}, "inconsistent", "inconsistent: the hello promises witness"),
+                                     ({"depth": 0.25, **direction}, "too-shallow", "inconsistent: the hello promises witness, and the reply has none"),
+                                     ({"overlap": False}, "false-separation", "said to be apart")):
+            with self.subTest(reply):
+                replies = self.file("replies.jsonl", hello + "\n" + json.dumps({**self.REPLY, **reply}) + "\n")
+                _, lines, _ = self.certify("--replay", replies, "-", stdin=boxes(0).replace("box::0", "7"))
+                self.assertEqual(lines[0]["subject"]["promises"], ["depth", "direction", "witness"])
+                self.assertEqual(lines[1]["verdict"], verdict)
+                self.assertIn(says, lines[1]["judgement"]["sentence"])
+                self.assertEqual("inconsistent" in lines[1]["judgement"]["findings"], "promises" in says)
+                for line in lines:
+                    validator(VERDICT).validate(line)
 
 
 class Runs(CertifyTest):
@@ -174,6 +264,19 @@ class Runs(CertifyTest):
         out = self.answer("check", folder / "box%3A%3A1.cert")
         self.assertTrue(out.startswith("s VERIFIED penetrating depth_squared="), out)
 
+    def test_ids_too_long_for_the_name_of_a_file(self):
+        long = "x" * 300
+        stream = boxes(0, marked=True).replace("box::0", long) + boxes(1, marked=True).replace("box::1", long + "y") + boxes(2)
+        code, lines, err = self.certify("--certificates", self.folder / "proofs", "--shrink", self.folder / "small", "--html", self.folder / "page",
+                                        "--junit", self.folder / "junit", "--report", self.folder / "r", "--subject", liar("too-deep"), "-", stdin=stream)
+        self.assertEqual((code, lines[-1]["failed"]), (1, 2), err)
+        self.assertEqual(len(list((self.folder / "proofs").iterdir())), 2)
+
+    def test_long_time_outs(self):
+        for seconds in ("1e6", "1e9", "1e30", "1e400"):
+            code, lines, err = self.certify("--time-out", seconds, "--subject", liar("honest"), "-", stdin=boxes(0))
+            self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
+
     def test_adapters(self):
         names = [line.split()[0] for line in self.answer("certify", "--list-adapters").splitlines()]
         self.assertEqual(len(names), len(set(names)))
@@ -199,6 +302,14 @@ class Replays(CertifyTest):
         code, lines, err = self.replay(self.REPLY, boxes(0))
         self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
         self.assertEqual(lines[0]["subject"]["name"], "replay")
+
+    def test_from_standard_input(self):
+        cases = self.file("cases.jsonl", boxes(0))
+        code, lines, err = self.certify("--replay", "-", cases, stdin=self.REPLY)
+        self.assertEqual((code, self.verdicts(lines), err), (0, {"box::0": "pass"}, ""))
+        code, _, err = self.certify("--replay", "-", cases, stdin="noise\n")
+        self.assertIn("<stdin>:1: expected a JSON object, found 'noise'", err)
+        self.assertIn("cannot both come from standard input", self.refused("certify", "--replay", "-", "-", stdin=self.REPLY))
 
     def test_hello_and_order(self):
         hello = ('{"type":"hello","protocol":"fathom/subject/1","name":"mine","version":"3","precision":"binary32",'

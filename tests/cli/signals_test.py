@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Interrupts, readers that go away, output that cannot be written, and the progress bar."""
+import json
 import os
+import pathlib
 import pty
 import random
 import signal
 import subprocess
+import tempfile
 import unittest
 
 from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, case
@@ -99,6 +102,17 @@ class Output(CliTest):
             self.assertEqual((code, err), (3, "fathom: cannot write to standard output: No space left on device\n"))
             done = subprocess.run(["sh", "-c", 'exec "$@" >&-', "sh", EXECUTABLE, *arguments], capture_output=True)
             self.assertEqual((done.returncode, done.stderr), (3, b"fathom: cannot write to standard output: Bad file descriptor\n"))
+
+    def test_no_report_takes_the_place_of_a_closed_stream(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder) / "report"
+            cases = pathlib.Path(folder) / "cases"
+            cases.write_text(case(UNIT, UNIT, id="good"))
+            replies = pathlib.Path(folder) / "replies"
+            replies.write_text('{"type":"reply","id":"good","overlap":false}\n')
+            done = subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", EXECUTABLE, "certify", "--report", report, "--replay", replies, cases])
+            self.assertEqual(done.returncode, 3)
+            self.assertEqual([json.loads(line)["type"] for line in report.read_text().splitlines()], ["header", "case", "summary"])
 
     def test_closed_stderr_and_stdin(self):
         done = subprocess.run(["sh", "-c", 'exec "$@" 2>&- <&-', "sh", EXECUTABLE, "depth", A, B], capture_output=True)

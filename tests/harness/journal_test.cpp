@@ -94,7 +94,9 @@ class Journals : public testing::Test {
   void write(const std::string& text) const { std::ofstream(path_) << text; }
   std::vector<std::string> resumed(const std::string& header, const std::string& more = "") {
     std::vector<std::string> ids;
-    Journal journal = Journal::resume(path_, header, [&](const Outcome& outcome) { ids.push_back(outcome.id); });
+    Journal journal = Journal::resume(
+        path_, header, [&](const Outcome& outcome) { ids.push_back(outcome.id); },
+        [&](const Unattributed& thing) { ids.push_back(thing.after.value_or("nothing") + ": " + thing.detail); });
     if (!more.empty()) journal.add(more);
     return ids;
   }
@@ -121,6 +123,20 @@ TEST_F(Journals, CutAnywhere) {
     const std::size_t kept = size >= third ? third : size >= second ? second : first;
     ASSERT_EQ(text(), whole.substr(0, kept) + "more\n") << size;
   }
+}
+
+TEST_F(Journals, WhatIsNoCasesFault) {
+  for (const Unattributed& thing : {Unattributed{"x\n", "killed"}, Unattributed{"", "wrote '\xff'"}, Unattributed{std::nullopt, "ended"}}) {
+    const std::string line = unattributed_line(thing);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    ASSERT_TRUE(read_unattributed(line)) << line;
+    EXPECT_EQ(read_unattributed(line)->after, thing.after);
+    EXPECT_EQ(unattributed_line(*read_unattributed(line)), line);
+    EXPECT_FALSE(read_outcome(line));
+    for (std::size_t size = 0; size < line.size(); ++size) EXPECT_FALSE(read_unattributed(line.substr(0, size)));
+  }
+  write(header() + '\n' + unattributed_line({"one", "killed"}) + '\n' + outcome_line(rich("two")) + '\n');
+  EXPECT_EQ(resumed(header()), (std::vector<std::string>{"one: killed", "two"}));
 }
 
 TEST_F(Journals, OfAnotherRun) {

@@ -6,6 +6,7 @@ It answers rightly, but for cases that are marked: the first point of A lies at 
 "honest"; ways that concern the hello or the end need no mark. SECONDS: each answer takes so long."""
 import json
 import os
+import random
 import signal
 import sys
 import time
@@ -105,6 +106,9 @@ WAYS = {
     "other-id": lambda run: say(reply(run, id="99999")),
     "no-id": lambda run: say({k: v for k, v in reply(run).items() if k != "id"}),
     "twice": lambda run: write(2 * (json.dumps(reply(run)) + "\n")),
+    "no-newline": lambda run: [say(reply(run), end=""), time.sleep(60)],
+    "null-depth": lambda run: say(reply(run, depth=None)),
+    "null-apart": lambda run: say({"type": "reply", "id": run["id"], "overlap": False, "direction": None}),
     "close-output": close_output,
     "linger": linger,
     "flood": flood,
@@ -112,6 +116,15 @@ WAYS = {
     "dribble-forever": lambda run: dribble(run, 1),
     "second-hello": lambda run: say(HELLO),
 }
+# After each good answer, 0 to 20 ms later.
+SOON = {
+    "dies-soon": lambda run: kill(signal.SIGSEGV),
+    "exits-soon": lambda run: sys.exit(3),
+    "talks-soon": lambda run: write("done\n"),
+    "talks-and-dies-soon": lambda run: [write("done\n"), time.sleep(random.uniform(0, 0.02)), kill(signal.SIGSEGV)],
+    "answers-again-soon": lambda run: say(reply(run)),
+}
+WAYS["dies-soon"] = lambda run: kill(signal.SIGABRT)
 DURING_HELLO = {
     "hello-never": lambda: time.sleep(60),
     "hello-silent": lambda: sys.exit(0),
@@ -122,6 +135,9 @@ DURING_HELLO = {
     "hello-other-protocol": lambda: say({**HELLO, "protocol": "fathom/subject/2"}),
     "hello-precision": lambda: say({**HELLO, "precision": "binary16"}),
     "hello-changes": lambda: say({**HELLO, "version": str(os.getpid())}),
+    "hello-unflushed": lambda: [say(HELLO, end=""), time.sleep(60)],
+    "hello-then-crash": lambda: [say(HELLO), kill(signal.SIGSEGV)],
+    "hello-then-deaf": lambda: [say(HELLO), time.sleep(60)],
     "early": lambda: [say(HELLO), say({"type": "reply", "id": "1", "overlap": False})],
 }
 
@@ -135,6 +151,10 @@ def main():
             if WAY == "ignore-stop":
                 signal.signal(signal.SIGTERM, signal.SIG_IGN)
                 time.sleep(60)
+            if WAY == "crash-at-stop":
+                kill(signal.SIGSEGV)
+            if WAY == "fail-at-stop":
+                sys.exit(3)
             return
         else:
             time.sleep(DELAY)
@@ -150,9 +170,9 @@ def main():
                 say(reply(message))
             if WAY == "deaf":
                 time.sleep(60)
-            if WAY == "dies-later":
-                time.sleep(0.02)
-                kill(signal.SIGSEGV)
+            if WAY in SOON and not marked:
+                time.sleep(random.uniform(0, 0.02))
+                SOON[WAY](message)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "verify/harness/spawn.hpp"
+
 namespace fathom::harness {
 namespace {
 
@@ -42,6 +44,33 @@ TEST(Process, Echoes) {
   const auto ending = process.ending(in_time());
   ASSERT_TRUE(ending);
   EXPECT_TRUE(ending->in_good_order());
+}
+
+TEST(Process, KnowsWhatIsUnread) {
+  Process reader("exec cat");
+  reader.send("one");
+  EXPECT_EQ(line_of(reader), "one");
+  EXPECT_FALSE(reader.last_is_unread());
+  for (const std::string& line : {std::string("two"), std::string(1 << 20, 'x')}) {
+    Process dying("read x; echo; sleep 0.02; kill -9 $$");
+    dying.send("one");
+    line_of(dying);
+    dying.send(line);
+    EXPECT_TRUE(dying.ending(in_time()));
+    EXPECT_TRUE(dying.last_is_unread()) << line.size();
+    dying.close_input();
+    EXPECT_TRUE(dying.last_is_unread()) << line.size();
+  }
+}
+
+TEST(Process, NoShellStandsBetweenWhereTheCommandIsPlain) {
+  for (const std::string plain :
+       {"sleep 60", "/bin/sleep 60", "'/bin/sleep' 60", "  \"sleep\" '6;0'", "sleep 60 2>/dev/null", "sleep $HOME \"$HOME\""})
+    EXPECT_EQ(without_shell(plain), "exec " + plain);
+  for (const std::string other : {"exit 3", "exec sleep 60", "sleep 1; sleep 1", "sleep 1 | cat", "sleep 1 &", "A=1 sleep 60", "$SLEEP 60",
+                                  "\"$SLEEP\" 60", "(sleep 60)", "sleep $(cat x)", "sleep `cat x`", "no-such-program x", "./no/such x",
+                                  "/tmp", "", " ", "sleep 'x", "sleep 1\nsleep 1", "if true"})
+    EXPECT_EQ(without_shell(other), other);
 }
 
 TEST(Process, MuchInAndOutAtOnce) {

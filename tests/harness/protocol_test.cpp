@@ -16,9 +16,10 @@
 namespace fathom::harness {
 namespace {
 
-constexpr const char* hello = R"({"type":"hello","protocol":"fathom/subject/1","name":"x","version":"1","precision":"binary32",)"
-                              R"("conventions":{"touching":"separate","depth":"negative","moves":"b","unit":false},"library":"fcl",)"
-                              R"("capabilities":{"faces":true,"more":1},"settings":{"eps":1e-4,"deep":{"a":[1]},"mode":"x"},"unknown":[]})";
+constexpr const char* hello =
+    R"({"type":"hello","protocol":"fathom/subject/1","name":"x","version":"1","precision":"binary32",)"
+    R"("conventions":{"touching":"separate","depth":"negative","moves":"b","unit":false},"library":"fcl",)"
+    R"("capabilities":{"faces":true,"more":1},"promises":["witness","depth"],"settings":{"eps":1e-4,"deep":{"a":[1]},"mode":"x"},"unknown":[]})";
 
 std::string without(std::string text, const std::string& part) { return text.erase(text.find(part), part.size()); }
 std::string with(std::string text, const std::string& part, const std::string& other) {
@@ -36,7 +37,9 @@ TEST(Hello, IsReadAndWrittenBack) {
   EXPECT_TRUE(info.wants_faces);
   EXPECT_EQ(info.library, "fcl");
   EXPECT_EQ(info.settings.at("eps"), "1e-4") << "as it was written";
+  EXPECT_EQ(info.settings.at("deep"), R"({"a":["1"]})");
   EXPECT_EQ(info.settings.size(), 3U);
+  EXPECT_EQ(info.promises, (std::set<std::string>{"depth", "witness"}));
   EXPECT_EQ(hello_text(read_hello(hello_text(info))), hello_text(info));
 }
 
@@ -78,7 +81,6 @@ TEST(Replies, AreRead) {
   EXPECT_EQ(reply.direction, (Triple{1, -0.5, 2000}));
   EXPECT_EQ(reply.witness_a, (Triple{1, 2, 3}));
   EXPECT_EQ(reply.witness_b, (Triple{3, 5, 6}));
-  EXPECT_FALSE(replied(R"("overlap":false,"depth":null)").depth);
   EXPECT_EQ(read_reply(R"({"type":"reply","id":7,"overlap":false})", Precision::binary64).ticket, "7") << "a number will do";
   EXPECT_EQ(std::get<Failed>(read_reply(reply_with(R"("failed":"a \"b\" 1e5 nan")"), Precision::binary64).said).why, "a \"b\" 1e5 nan");
   EXPECT_EQ(std::get<Unsupported>(read_reply(reply_with(R"("unsupported":"flat")"), Precision::binary64).said).why, "flat");
@@ -104,12 +106,30 @@ TEST(Replies, AreRoundedOnce) {
 }
 
 TEST(Replies, RefusesWhatIsNone) {
-  for (const char* fields :
-       {R"("depth":1)", R"("overlap":1)", R"("overlap":"true")", R"("overlap":true,"depth":"deep")", R"("overlap":true,"depth":[1])",
-        R"("overlap":true,"depth":true)", R"("overlap":true,"direction":[1,2])", R"("overlap":true,"direction":[1,2,3,4])",
-        R"("overlap":true,"direction":{"x":1})", R"("overlap":true,"witness":[1])", R"("overlap":true,"witness":{"a":7})",
-        R"("failed":1,"x":[)", R"("overlap":true,"depth":nano)", R"("overlap":true,"depth":0x)", R"("overlap":true,"depth":--1)",
-        R"("overlap":true,"depth":nan(1,"x":2)"})
+  for (const char* fields : {R"("overlap":false,"depth":null)",
+                             R"("overlap":false,"direction":null)",
+                             R"("overlap":true,"witness":{"a":null})",
+                             R"("overlap":true,"depth":"1/1")",
+                             R"("overlap":true,"depth":yes)",
+                             R"("overlap":true,"unsupported":"flat")",
+                             R"("failed":7)",
+                             R"("failed":"x","depth":1)",
+                             R"("depth":1)",
+                             R"("overlap":1)",
+                             R"("overlap":"true")",
+                             R"("overlap":true,"depth":"deep")",
+                             R"("overlap":true,"depth":[1])",
+                             R"("overlap":true,"depth":true)",
+                             R"("overlap":true,"direction":[1,2])",
+                             R"("overlap":true,"direction":[1,2,3,4])",
+                             R"("overlap":true,"direction":{"x":1})",
+                             R"("overlap":true,"witness":[1])",
+                             R"("overlap":true,"witness":{"a":7})",
+                             R"("failed":1,"x":[)",
+                             R"("overlap":true,"depth":nano)",
+                             R"("overlap":true,"depth":0x)",
+                             R"("overlap":true,"depth":--1)",
+                             R"("overlap":true,"depth":nan(1,"x":2)"})
     EXPECT_THROW(read_reply(reply_with(fields), Precision::binary64), ProtocolError) << fields;
   EXPECT_THROW(read_reply(R"({"type":"reply","overlap":true})", Precision::binary64), ProtocolError);
   EXPECT_THROW(read_reply(R"({"id":"7","overlap":true})", Precision::binary64), ProtocolError);
@@ -130,10 +150,13 @@ TEST(Replies, NoBytesDoHarm) {
   });
 }
 
-TEST(Numbers, WordsAreQuotedAndTextsAreNot) {
-  EXPECT_EQ(with_quoted_numbers(R"({"a 1":-nan,"b":[1,2.5e-3,true,null],"c":"x\" 7"})"),
-            R"({"a 1":"-nan","b":["1","2.5e-3",true,null],"c":"x\" 7"})");
-  EXPECT_EQ(with_quoted_numbers("\"open 1"), "\"open 1");
+TEST(Numbers, AreTakenOut) {
+  const WithoutNumbers rest = without_numbers(R"({"a 1":-nan(0x8),"b":[1,2.5e-3,true,null,no],"c":"x\" 7"})");
+  EXPECT_EQ(rest.text, R"({"a 1":0,"b":[1,2,true,null,no],"c":"x\" 7"})");
+  EXPECT_EQ(rest.numbers, (std::vector<std::string>{"-nan(0x8)", "1", "2.5e-3"}));
+  EXPECT_EQ(without_numbers("\"open 1").text, "\"open 1");
+  EXPECT_EQ(read_integer("7.0"), "7");
+  EXPECT_EQ(read_integer("7.5"), std::nullopt);
 }
 
 TEST(Runs, ReadBackAsTheSameNumbers) {

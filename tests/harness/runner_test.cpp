@@ -31,9 +31,9 @@ class Runs : public testing::TestWithParam<unsigned> {
       const int i = next_++;
       return Case{std::to_string(i), {{{i, 0, 0}}}, {{{0, 0, 0}}}};
     };
-    plan_.examiner = [this] {
-      ++examiners_;
-      return [this](const Case& pair) { return examine(pair); };
+    plan_.worker = [this]() -> Worker {
+      ++workers_;
+      return {[this](const Case& pair) { return examine(pair); }, [this] { ++finished_; }};
     };
     plan_.found = [this](const Case&, const Case& seen, const Outcome& outcome, bool known) {
       EXPECT_EQ(seen.id, outcome.id);
@@ -64,7 +64,7 @@ class Runs : public testing::TestWithParam<unsigned> {
 
   RunPlan plan_;
   int next_ = 0;
-  std::atomic<unsigned> examiners_ = 0;
+  std::atomic<unsigned> workers_ = 0, finished_ = 0;
   bool refuse_ = false, break_ = false;
   std::map<std::string, int> found_, faults_;
   int left_out_ = 0;
@@ -74,7 +74,8 @@ TEST_P(Runs, EachCaseOnce) {
   run(plan_);
   EXPECT_EQ(found_.size(), std::size_t{count});
   EXPECT_TRUE(each_once());
-  EXPECT_EQ(examiners_, GetParam());
+  EXPECT_EQ(workers_, GetParam());
+  EXPECT_EQ(finished_, GetParam());
 }
 
 TEST_P(Runs, FaultsOfSingleCases) {
@@ -96,7 +97,7 @@ TEST_P(Runs, OtherFaultsEndIt) {
 }
 
 TEST_P(Runs, SourcesAndExaminersMayFail) {
-  plan_.examiner = []() -> Examine { throw Refused("no subject"); };
+  plan_.worker = []() -> Worker { throw Refused("no subject"); };
   EXPECT_THROW(run(plan_), Refused);
   EXPECT_TRUE(found_.empty());
 }

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -16,24 +16,23 @@ namespace {
 
 using Clock = Process::Clock;
 
-constexpr auto grace = std::chrono::seconds(1);  // to end after "stop", or after the output was closed
-constexpr int most_starts = 3;                   // in a row, of a subject that had said hello before
+constexpr auto grace = std::chrono::seconds(1);          // to end after the output was closed
+constexpr auto grace_to_stop = std::chrono::seconds(5);  // to end after "stop"
+constexpr int most_starts = 3;                           // in a row, of a subject that had said hello before
+constexpr int most_faults = 4;                           // of one case, until it is blamed for whatever the last one is
 
 Clock::duration duration(double seconds) {
   constexpr double longest = 1e8;  // three years; the clock counts nanoseconds in 64 bits
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(seconds, 0.0, longest)));
 }
 
-std::string first_line(const std::string& text) { return shown(text.substr(0, text.find('\n'))); }
+/// A line of a subject, for people.
+std::string quoted(std::string_view line) {
+  constexpr std::size_t shown_bytes = 200;
+  return '\'' + printable(line, shown_bytes) + '\'';
+}
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-/// The number of a run that was answered before by the same process.
-bool is_between(const std::string& ticket, std::uint64_t first, std::uint64_t current) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(ticket.data(), ticket.data() + ticket.size(), number);
-  return error == std::errc() && end == ticket.data() + ticket.size() && first <= number && number < current;
-}
 
 }  // namespace
 
@@ -46,14 +45,37 @@ Examiner::~Examiner() {
   process_->ending(Clock::now() + grace);
 }
 
-std::string Examiner::with_last_words(std::string sentence) {
+void Examiner::finish() {
+  if (!process_) return;
+  process_->send(stop_message());
+  process_->close_input();
+  std::string line;
+  const Process::Got got = process_->read_line(line, Clock::now() + grace_to_stop);
+  std::optional<Fault> found;
+  if (got == Process::Got::line) found = fault(Verdict::garbage, "wrote " + quoted(line));
+  if (got == Process::Got::end) found = fault_of_end(line);
+  // Ended as it was told to: that is silence in good order.
+  const bool is_well = found && found->verdict == Verdict::silent && !found->unread;
+  // When a line was written nobody knows.
+  if (found && !is_well) tell(*found, found->unread || found->verdict == Verdict::garbage ? "" : "after stop: ");
+  process_.reset();
+}
+
+/// "; last words: ...", if there are any.
+std::string Examiner::last_words() {
   constexpr std::size_t shown_bytes = 300;
   std::string words = process_->last_words();
   words.erase(words.find_last_not_of(" \r\n\t") + 1);
-  if (words.empty()) return sentence;
+  if (words.empty()) return "";
   if (words.size() > shown_bytes) words.erase(0, words.size() - shown_bytes);
   std::replace(words.begin(), words.end(), '\n', ' ');
-  return sentence + "; last words: " + printable(words, shown_bytes);
+  return "; last words: " + printable(words, shown_bytes);
+}
+
+/// "; 7 bytes came, no end of line: '...'", if any came.
+std::string Examiner::unfinished_line() {
+  const std::string& line = process_->waiting();
+  return line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line));
 }
 
 void Examiner::start() {
@@ -64,17 +86,20 @@ void Examiner::start() {
     throw SubjectError(std::string("the subject cannot be started: ") + error.what());
   }
   ++starts_;
-  first_ticket_ = tickets_ + 1;
+  tickets_ = 0;
+  answered_.reset();
   const double patience = std::max(settings_.time_out, settings_.hello_time_out);
   process_->send(hello_message());
   std::string line;
   const Process::Got got = process_->read_line(line, Clock::now() + duration(patience));
   if (got == Process::Got::stopped) throw Interrupted();
-  if (got == Process::Got::time_out) throw SubjectError(with_last_words(fmt::format("the subject said no hello within {} s", patience)));
+  if (got == Process::Got::time_out)
+    throw SubjectError(fmt::format("the subject said no hello within {} s", patience) + unfinished_line() + last_words());
   if (got == Process::Got::too_long) throw SubjectError("the subject's first line is no hello: it does not end");
   if (got == Process::Got::end) {
     const std::optional<Ending> ending = process_->ending(Clock::now() + grace);
-    throw SubjectError(with_last_words("the subject said no hello: " + (ending ? described(*ending) : "closed its output")));
+    throw SubjectError("the subject said no hello: " + (ending ? described(*ending) : "closed its output") +
+                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line))) + last_words());
   }
   try {
     SubjectInfo info = read_hello(line);
@@ -83,7 +108,7 @@ void Examiner::start() {
                          hello_text(info));
     info_ = std::move(info);
   } catch (const ProtocolError& error) {
-    throw SubjectError(with_last_words(std::string("the subject's hello is wrong: ") + error.what()));
+    throw SubjectError(std::string("the subject's hello is wrong: ") + error.what() + last_words());
   }
 }
 
@@ -92,16 +117,8 @@ Outcome Examiner::examine(const Case& pair) {
   return seen ? ask(*seen) : overflowed(pair, info_.precision);
 }
 
-Outcome Examiner::ask(const Case& seen) {
-  Outcome outcome = outcome_for(seen);
-  // What an earlier case left behind is not this one's fault: a fresh process decides.
-  if (!ask_once(seen, outcome)) ask_once(seen, outcome);
-  return outcome;
-}
-
-void Examiner::start_again(const std::string& why) {
+void Examiner::start_again() {
   process_.reset();
-  if (!why.empty() && settings_.note) settings_.note(why + "; it is started again");
   for (int tries = 1; !process_; ++tries) {
     try {
       start();
@@ -112,78 +129,99 @@ void Examiner::start_again(const std::string& why) {
   }
 }
 
-/// False if the process showed that it was not in order before it got the case; then nothing is said of the case, and it is fresh now.
-bool Examiner::ask_once(const Case& seen, Outcome& outcome) {
-  if (!process_) start_again("");
-  else if (!process_->waiting().empty()) start_again("between two cases the subject wrote " + first_line(process_->waiting()));
-  else if (process_->gone()) start_again("the subject ended between two cases");
-  if (const std::string& unasked = process_->waiting(); !unasked.empty()) {
-    blame(outcome, Verdict::garbage, "written before the case was sent: " + first_line(unasked));
-    return true;
+/// The case is to blame for what happens twice, the second time in a fresh process.
+Outcome Examiner::ask(const Case& seen) {
+  std::optional<Fault> before;
+  for (int faults = 1;; ++faults) {
+    if (!process_) start_again();
+    Outcome outcome = outcome_for(seen);
+    const std::optional<Fault> found = ask_once(seen, outcome);
+    if (found) process_.reset();
+    const bool leftover_before = before && before->after;
+    const bool again = before && found && before->verdict == found->verdict && (!leftover_before || before->seen == found->seen);
+    if (before && !again) tell(*before);
+    if (!found) return outcome;
+    if (is_nobodys(*found)) {
+      before.reset();
+      continue;
+    }
+    if (again || found->verdict == Verdict::time_out || faults >= most_faults) {
+      outcome.verdict = found->verdict;
+      outcome.detail = (found->reason.empty() ? found->seen : found->reason) + found->words;
+      return outcome;
+    }
+    before = found;
   }
-  const std::string ticket = std::to_string(++tickets_);
-  const std::string message = run_message(ticket, seen, info_.precision, info_.wants_faces);
+}
+
+/// Whether the process did it before it read anything of the case; then it is told.
+bool Examiner::is_nobodys(const Fault& fault) {
+  const bool ended = fault.verdict == Verdict::crash || fault.verdict == Verdict::silent;
+  if (!fault.unread || (!ended && !fault.after)) {
+    unread_ = 0;
+    return false;
+  }
+  tell(fault);
+  unread_ = fault.after ? 0 : unread_ + 1;
+  if (unread_ == most_starts) throw SubjectError("the subject ends each time before it reads a case: " + fault.seen + fault.words);
+  return true;
+}
+
+void Examiner::tell(const Fault& fault, const char* when) {
+  if (settings_.unattributed)
+    settings_.unattributed({fault.after, when + fault.seen + (fault.verdict == Verdict::garbage ? "" : fault.words)});
+}
+
+/// Nothing if the case was answered: then the outcome is judged.
+std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome) {
+  const std::string message = run_message(std::to_string(++tickets_), seen, info_.precision, info_.wants_faces);
   const Clock::time_point begin = Clock::now();
   process_->send(message);
   std::string line;
   const Process::Got got = process_->read_line(line, begin + duration(settings_.time_out));
   outcome.seconds = seconds_since(begin);
   switch (got) {
-    case Process::Got::line: return understand(line, ticket, seen, outcome);
+    case Process::Got::line: return understand(line, seen, outcome);
     case Process::Got::stopped: throw Interrupted();
-    case Process::Got::end: {
-      const bool fresh = tickets_ == first_ticket_;
-      blame_the_end(outcome, line);
-      if (outcome.verdict != Verdict::silent || fresh) return true;
-      start_again("the subject ended after some cases, without a word on the next");
-      return false;
-    }
-    case Process::Got::too_long: blame(outcome, Verdict::garbage, fmt::format("a line of more than {} bytes", longest_line)); return true;
+    case Process::Got::end: return fault_of_end(line);
+    case Process::Got::too_long:
+      return fault(Verdict::garbage, fmt::format("a line of more than {} bytes: {}", longest_line, quoted(process_->waiting())));
     case Process::Got::time_out: break;
   }
   std::string detail = fmt::format("no answer within {} s", settings_.time_out);
   if (process_->unsent() > 0)
     detail += fmt::format("; it has not read the last {} of the case's {} bytes", process_->unsent(), message.size());
-  blame(outcome, Verdict::time_out, with_last_words(detail));
-  return true;
+  return fault(Verdict::time_out, detail + unfinished_line());
 }
 
-bool Examiner::understand(const std::string& line, const std::string& ticket, const Case& seen, Outcome& outcome) {
+std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, Outcome& outcome) {
+  const std::string what = "wrote " + quoted(line), ticket = std::to_string(tickets_);
   std::optional<Answer> answer;
   try {
     answer = read_reply(line, info_.precision);
   } catch (const ProtocolError& error) {
-    blame(outcome, Verdict::garbage, with_last_words(error.what()));
-    return true;
+    const std::string reason = error.what();
+    return fault(Verdict::garbage, what, reason.find(quoted(line)) == reason.npos ? reason + "; the line: " + quoted(line) : reason);
   }
-  if (answer->ticket != ticket) {
-    if (is_between(answer->ticket, first_ticket_, tickets_)) {
-      start_again("the subject answered an earlier case again: " + shown(line));
-      return false;
-    }
-    blame(outcome, Verdict::garbage, fmt::format("expected the reply to run {}, found one to {}", ticket, shown(answer->ticket)));
-    return true;
-  }
-  if (const std::string& more = process_->waiting(); !more.empty()) {
-    blame(outcome, Verdict::garbage, "more than its reply: " + first_line(more));
-    return true;
-  }
+  if (answer->ticket != ticket)
+    return fault(Verdict::garbage, what,
+                 fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, shown(answer->ticket), quoted(line)));
+  answered_ = seen.id;
+  unread_ = 0;
   judge_answer(outcome, seen, *answer, info_, settings_.tolerance, settings_.stop);
-  return true;
+  return std::nullopt;
 }
 
-void Examiner::blame(Outcome& outcome, Verdict verdict, std::string detail) {
-  outcome.verdict = verdict;
-  outcome.detail = std::move(detail);
-  process_.reset();
+Examiner::Fault Examiner::fault(Verdict verdict, std::string seen, std::string reason) {
+  return {verdict, std::move(seen), std::move(reason), last_words(), answered_, process_->last_is_unread()};
 }
 
-void Examiner::blame_the_end(Outcome& outcome, const std::string& rest) {
+Examiner::Fault Examiner::fault_of_end(const std::string& rest) {
   const std::optional<Ending> ending = process_->ending(Clock::now() + grace);
   const std::string how = ending ? described(*ending) : "closed its output and lived on";
-  if (ending && !ending->in_good_order()) return blame(outcome, Verdict::crash, with_last_words(how));
-  if (!rest.empty()) return blame(outcome, Verdict::garbage, with_last_words("a line that was cut off: " + shown(rest)));
-  blame(outcome, Verdict::silent, with_last_words(how));
+  if (ending && !ending->in_good_order()) return fault(Verdict::crash, how);
+  if (rest.empty()) return fault(Verdict::silent, how);
+  return fault(Verdict::garbage, "wrote " + quoted(rest), "a line that was cut off: " + quoted(rest));
 }
 
 }  // namespace fathom::harness

@@ -27,7 +27,7 @@ bool exists_and_holds_something(const std::string& path) {
 
 /// Reads the lines of a journal, and finds how many of its bytes are to be kept.
 std::size_t kept_bytes(const std::string& text, const std::string& path, const std::string& header,
-                       const std::function<void(Outcome)>& known) {
+                       const std::function<void(Outcome)>& known, const std::function<void(Unattributed)>& unattributed) {
   std::size_t kept = 0, number = 0;
   for (std::size_t newline = text.find('\n'); newline != std::string::npos; newline = text.find('\n', kept)) {
     const std::string_view line = std::string_view(text).substr(kept, newline - kept);
@@ -37,9 +37,9 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
           path, 1, "this report is of another subject, version, setting or tolerance: expected " + header + ", found " + std::string(line));
     if (number > 1 && is_summary(line)) return kept;
     if (number > 1) {
-      std::optional<Outcome> outcome = read_outcome(line);
-      if (!outcome) throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + shown(line));
-      known(*std::move(outcome));
+      if (std::optional<Outcome> outcome = read_outcome(line)) known(*std::move(outcome));
+      else if (std::optional<Unattributed> thing = read_unattributed(line)) unattributed(*std::move(thing));
+      else throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + shown(line));
     }
     kept = newline + 1;
   }
@@ -70,10 +70,11 @@ Journal Journal::create(const std::string& path, const std::string& header) {
   return journal;
 }
 
-Journal Journal::resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known) {
+Journal Journal::resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
+                        const std::function<void(Unattributed)>& unattributed) {
   Journal journal(path);
   const std::string text = read_file(path);
-  const std::size_t kept = kept_bytes(text, path, header, known);
+  const std::size_t kept = kept_bytes(text, path, header, known, unattributed);
   if (kept < text.size() && ::ftruncate(journal.file_, static_cast<off_t>(kept)) != 0)
     throw InputError(path, 0, std::string("its last line cannot be cut off: ") + std::strerror(errno));
   if (kept == 0) journal.add(header);

@@ -18,6 +18,8 @@ namespace fathom::harness {
 /// One line, without the newline, of schema fathom/verdict/1; and back. What can be read gives the same outcome; anything else, nothing.
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
+std::string unattributed_line(const Unattributed& unattributed);
+std::optional<Unattributed> read_unattributed(std::string_view line);
 
 /// The first line: whose outcomes they are, by which tolerance they were judged, and by which fathom and command.
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from = {});
@@ -25,7 +27,7 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
 bool same_run(std::string_view header, std::string_view other);
 /// The last line of a run that met every case.
 struct Totals {
-  std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0;
+  std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0, unattributed = 0;
   Coverage judged = {};
 };
 std::string summary_line(const Totals& totals);
@@ -41,9 +43,11 @@ class Journal {
  public:
   /// Starts a new one. InputError if the file exists and is not empty, or cannot be made.
   static Journal create(const std::string& path, const std::string& header);
-  /// Goes on with the one that is there, if it is there: calls `known` for each outcome in it, then cuts off a summary and a torn last
-  /// line. InputError, naming the line, if its header is not that of the same run, or a line is none of ours.
-  static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known);
+  /// Goes on with the one that is there, if it is there: calls `known` for each outcome in it and `unattributed` for what was no case's
+  /// fault, then cuts off a summary and a torn last line. InputError, naming the line, if its header is not that of the same run, or a
+  /// line is none of ours.
+  static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
+                        const std::function<void(Unattributed)>& unattributed);
 
   ~Journal();
   Journal(Journal&& other) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/loose_json.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <limits>
 
@@ -41,42 +42,59 @@ std::string_view word_at(std::string_view text, std::size_t from) {
   return text.substr(from, end - from);
 }
 
+/// "nan", or with what C calls a sequence of characters: "nan(0x8000)".
 bool is_nan(std::string_view word) {
-  const std::size_t bracket = word.find('(');
-  if (bracket != std::string_view::npos && word.back() != ')') return false;
-  return same_word(word.substr(0, bracket), "nan");
+  if (!same_word(word.substr(0, word.find('(')), "nan")) return false;
+  const std::string_view rest = word.substr(3);
+  const auto belongs = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return rest.empty() || (rest.size() > 1 && rest.back() == ')' && std::all_of(rest.begin() + 1, rest.end() - 1, belongs));
+}
+
+std::string_view without_sign(std::string_view word) { return word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word; }
+
+bool is_infinite(std::string_view word) { return same_word(word, "inf") || same_word(word, "infinity"); }
+
+bool looks_like_a_number(std::string_view word) {
+  const std::string_view size = without_sign(word);
+  return !size.empty() && (is_digit(size[0]) || size[0] == '.' || is_nan(size) || is_infinite(size));
 }
 
 }  // namespace
 
-std::string with_quoted_numbers(std::string_view text) {
-  std::string result;
-  result.reserve(text.size() + text.size() / 4);
+WithoutNumbers without_numbers(std::string_view text) {
+  WithoutNumbers result;
   for (std::size_t i = 0; i < text.size();) {
     const std::string_view piece = text[i] == '"' ? string_at(text, i) : word_at(text, i);
     if (piece.empty()) {
-      result += text[i++];
+      result.text += text[i++];
       continue;
     }
-    const bool as_it_is = text[i] == '"' || piece == "true" || piece == "false" || piece == "null";
-    if (!as_it_is) result += '"';
-    result += piece;
-    if (!as_it_is) result += '"';
+    if (text[i] != '"' && looks_like_a_number(piece)) {
+      result.text += std::to_string(result.numbers.size());
+      result.numbers.emplace_back(piece);
+    } else {
+      result.text += piece;
+    }
     i += piece.size();
   }
   return result;
 }
 
 std::optional<double> read_number(std::string_view text, Precision precision) {
-  const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
-  const std::string_view word = text.substr(has_sign ? 1 : 0);
-  const double sign = has_sign && text[0] == '-' ? -1 : 1;
-  if (!word.empty() && is_nan(word)) return std::numeric_limits<double>::quiet_NaN();
-  if (same_word(word, "inf") || same_word(word, "infinity")) return sign * std::numeric_limits<double>::infinity();
+  const std::string_view word = without_sign(text);
+  if (is_nan(word)) return std::numeric_limits<double>::quiet_NaN();
+  if (is_infinite(word)) return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+  if (text.find('/') != text.npos) return std::nullopt;
   const ParsedNumber number = parse_number(text, Decimals::exact);
   if (!number.value) return std::nullopt;
   if (precision == Precision::binary32) return round_binary32(*number.value, Rounding::rn);
   return round_binary64(*number.value, Rounding::rn);
+}
+
+std::optional<std::string> read_integer(std::string_view text) {
+  const ParsedNumber number = parse_number(text, Decimals::exact);
+  if (!number.value || number.value->get_den() != 1) return std::nullopt;
+  return number.value->get_num().get_str();
 }
 
 }  // namespace fathom::harness

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "reference/files/body.hpp"
@@ -19,6 +20,7 @@ struct SubjectInfo {
   Precision precision = Precision::binary64;
   Conventions conventions;
   bool wants_faces = false;                     ///< the facets of the hulls come with each case, as polygons of point indices
+  std::set<std::string> promises;               ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: told, never read
 };
 
@@ -31,6 +33,13 @@ struct Outcome {
   std::optional<Reply> reply;  ///< if one was understood
   std::optional<Judgement> judgement;  ///< if the reply was judged
   double seconds = 0;                  ///< wall time until the answer
+};
+
+/// What a subject did that is no case's fault: it ended, wrote something or went deaf after a good answer, and on the case that it had then
+/// a fresh process did no such thing; or it ended badly after it was told to stop.
+struct Unattributed {
+  std::optional<std::string> after;  ///< the id of the last case that the process had answered; nothing: it had answered none
+  std::string detail;                ///< "killed by signal 11 (Segmentation fault)"
 };
 
 /// The family that an id names: what stands before "::", or before "-n<size>-s<seed>"; else empty.

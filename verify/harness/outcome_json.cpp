@@ -78,6 +78,13 @@ std::string outcome_line(const Outcome& outcome) {
   return dumped(json);
 }
 
+std::string unattributed_line(const Unattributed& unattributed) {
+  Json json = line_of("unattributed");
+  if (unattributed.after) json["after"] = *unattributed.after;
+  json["detail"] = unattributed.detail;
+  return dumped(json);
+}
+
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from) {
   Json json = line_of("header");
   json["fathom"] = from.version;
@@ -94,6 +101,7 @@ std::string summary_line(const Totals& totals) {
   json["passed"] = totals.passed;
   json["failed"] = totals.failed;
   json["unsupported"] = totals.unsupported;
+  json["unattributed"] = totals.unattributed;
   const Coverage& judged = totals.judged;
   json["judged"] = {{"overlap", judged.overlap},
                     {"overlapping", judged.overlapping},

@@ -117,6 +117,26 @@ Json lasting(std::string_view header) {
   return json;
 }
 
+Unattributed unattributed(const Json& json) {
+  if (json.at("schema") != "fathom/verdict/1" || json.at("type") != "unattributed") throw Unreadable();
+  Unattributed unattributed;
+  if (json.contains("after")) unattributed.after = json.at("after").get<std::string>();
+  unattributed.detail = json.at("detail").get<std::string>();
+  return unattributed;
+}
+
+/// Nothing if `line` is not what `read` reads.
+template <class Line>
+std::optional<Line> read_line(std::string_view line, Line (*read)(const Json&)) {
+  try {
+    return read(Json::parse(line));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const Unreadable&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool same_run(std::string_view header, std::string_view other) {
@@ -124,14 +144,8 @@ bool same_run(std::string_view header, std::string_view other) {
   return one.is_object() && one == lasting(other);
 }
 
-std::optional<Outcome> read_outcome(std::string_view line) {
-  try {
-    return outcome(Json::parse(line));
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  } catch (const Unreadable&) {
-    return std::nullopt;
-  }
-}
+std::optional<Outcome> read_outcome(std::string_view line) { return read_line(line, outcome); }
+
+std::optional<Unattributed> read_unattributed(std::string_view line) { return read_line(line, unattributed); }
 
 }  // namespace fathom::harness

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,24 +28,6 @@ void close_end(int& end) {
   if (end >= 0) ::close(std::exchange(end, -1));
 }
 
-/// write(2) to a pipe whose reader may be gone, without the signal that this raises in programs that have not ignored it.
-ssize_t write_quietly(int end, const char* data, std::size_t size) {
-  sigset_t pipe, before;
-  ::sigemptyset(&pipe);
-  ::sigaddset(&pipe, SIGPIPE);
-  ::pthread_sigmask(SIG_BLOCK, &pipe, &before);
-  const ssize_t written = ::write(end, data, size);
-  const int error = errno;
-  if (written < 0 && error == EPIPE) {
-    const timespec now = {};
-    while (::sigtimedwait(&pipe, nullptr, &now) < 0 && errno == EINTR) {
-    }
-  }
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  errno = error;
-  return written;
-}
-
 /// Appends what can be read now, at most `most`. False at the end of the input.
 bool read_some(int end, std::string& to, std::size_t most) {
   std::array<char, most_at_once> piece;
@@ -67,11 +50,12 @@ Process::Process(const std::string& command, std::function<bool()> stop) : stop_
   input_ = child.input;
   output_ = child.output;
   errors_ = child.errors;
+  inlet_ = child.inlet;
 }
 
 Process::~Process() {
   ::kill(-id_, SIGKILL);  // before it is reaped: until then no other group can have this number
-  for (int* end : {&input_, &output_, &errors_}) close_end(*end);
+  for (int* end : {&input_, &output_, &errors_, &inlet_}) close_end(*end);
   while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
@@ -80,24 +64,27 @@ void Process::send(std::string_view line) {
   outgoing_.erase(0, std::exchange(sent_, 0));
   outgoing_.append(line);
   outgoing_ += '\n';
-  if (input_ < 0) outgoing_.clear();
+  last_ = line.size() + 1;
   write_some();
 }
 
+bool Process::last_is_unread() const {
+  int in_pipe = 0;
+  ::ioctl(inlet_, FIONREAD, &in_pipe);
+  return static_cast<std::size_t>(in_pipe) + unsent() >= last_;
+}
+
+/// That we hold the other end as well keeps the signal away that writing to a process raises which is gone.
 void Process::write_some() {
   while (input_ >= 0 && unsent() > 0) {
-    const ssize_t written = write_quietly(input_, outgoing_.data() + sent_, std::min(unsent(), most_at_once));
+    const ssize_t written = ::write(input_, outgoing_.data() + sent_, std::min(unsent(), most_at_once));
     if (written > 0) sent_ += static_cast<std::size_t>(written);
     else if (errno == EAGAIN) return;
     else if (errno != EINTR) close_input();
   }
 }
 
-void Process::close_input() {
-  close_end(input_);
-  outgoing_.clear();
-  sent_ = 0;
-}
+void Process::close_input() { close_end(input_); }
 
 void Process::read_output() {
   if (!read_some(output_, incoming_, longest_line + 1 - std::min(incoming_.size(), longest_line))) close_end(output_);

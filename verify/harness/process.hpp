@@ -38,15 +38,17 @@ class Process {
     stopped    ///< as asked for by `stop`
   };
 
-  /// Runs `/bin/sh -c command`. `stop` is asked now and then while waiting. Throws std::system_error when the system gives no process.
+  /// Runs `/bin/sh -c command`, without the shell where it is a simple one. `stop` is asked now and then while waiting. Throws std::system_error when the system gives no process.
   explicit Process(const std::string& command, std::function<bool()> stop = {});
   /// Kills the whole group, whatever is left of it.
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Takes the line, and writes as much as the pipe holds. The rest goes out while reading; a closed pipe swallows it.
+  /// Takes the line, and writes as much as the pipe holds. The rest goes out while reading.
   void send(std::string_view line);
+  /// Whether the process, alive or dead, has read nothing of the line that was sent last.
+  [[nodiscard]] bool last_is_unread() const;
   /// Bytes of what was sent that the process has not taken out of our hands.
   [[nodiscard]] std::size_t unsent() const { return outgoing_.size() - sent_; }
 
@@ -75,8 +77,10 @@ class Process {
   std::function<bool()> stop_;
   pid_t id_ = -1;
   int input_ = -1, output_ = -1, errors_ = -1;  // -1: closed
+  int inlet_ = -1;                              // the end of the input that the process reads from
   std::string outgoing_, incoming_, words_;
-  std::size_t sent_ = 0, searched_ = 0;  // no newline in the first `searched_` bytes of incoming_
+  std::size_t last_ = 0, sent_ = 0,
+              searched_ = 0;  // last_: bytes of the line sent last; no newline in the first `searched_` bytes of incoming_
 };
 
 }  // namespace fathom::harness

@@ -50,8 +50,9 @@ struct Answer {
   std::string remark;  ///< of a reply: fields that nobody reads and that look misspelt; see near_misses
 };
 
-/// Numbers are rounded to the precision. nan and inf are understood as bare words and as strings in any of their usual spellings, and
-/// so are C99 hex floats as strings. Unknown fields are passed over, with a remark where they look misspelt. Throws ProtocolError.
+/// Numbers are rounded to the precision. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
+/// spellings. Known fields must be of their type, whatever `overlap` says; null is of none. Unknown fields are passed over, with a remark
+/// where they look misspelt. Throws ProtocolError.
 Answer read_reply(std::string_view line, Precision precision);
 
 /// Whether the line is a hello, of whatever content: how a replay knows its first line.

@@ -5,6 +5,7 @@
 
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "reference/files/source.hpp"
@@ -22,16 +23,36 @@ constexpr std::size_t shown_bytes = 200;
   throw ProtocolError("expected " + expected + ", found " + found);
 }
 
-std::string shown_json(const Json& value) {
-  return '\'' + printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), shown_bytes) + '\'';
+/// A number as it was written, which a parser of JSON would round: a type of value that no text makes.
+Json number_as_written(const std::string& text) { return Json::binary({text.begin(), text.end()}); }
+bool is_number(const Json& value) { return value.is_binary(); }
+std::string written(const Json& number) { return {number.get_binary().begin(), number.get_binary().end()}; }
+
+/// With texts for numbers, for people.
+Json readable(Json value) {
+  if (is_number(value)) return written(value);
+  if (value.is_structured())
+    for (Json& part : value) part = readable(std::move(part));
+  return value;
 }
 
-/// The JSON on the line; all its numbers are strings now. What is nested deeper than any message of ours is left out, so that no line
-/// costs more than a few times its length.
+std::string dumped(const Json& value) {
+  return is_number(value) ? written(value) : readable(value).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string shown_json(const Json& value) { return '\'' + printable(dumped(value), shown_bytes) + '\''; }
+
+/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
+/// length.
 Json parsed(std::string_view line) {
   constexpr int deepest = 8;
-  const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= deepest; };
-  return Json::parse(with_quoted_numbers(line), keep, false);
+  const WithoutNumbers rest = without_numbers(line);
+  const auto keep = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::value && value.is_number_unsigned())
+      value = number_as_written(rest.numbers.at(value.get<std::size_t>()));
+    return depth <= deepest;
+  };
+  return Json::parse(rest.text, keep, false);
 }
 
 Json object_on(std::string_view line) {
@@ -40,9 +61,10 @@ Json object_on(std::string_view line) {
   return object;
 }
 
+/// Null is no way to leave a field out: it is what many a program writes for NaN.
 const Json* field(const Json& object, const char* name) {
   const auto found = object.find(name);
-  return found == object.end() || found->is_null() ? nullptr : &*found;
+  return found == object.end() ? nullptr : &*found;
 }
 
 std::string text_in(const Json& object, const char* name, const char* of) {
@@ -78,8 +100,9 @@ const Json& object_in(const Json& object, const char* name, const char* of) {
 }
 
 double number_of(const Json& value, const char* name, Precision precision) {
-  const auto number = value.is_string() ? read_number(value.get_ref<const std::string&>(), precision) : std::nullopt;
-  if (!number) refuse(fmt::format("a number for \"{}\"", name), shown_json(value));
+  std::optional<double> number;
+  if (is_number(value) || value.is_string()) number = read_number(is_number(value) ? written(value) : value.get<std::string>(), precision);
+  if (!number) refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
   return *number;
 }
 
@@ -103,6 +126,34 @@ Conventions conventions_in(const Json& hello) {
   conventions.moves = word_in<C::Body>(said, "moves", of, {{"a", C::Body::a}, {"b", C::Body::b}});
   conventions.unit = flag_in(said, "unit", of);
   return conventions;
+}
+
+std::set<std::string> promises_in(const Json& list) {
+  std::set<std::string> promises;
+  if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
+  for (const Json& promise : list) {
+    if (promise != "depth" && promise != "direction" && promise != "witness")
+      refuse("depth, direction, witness in \"promises\" in the hello", shown_json(promise));
+    promises.insert(promise.get<std::string>());
+  }
+  return promises;
+}
+
+/// A text, or an integer.
+std::string id_in(const Json& reply) {
+  const Json* id = field(reply, "id");
+  if (!id || !is_number(*id)) return text_in(reply, "id", "the reply");
+  const std::optional<std::string> integer = read_integer(written(*id));
+  if (!integer) refuse("a text or an integer for \"id\" in the reply", shown_json(*id));
+  return *integer;
+}
+
+/// The reason in the place of an answer.
+std::string reason_in(const Json& reply, const char* name) {
+  for (const char* other : {"overlap", "depth", "direction", "witness", "unsupported", "failed"})
+    if (std::string_view(other) != name && field(reply, other))
+      refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
+  return text_in(reply, name, "the reply");
 }
 
 Reply read_answer(const Json& object, Precision precision) {
@@ -152,16 +203,17 @@ SubjectInfo read_hello(std::string_view line) {
   if (field(hello, "capabilities")) info.wants_faces = flag_in(object_in(hello, "capabilities", of), "faces", "its capabilities", false);
   if (field(hello, "settings"))
     for (const auto& [key, value] : object_in(hello, "settings", of).items())
-      info.settings[key] = value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true, Json::error_handler_t::replace);
+      info.settings[key] = value.is_string() ? value.get<std::string>() : dumped(value);
+  if (const Json* promises = field(hello, "promises")) info.promises = promises_in(*promises);
   return info;
 }
 
 Answer read_reply(std::string_view line, Precision precision) {
   const Json object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", shown(line));
-  Answer answer{text_in(object, "id", "the reply"), Failed(), ""};
-  if (field(object, "unsupported")) answer.said = Unsupported{text_in(object, "unsupported", "the reply")};
-  else if (field(object, "failed")) answer.said = Failed{text_in(object, "failed", "the reply")};
+  Answer answer{id_in(object), Failed(), ""};
+  if (field(object, "unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
+  else if (field(object, "failed")) answer.said = Failed{reason_in(object, "failed")};
   else answer.said = read_answer(object, precision), answer.remark = misspelt(object);
   return answer;
 }
@@ -186,6 +238,7 @@ std::string hello_text(const SubjectInfo& info) {
                          {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},
                          {"unit", info.conventions.unit}};
   text["capabilities"] = {{"faces", info.wants_faces}};
+  if (!info.promises.empty()) text["promises"] = info.promises;
   if (!info.settings.empty()) text["settings"] = info.settings;
   return text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

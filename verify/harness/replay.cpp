@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
+#include <iterator>
 #include <utility>
 
 #include "reference/files/source.hpp"
@@ -11,8 +13,10 @@
 
 namespace fathom::harness {
 
-Replay Replay::read(const std::string& path) {
-  const std::string text = read_file(path);
+Replay Replay::read(const std::string& given) {
+  const bool standard = given == "-";
+  const std::string path = standard ? "<stdin>" : given;
+  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
   Replay replay;
   replay.info_.name = "replay";
   std::size_t number = 0;

@@ -22,9 +22,9 @@ struct NoReply : std::runtime_error {
 /// Replies by the ids of their cases.
 class Replay {
  public:
-  /// Without a hello, the replies are those of a subject "replay" in binary64, with the usual conventions. InputError if the file cannot
+  /// "-" is standard input. Without a hello, the replies are those of a subject "replay" in binary64, with the usual conventions. InputError if the file cannot
   /// be read, its hello is wrong, or it holds no reply.
-  static Replay read(const std::string& path);
+  static Replay read(const std::string& given);
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
   /// Lines that are no replies: each a sentence with file and line. They stand for no case.

@@ -18,8 +18,9 @@ class Run {
 
   void work() {
     try {
-      const Examine examine = make_examine();
-      while (const std::optional<Case> pair = next()) examine_guarded(*pair, examine);
+      const Worker worker = make_worker();
+      while (const std::optional<Case> pair = next()) examine_guarded(*pair, worker.examine);
+      if (worker.finish) worker.finish();
     } catch (...) {
       const std::lock_guard lock(results_);
       if (!error_) error_ = std::current_exception();
@@ -32,9 +33,9 @@ class Run {
   }
 
  private:
-  Examine make_examine() {
+  Worker make_worker() {
     const std::lock_guard lock(source_);
-    return plan_.examiner();
+    return plan_.worker();
   }
 
   std::optional<Case> next() {

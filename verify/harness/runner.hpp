@@ -12,8 +12,14 @@
 
 namespace fathom::harness {
 
-/// What a run takes its work from and gives its results to. None of these is called by two threads at once, but `examiner`'s results,
-/// each of which stays in one thread, and `known`.
+/// What one thread works with.
+struct Worker {
+  Examine examine;
+  std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
+};
+
+/// What a run takes its work from and gives its results to. None of these is called by two threads at once, but what `worker`
+/// gives, each of which stays in one thread, and `known`.
 struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
@@ -21,7 +27,7 @@ struct RunPlan {
   Tolerance tolerance = {};
 
   std::function<std::optional<Case>()> next;  ///< nothing: no more
-  std::function<Examine()> examiner;          ///< called once in each thread
+  std::function<Worker()> worker;             ///< called once in each thread
   /// The outcome that an earlier run found, or null.
   std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
   /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the case.

@@ -2,8 +2,12 @@
 #include "verify/harness/seen_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "kernels/number/parse.hpp"
 
@@ -23,6 +27,31 @@ class Fnv1a {
  private:
   std::uint64_t state_ = 0xcbf29ce484222325U;
 };
+
+/// Field by field; a witness is two points.
+std::vector<std::string> missing(const Reply& reply, const std::set<std::string>& promises) {
+  std::vector<std::string> result;
+  const auto check = [&](const char* name, bool is_there) {
+    if (!is_there && promises.contains(name)) result.emplace_back(name);
+  };
+  check("depth", reply.depth.has_value());
+  check("direction", reply.direction.has_value());
+  check("witness", reply.witness_a && reply.witness_b);
+  return result;
+}
+
+/// An answer without what the hello promises contradicts it.
+void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
+  const std::vector<std::string> lacking = missing(reply, promises);
+  if (!reply.overlap || lacking.empty()) return;
+  const std::string sentence = fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
+  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
+  judgement.accuracy.reset();
+  std::vector<Verdict>& all = judgement.findings;
+  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
+  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
+  judgement.verdict = all.front();
+}
 
 }  // namespace
 
@@ -73,6 +102,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const Answer& answer, cons
   outcome.reply = std::get<Reply>(answer.said);
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);
   outcome.judgement = judge(truth, *outcome.reply, info.conventions, info.precision, tolerance);
+  hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;
 }

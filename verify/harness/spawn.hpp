@@ -11,9 +11,14 @@ namespace fathom::harness {
 struct Spawned {
   pid_t id = -1;
   int input = -1, output = -1, errors = -1;  ///< our ends: non-blocking, closed on exec
+  int inlet = -1;                            ///< its own end of the input, to see how much of it is unread; closed on exec
 };
 
-/// Runs `/bin/sh -c command` in a process group of its own, with default signal actions, an empty mask, and no other open file; the kernel
+/// The same command with "exec" before it where it is a simple one, of a program that is there: one without lists, pipelines and
+/// substitutions. No shell stands between then: it would hold the streams open that the program closes.
+std::string without_shell(const std::string& command);
+
+/// Runs `/bin/sh -c command`, or the program itself as `without_shell` says, in a process group of its own, with default signal actions, an empty mask, and no other open file; the kernel
 /// kills it should the calling thread end first. Throws std::system_error.
 Spawned spawn(const std::string& command);
 

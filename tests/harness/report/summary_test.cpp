@@ -134,6 +134,15 @@ TEST(Summary, WorstFailuresByName) {
   EXPECT_EQ(Summary().table({}, {}, {"here"}).find("here"), std::string::npos) << "nothing failed";
 }
 
+TEST(Summary, WhatIsNoCasesFault) {
+  Summary summary;
+  summary.add(judged("a::1", Verdict::pass, 0, 0));
+  for (const char* detail : {"wrote 'x'", "killed", "wrote 'x'"}) summary.add(Unattributed{"a::1", detail});
+  EXPECT_EQ(summary.unattributed(), 3u);
+  EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\n1 case: 1 pass, 0 fail; 3 unattributed\n"), std::string::npos)
+      << summary.table({});
+}
+
 TEST(Summary, OfNothing) {
   const std::string table = Summary().table(testing::subject());
   EXPECT_EQ(row(table, "all"), (Words{"all", "0"}));

@@ -50,9 +50,10 @@ std::string count_text(std::size_t count, const std::string& one, const std::str
   return fmt::format("{} {}", count, count == 1 ? one : more);
 }
 
-std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures) {
+std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures, std::size_t unattributed) {
   std::string result = fmt::format("{}: {} pass, {} fail", count_text(total, "case", "cases"), passes, failures);
   if (total > passes + failures) result += fmt::format(", {} unsupported", total - passes - failures);
+  if (unattributed > 0) result += fmt::format("; {} unattributed", unattributed);
   return result;
 }
 

@@ -29,8 +29,8 @@ std::string sentence_of(const Outcome& outcome);
 std::string error_text(double error);
 /// "1 case", "2 cases".
 std::string count_text(std::size_t count, const std::string& one, const std::string& more);
-/// "10000 cases: 9000 pass, 990 fail, 10 unsupported"; without the last where there are none.
-std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures);
+/// "10000 cases: 9000 pass, 990 fail, 10 unsupported; 2 unattributed"; without the last two where there are none.
+std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures, std::size_t unattributed = 0);
 
 /// "correctly rounded: 61", "16 uR: 4": the classes that passes are in.
 std::vector<std::string> accuracy_entries(const TallyRow& row);

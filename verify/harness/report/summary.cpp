@@ -147,6 +147,12 @@ void add_failures(Lines& lines, std::span<const Outcome> outcomes) {
 
 }  // namespace
 
+std::size_t Summary::unattributed() const {
+  std::size_t result = 0;
+  for (const auto& [detail, count] : unattributed_) result += count;
+  return result;
+}
+
 std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where) const {
   Lines lines{ascii(title(subject), widest)};
   add_entries(lines, "conventions", {conventions_text(subject.conventions)});
@@ -158,7 +164,10 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   if (failures() > 0) add_entries(lines, "see", where);
   add_entries(lines, "passes", accuracy_entries(tally_.all()));
   add_entries(lines, "judged", coverage_entries(tally_.all().judged));
-  lines.push_back(totals_text(total(), passes(), failures()));
+  Lines things;
+  for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
+  add_entries(lines, "unattributed", things);
+  lines.push_back(totals_text(total(), passes(), failures(), unattributed()));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace fathom::harness {
 class Summary {
  public:
   void add(const Outcome& outcome) { tally_.add(outcome); }
+  void add(const Unattributed& unattributed) { ++unattributed_[unattributed.detail]; }
 
   /// Several lines, the last with its newline: the subject with its conventions and settings, a row for each family, of `outcomes` the
   /// worst failures of each verdict by name, `where` to look for more, what was judged, totals. At most 140 columns wide, pure ASCII,
@@ -23,10 +25,13 @@ class Summary {
   [[nodiscard]] std::size_t failures() const { return tally_.all().failures(); }
   [[nodiscard]] std::size_t passes() const { return tally_.all().passes(); }
   [[nodiscard]] std::size_t total() const { return tally_.all().total; }
+  /// How often something happened that is no case's fault.
+  [[nodiscard]] std::size_t unattributed() const;
   [[nodiscard]] const Tally& tally() const { return tally_; }
 
  private:
   Tally tally_;
+  std::map<std::string, std::size_t> unattributed_;  // by what happened
 };
 
 }  // namespace fathom::harness
