@@ -79,7 +79,7 @@ CertificateNames write_certificates(const CertifyRequest& certify, Collector& fo
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
                    const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates,
                    const std::string& cut_short) {
-  const harness::Provenance from{FATHOM_VERSION, certify.command_line, cut_short};
+  const harness::RunInfo from{FATHOM_VERSION, certify.command_line, cut_short, found.summary().unattributed_counts()};
   if (!certify.junit.empty())
     CertificateFile(certify.junit, "report")
         .write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check()), from));

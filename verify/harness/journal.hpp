@@ -11,7 +11,7 @@
 
 #include "verify/harness/coverage.hpp"
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/provenance.hpp"
+#include "verify/harness/run_info.hpp"
 
 namespace fathom::harness {
 
@@ -22,7 +22,7 @@ std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
 
 /// The first line: whose outcomes they are, by which tolerance they were judged, and by which fathom and command.
-std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from = {});
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
 /// Whether two headers say the same but for the command.
 bool same_run(std::string_view header, std::string_view other);
 /// The last line of a run that met every case.

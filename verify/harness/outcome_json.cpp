@@ -85,7 +85,7 @@ std::string unattributed_line(const Unattributed& unattributed) {
   return dumped(json);
 }
 
-std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const Provenance& from) {
+std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from) {
   Json json = line_of("header");
   json["fathom"] = from.version;
   json["command"] = from.command;

@@ -131,6 +131,15 @@ TEST(Html, NoPairAndNoAnswer) {
   EXPECT_TRUE(says(read_page(html_page({}, {}, {}, {})), "There are none."));
 }
 
+TEST(Html, WhatIsNoCasesFault) {
+  RunInfo run;
+  run.unattributed = {{"ended by signal 11 after an answer", 2}, {testing::hostile(), 1}};
+  const Element page = read_page(html_page(subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, {}, run));
+  EXPECT_TRUE(says(page, "1 case: 1 pass, 0 fail; 3 unattributed"));
+  EXPECT_TRUE(says(page, "2 x ended by signal 11 after an answer"));
+  EXPECT_FALSE(says(read_page(html_page({}, {}, {}, {})), "No case's fault"));
+}
+
 TEST(Html, WellFormedWhateverOthersSay) {
   SubjectInfo info = subject();
   info.name = info.version = info.library = info.settings[testing::hostile()] = testing::hostile();

@@ -115,6 +115,15 @@ TEST(Junit, KnownFailures) {
   EXPECT_EQ(types, (std::multiset<std::string>{"nan", "not-met", "unexpected-pass"}));
 }
 
+TEST(Junit, WhatIsNoCasesFaultIsAnErrorOfItsOwn) {
+  RunInfo run;
+  run.unattributed = {{"ended by signal 11 after an answer", 2}, {testing::hostile(), 1}};
+  const Element root = read_junit(junit_xml(subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, run));
+  EXPECT_EQ(root.children.back()["name"], "unattributed");
+  EXPECT_EQ(root["errors"], "2");
+  EXPECT_EQ(child(root, "2 x ended by signal 11 after an answer"), "error");
+}
+
 TEST(Junit, OfNothing) { EXPECT_EQ(read_junit(junit_xml(subject(), {})).children.size(), 0u); }
 
 TEST(Junit, WellFormedWhateverOthersSay) {

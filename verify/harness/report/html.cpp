@@ -22,12 +22,12 @@ std::string warning(const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", markup(text));
 }
 
-std::string header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const Provenance& from) {
+std::string header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from) {
   const TallyRow& all = tally.all();
   const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
-  std::string result =
-      fmt::format("<header><h1>{}</h1>\n<p><strong>{}</strong></p>\n{}{}<dl>", markup(title(subject)),
-                  totals_text(all.total, all.passes(), all.failures()), warning(cut_short), warning(coverage_warning(all.judged)));
+  std::string result = fmt::format("<header><h1>{}</h1>\n<p><strong>{}</strong></p>\n{}{}<dl>", markup(title(subject)),
+                                   totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(cut_short),
+                                   warning(coverage_warning(all.judged)));
   const auto add = [&](const char* what, const std::string& text) { result += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text)); };
   add("conventions", conventions_text(subject.conventions));
   for (const std::string& setting : settings_text(subject)) add("setting", setting);
@@ -109,7 +109,15 @@ std::string account(std::size_t failures, std::size_t shown, std::size_t rest) {
           : fmt::format("The other {} are <a href=\"#others\">listed below</a>", rest));
 }
 
-std::string footer(const Provenance& from) {
+/// What the subject did that is no case's fault.
+std::string unattributed_section(const UnattributedCounts& unattributed) {
+  if (unattributed.empty()) return "";
+  std::string items;
+  for (const auto& [detail, count] : unattributed) items += fmt::format("<li>{} x {}</li>\n", count, markup(detail));
+  return "<section><h2>No case's fault</h2>\n<ul>\n" + items + "</ul></section>\n";
+}
+
+std::string footer(const RunInfo& from) {
   const std::string version = from.version.empty() ? "" : " " + from.version;
   const std::string command = from.command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", markup(from.command));
   return fmt::format("<footer><p class=\"soft\">Judged by fathom{}. Truths are exact; errors are correctly rounded.</p>{}</footer>\n",
@@ -119,7 +127,7 @@ std::string footer(const Provenance& from) {
 }  // namespace
 
 std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes, std::span<const HtmlFailure> failures,
-                      const Tolerance& tolerance, const Provenance& from) {
+                      const Tolerance& tolerance, const RunInfo& from) {
   Tally tally;
   for (const Outcome& outcome : outcomes) tally.add(outcome);
   const std::vector<const HtmlFailure*> shown = chosen(failures);
@@ -130,6 +138,7 @@ std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outco
       "<title>{}: verdicts</title><style>{}</style></head>\n<body>\n",
       markup(title(subject)), page_style());
   result += header(subject, tally, tolerance, from) + "<main>\n<section><h2>Verdicts</h2>\n" + tally_table(tally) + "</section>\n";
+  result += unattributed_section(from.unattributed);
   const std::string charts = histogram(outcomes, false, tolerance.relative.get_d()) + histogram(outcomes, true, 0);
   if (!charts.empty()) result += "<section><h2>Errors</h2>\n" + charts + "</section>\n";
   result += "<section><h2>Failures</h2>\n" + account(tally.all().failures(), shown.size(), rest.size());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/provenance.hpp"
+#include "verify/harness/run_info.hpp"
 
 namespace fathom::harness {
 
@@ -29,6 +29,6 @@ std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std
 /// The page. `outcomes` are all of the run; those of `failures` are shown in full, and the other failures of `outcomes` as a table. Solves
 /// each pair of `failures` once more, for the picture. Well-formed whatever ids and details hold.
 std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes, std::span<const HtmlFailure> failures,
-                      const Tolerance& tolerance, const Provenance& from = {});
+                      const Tolerance& tolerance, const RunInfo& from = {});
 
 }  // namespace fathom::harness

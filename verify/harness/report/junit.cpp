@@ -60,7 +60,7 @@ void add_case(Suite& suite, const std::string& class_name, const std::string& ca
                              seconds, child.empty() ? "/>" : ">" + child + "</testcase>");
 }
 
-std::string properties(const SubjectInfo& subject, const Provenance& from) {
+std::string properties(const SubjectInfo& subject, const RunInfo& from) {
   std::string result = "    <properties>\n";
   const auto add = [&](const std::string& name, const std::string& value) {
     result += fmt::format("      <property{}{}/>\n", attribute("name", name), attribute("value", value));
@@ -80,7 +80,7 @@ std::string suite_xml(const std::string& name, const Suite& suite, const std::st
 }  // namespace
 
 std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known,
-                      const Provenance& from) {
+                      const RunInfo& from) {
   std::map<std::string, Suite> suites;
   for (const Outcome& outcome : outcomes) {
     const std::string family = family_of(outcome.id);
@@ -102,6 +102,15 @@ std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outco
   }
   all.add(unmet);
   if (unmet.tests > 0) body += suite_xml("known failures", unmet, common);
+  Suite nobodys;
+  for (const auto& [detail, count] : from.unattributed) {
+    ++nobodys.errors;
+    const std::string message = fmt::format("{} x {}", count, detail);
+    add_case(nobodys, subject.name, message, 0,
+             fmt::format("<error{}{}/>", attribute("message", message), attribute("type", "unattributed")));
+  }
+  all.add(nobodys);
+  if (nobodys.tests > 0) body += suite_xml("unattributed", nobodys, common);
   return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites{}{}>\n{}</testsuites>\n",
                      attribute("name", "fathom certify " + title(subject)), counts(all), body);
 }

@@ -14,14 +14,14 @@
 #include <string>
 
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/provenance.hpp"
 #include "verify/harness/report/expect_fail.hpp"
+#include "verify/harness/run_info.hpp"
 
 namespace fathom::harness {
 
 /// A whole document in UTF-8, well-formed whatever ids, details and replies hold; it depends on its arguments alone. Order: families by
 /// name, cases as given. `known` is what ExpectedFailures::check said, and empty without a list; `from` is in the properties.
 std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known = {},
-                      const Provenance& from = {});
+                      const RunInfo& from = {});
 
 }  // namespace fathom::harness

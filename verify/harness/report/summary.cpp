@@ -147,12 +147,6 @@ void add_failures(Lines& lines, std::span<const Outcome> outcomes) {
 
 }  // namespace
 
-std::size_t Summary::unattributed() const {
-  std::size_t result = 0;
-  for (const auto& [detail, count] : unattributed_) result += count;
-  return result;
-}
-
 std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where) const {
   Lines lines{ascii(title(subject), widest)};
   add_entries(lines, "conventions", {conventions_text(subject.conventions)});

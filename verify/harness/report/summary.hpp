@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "verify/harness/report/tally.hpp"
+#include "verify/harness/run_info.hpp"
 
 namespace fathom::harness {
 
@@ -26,12 +26,13 @@ class Summary {
   [[nodiscard]] std::size_t passes() const { return tally_.all().passes(); }
   [[nodiscard]] std::size_t total() const { return tally_.all().total; }
   /// How often something happened that is no case's fault.
-  [[nodiscard]] std::size_t unattributed() const;
+  [[nodiscard]] std::size_t unattributed() const { return sum(unattributed_); }
+  [[nodiscard]] const UnattributedCounts& unattributed_counts() const { return unattributed_; }
   [[nodiscard]] const Tally& tally() const { return tally_; }
 
  private:
   Tally tally_;
-  std::map<std::string, std::size_t> unattributed_;  // by what happened
+  UnattributedCounts unattributed_;
 };
 
 }  // namespace fathom::harness

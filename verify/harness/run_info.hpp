@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a report says of its run, beside the verdicts.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace fathom::harness {
+
+/// What happened that is no case's fault, by its wording, and how often.
+using UnattributedCounts = std::map<std::string, std::size_t>;
+
+inline std::size_t sum(const UnattributedCounts& counts) {
+  std::size_t result = 0;
+  for (const auto& [detail, count] : counts) result += count;
+  return result;
+}
+
+/// Which fathom judged, how it was called, and how it went. Every report says so.
+struct RunInfo {
+  std::string version;    ///< "0.1.0"
+  std::string command;    ///< the command line, ready for a shell
+  std::string cut_short;  ///< why the run ended before every case was judged; empty if it did not
+  UnattributedCounts unattributed = {};
+};
+
+}  // namespace fathom::harness
