@@ -122,11 +122,11 @@ def bytes_of_lines():
     """Indices with zeros in front. Comments do not count."""
     corners = 160
     row = f"{corners} " + " ".join(["0" * DIGITS] * corners)
-    text = list(Text(POINT, POINT, "depth 1", [ZERO], [], [row] * ((BYTES - LINE) // len(row)) + ["1 0"] * 200).lines())
+    text = list(Text(POINT, POINT, "depth 1", [ZERO], [], [row] * ((BYTES - LINE) // len(row)) + ["1 0"] * 400).lines())
     text[7:7] = ["#" + "x" * 1000] * 1000
     missing = BYTES - sum(len(line) for line in text if line[0] != "#")
-    for k in range(200):  # spread over the last lines
-        text[-2 - k] = "1 " + "0" * (1 + missing // 200 + (k < missing % 200))
+    for k in range(400):  # spread over the last lines
+        text[-2 - k] = "1 " + "0" * (1 + missing // 400 + (k < missing % 400))
     yield f"{BYTES} bytes", text, None
     yield f"{BYTES + 1} bytes", text[:-1] + [text[-1].replace("end ", "end 0")], len(text)
 
