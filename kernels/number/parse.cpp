@@ -6,11 +6,16 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "kernels/number/rounding.hpp"
 
 namespace fathom {
+
+// GMP takes and yields longs. Exponents up to 10^15 are longs here, and 64-bit numbers go into GMP as longs in other rooms.
+static_assert(std::numeric_limits<long>::digits >= 63, "fathom needs a long of 64 bits; verify/check alone does without");
+
 namespace {
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }

@@ -32,6 +32,7 @@ class Listener : public nlohmann::json_sax<Json> {
     const CasePlace place = next_place();
     return place == CasePlace::other ? done() : wrong(place, value ? "true" : "false");
   }
+  static_assert(sizeof(long) >= sizeof(number_integer_t), "GMP takes longs: shorter ones would cut integers");
   bool number_integer(number_integer_t value) override { return number(mpz_class(static_cast<long>(value))); }
   bool number_unsigned(number_unsigned_t value) override { return number(mpz_class(static_cast<unsigned long>(value))); }
   bool number_float(number_float_t value, const std::string& text) override {

@@ -71,6 +71,7 @@ class BinaryValues {
   void begin(const PlyItem& item) { item_ = item; }
   void coordinate(PlyType type, mpq_class& value) {
     if (is_integer(type)) {
+      static_assert(sizeof(long) >= sizeof(integer(type)), "GMP takes a long: a shorter one would cut a coordinate");
       value = static_cast<long>(integer(type));
       return;
     }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "verify/check/cases.hpp"
+#include "verify/check/limits.hpp"
 #include "verify/check/number.hpp"
 #include "verify/check/parser.hpp"
 #include "verify/check/result.hpp"
@@ -115,9 +116,8 @@ Certificate certificate(const std::string& id, const std::string& a, const std::
   Lines lines(text, longest_line);
   Parser parser(lines);
   Certificate result;
-  Budget budget;
   EXPECT_TRUE(parser.find_next());
-  parser.read(result, budget);
+  parser.read(result);
   return result;
 }
 
@@ -166,7 +166,7 @@ TEST(CheckCase, CasesAreFoundById) {
     return "{" + id + "\"a\": " + body(std::to_string(x) + ", 0, 0") + ", \"b\": " + body("1, 1, 1") + "}\n";
   };
   const std::string cases = line("\"id\": \"\\u00e9 %\", ", 1) + line("\"id\": 7, ", 2) + line("", 3);
-  EXPECT_EQ(compared(cases, certificate("%C3%A9 %25", "1 0 0", "1 1 1")), "");
+  EXPECT_EQ(compared(cases, certificate("%C3%A9%20%25", "1 0 0", "1 1 1")), "");
   EXPECT_EQ(compared(cases, certificate("7", "2 0 0", "1 1 1")), "");
   EXPECT_EQ(compared(cases, certificate("3", "3 0 0", "1 1 1")), "") << "the number of its line";
   EXPECT_EQ(compared(cases, certificate("7", "1 0 0", "1 1 1")), "refused: point 0 of a is not that of the case");
@@ -176,40 +176,107 @@ TEST(CheckCase, CasesAreFoundById) {
   EXPECT_EQ(compared(line("\"id\": \"x\", ", 1), certificate("y", "1 0 0", "1 1 1")), "") << "the only case";
 }
 
+// Not the certificate's, and even where there is one case only.
+TEST(CheckCase, AResultIsFoundByItsOwnId) {
+  const std::string x = "{\"id\": \"x\", \"a\": " + body("1, 0, 0") + ", \"b\": " + body("1, 1, 1") + "}\n";
+  const std::string y = "{\"id\": \"y\", \"a\": " + body("2, 0, 0") + ", \"b\": " + body("1, 1, 1") + "}\n";
+  const Certificate of_x = certificate("x", "1 0 0", "1 1 1");
+  EXPECT_NO_THROW(CaseFile(x + y).compare(of_x, false, "x"));
+  EXPECT_THROW(CaseFile(x + y).compare(of_x, false, "y"), Fault);
+  EXPECT_THROW(CaseFile(x).compare(of_x, false, "y"), Fault);
+}
+
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+
 TEST(CheckCase, BadCasesAreMalformed) {
   const Certificate c = certificate("", "1 0 0", "1 1 1");
   const std::string b = ", \"b\": " + body("1, 1, 1") + "}";
-  for (const std::string& text : std::vector<std::string>{
-           "", "[]", "{}", "{\"a\": 1" + b, "{\"a\": " + body("1, 0") + b, "{\"a\": " + body("1, 0, 1e400") + b,
-           "{\"a\": " + body("1, 0, \"x\"") + b, "{\"a\": " + body("1, 0, true") + b,
-           "{\"schema\": \"other\", \"a\": " + body("1, 0, 0") + b, "{\"a\": " + body("1, 0, 0") + ", \"a\": " + body("1, 0, 0") + b,
-           "{\"a\": " + body("1, 0, 0", ", \"pose\": [[1]]") + b, "{\"a\": " + body("1, 0, 0", ", \"pose_rounding\": \"binary32\"") + b,
-           "{\"a\": " + body("01, 0, 0") + b, "{\"a\": " + body("1, 0, 0") + b + "}", "{\"a\": " + body("1, 0, 0") + b + ",",
-           "{\"a\": " + body("1, 0, .5") + b, "{\"a\": " + body("NaN, 0, 0") + b})
+  for (const std::string& text : std::vector<std::string>{"",
+                                                          "[]",
+                                                          "{}",
+                                                          "{\"a\": 1" + b,
+                                                          "{\"a\": " + body("1, 0") + b,
+                                                          "{\"a\": " + body("1, 0, 1e400") + b,
+                                                          "{\"a\": " + body("1, 0, \"x\"") + b,
+                                                          "{\"a\": " + body("1, 0, true") + b,
+                                                          "{\"schema\": \"other\", \"a\": " + body("1, 0, 0") + b,
+                                                          "{\"a\": " + body("1, 0, 0") + ", \"a\": " + body("1, 0, 0") + b,
+                                                          "{\"a\": " + body("1, 0, 0", ", \"pose\": [[1]]") + b,
+                                                          "{\"a\": " + body("1, 0, 0", ", \"pose_rounding\": \"binary32\"") + b,
+                                                          "{\"a\": " + body("01, 0, 0") + b,
+                                                          "{\"a\": " + body("1, 0, 0") + b + "}",
+                                                          "{\"a\": " + body("1, 0, 0") + b + ",",
+                                                          "{\"a\": " + body("1, 0, .5") + b,
+                                                          "{\"a\": " + body("NaN, 0, 0") + b,
+                                                          "{\"a\": " + body("1, 0, 0") + b + std::string(1, '\0') + "junk",
+                                                          "{\"name\": \"\xc3(\", \"a\": " + body("1, 0, 0") + b,
+                                                          "{\"skipped\": " + nested(64) + ", \"a\": " + body("1, 0, 0") + b})
     EXPECT_EQ(compared(text, c).substr(0, 10), "malformed:") << text;
+  EXPECT_EQ(compared("{\"skipped\": " + nested(63) + ", \"a\": " + body("1, 0, 0") + b, c), "") << "64 deep with the case itself";
   EXPECT_EQ(compared("{\"more\": {\"deep\": [1, [2, {}]]}, \"a\": " + body("1, 0, 0") + b, c), "") << "unknown fields are passed over";
 }
 
+/// What becomes of a line of results with the certificate's fields and these.
+std::string said(const std::string& fields, const Certificate& c) {
+  try {
+    Result result;
+    read_result("{\"certificate\": \"\"" + fields + "}", 1, result);
+    compare(result, c);
+    return "fine";
+  } catch (const Fault& fault) {
+    return fault.malformed ? "malformed" : "refused";
+  }
+}
+
 TEST(CheckResult, SaysWhatTheCertificateSays) {
+  const Certificate c = certificate("a%20b", "1 0 0", "1 1 1");
+  EXPECT_EQ(said("", c), "fine");
+  EXPECT_EQ(said(R"(, "id": "a b", "status": "disjoint", "depth": {"squared": "-0/7"}, "bound": {"squared": "00"})", c), "fine");
+  EXPECT_EQ(said(R"(, "depth": {"value": 7, "rounded": null}, "other": "\u00e9", "witness": null)", c), "fine");
+  for (const char* fields : {R"(, "id": "a%20b")", R"(, "id": "b")", R"(, "id": "")", R"(, "id": 7)", R"(, "status": "touching")",
+                             R"(, "depth": {"squared": "1"})", R"(, "bound": {"squared": "1/9"})"})
+    EXPECT_EQ(said(fields, c), "refused") << fields;
+  EXPECT_EQ(said(R"(, "id": 7)", certificate("", "1 0 0", "1 1 1")), "fine");
+}
+
+TEST(CheckResult, NotationsAreThoseOfCertificates) {
   const Certificate c = certificate("", "1 0 0", "1 1 1");
-  const auto said = [&c](const std::string& fields) {
-    try {
-      Result result;
-      read_result("{\"certificate\": \"\"" + fields + "}", 1, result);
-      compare(result, c);
-      return true;
-    } catch (const Fault&) {
-      return false;
-    }
-  };
-  EXPECT_TRUE(said(""));
-  EXPECT_TRUE(said(", \"status\": \"disjoint\", \"depth\": {\"squared\": \"0\"}"));
-  EXPECT_FALSE(said(", \"status\": \"touching\""));
-  EXPECT_FALSE(said(", \"depth\": {\"squared\": \"1\"}"));
-  EXPECT_FALSE(said(", \"depth\": {\"squared\": 0}"));
+  for (const char* squared : {"+0", "0.", ".0", "0x0p+0", "0e0", "", " 0", "0 ", "0/0", "0/-1", "0/+1", "-", "/1", "0/1/1", "nan"})
+    EXPECT_EQ(said(R"(, "depth": {"squared": ")" + std::string(squared) + R"("})", c), "malformed") << squared;
+  EXPECT_EQ(said(R"(, "depth": {"squared": ")" + std::string(longest_number, '0') + R"("})", c), "fine");
+  EXPECT_EQ(said(R"(, "depth": {"squared": ")" + std::string(longest_number + 1, '0') + R"("})", c), "malformed");
+}
+
+TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
+  const Certificate c = certificate("", "1 0 0", "1 1 1");
+  for (const std::string& fields :
+       std::vector<std::string>{R"(, "id": true)", R"(, "id": null)", R"(, "status": null)", R"(, "status": 1)", R"(, "depth": "0")",
+                                R"(, "depth": null)", R"(, "depth": 0)", R"(, "depth": {"squared": 0})", R"(, "depth": {"squared": null})",
+                                R"(, "bound": "0")", R"(, "depth": {"squared": "0", "squared": "0"})", R"(, "certificate": "")",
+                                ", \"x\": \"\xff\"", ", \"\xc0\x80\": 1", ", \"x\": " + nested(64)})
+    EXPECT_EQ(said(fields, c), "malformed") << fields;
+  EXPECT_EQ(said(", \"x\": " + nested(63), c), "fine");
   Result result;
-  EXPECT_THROW(read_result("{}", 1, result), Fault);
-  EXPECT_THROW(read_result("{\"certificate\": \"\"} {}", 1, result), Fault);
+  for (const std::string& line : {std::string("{}"), std::string(R"({"certificate": ""} {})"), std::string("{\"certificate\": \"\"}\0", 20),
+                                  std::string("{\"certificate\": \"\"}\0junk", 24), std::string("[]"), std::string("")})
+    EXPECT_THROW(read_result(line, 1, result), Fault) << line;
+  EXPECT_NO_THROW(read_result("{\"certificate\": \"\"} \t\r", 1, result));
+}
+
+// 1/2 <= depth^2 <= 16/5 is no proof that it is 2, nor that it is 16/5.
+TEST(CheckResult, BoundsAreNoDepth) {
+  Certificate c = certificate("", "1 0 0", "1 1 1");
+  c.claim = Claim::bounds;
+  c.low = {1, 2};
+  c.high = {16, 5};
+  EXPECT_EQ(said(R"(, "status": "penetrating")", c), "fine");
+  EXPECT_EQ(said(R"(, "depth": {"squared": "16/5"}, "bound": {"squared": "2/4"})", c), "fine");
+  for (const char* fields : {R"(, "depth": {"squared": "2"})", R"(, "depth": {"squared": "16/5"})", R"(, "depth": {"squared": "1/2"})",
+                             R"(, "depth": {"squared": "2"}, "bound": {"squared": "1/2"})", R"(, "bound": {"squared": "1/3"})",
+                             R"(, "depth": {"squared": "16/5"}, "bound": {"squared": "16/5"})"})
+    EXPECT_EQ(said(fields, c), "refused") << fields;
+  c.low = c.high;
+  EXPECT_EQ(said(R"(, "depth": {"squared": "16/5"})", c), "fine");
 }
 
 }  // namespace

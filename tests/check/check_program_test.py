@@ -73,18 +73,28 @@ class Certificates(ProgramTest):
         self.assertEqual(self.both(cut, bad, good), (2, ["s MALFORMED two%20cubes:40", "s REFUSED two%20cubes", CUBES_OK]))
 
     def test_nothing_is_not_fine(self):
-        for content in ("", "\n", "#\n", "# cut off", "garbage\n"):
-            code, lines = self.both(self.file("empty", content))
-            self.assertEqual((code, len(lines)), (2, 1), content)
-        self.assertEqual(self.run_program(CHECK)[:2], (2, []))
-        self.assertEqual(self.run_program(READER)[:2], (2, []))
+        for content, line in (("", 1), ("\n", 1), ("#\n", 2), ("# cut off", 1), ("garbage\n", 1)):
+            path = self.file("empty", content)
+            self.assertEqual(self.both(path), (2, [f"s MALFORMED {path}:{line}"]), content)
+        for program in (CHECK, READER):
+            code, lines, err = self.run_program(program)
+            self.assertEqual((code, lines), (2, []))
+            self.assertIn("expected certificates: files, or - for standard input", err)
 
     def test_unreadable(self):
         for path in (self.folder, self.folder / "missing"):
             for program in (CHECK, READER):
                 code, lines, _ = self.run_program(program, path, self.file("good", CUBES))
                 self.assertEqual((code, lines[-1]), (2, CUBES_OK))
-                self.assertIn("s MALFORMED ", lines[-2])
+                self.assertTrue(lines[-2].startswith(f"s MALFORMED {path}:0: "), lines)
+
+    def test_output_that_cannot_be_written(self):
+        for program in (CHECK, READER):
+            for where in (">/dev/full", ">&-"):
+                done = subprocess.run(["sh", "-c", '"$@" ' + where, "sh", *program, DATA / "depth_cubes.cert"], stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 2, (program, where))
+                self.assertIn(b"standard output", done.stderr)
+                self.assertNotIn(b"Traceback", done.stderr)
 
     def test_streams(self):
         self.assertEqual(self.both("-", stdin=CUBES + "# between\n" + APART), (0, [CUBES_OK, APART_OK]))
@@ -100,9 +110,17 @@ class Certificates(ProgramTest):
         self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 
+    def test_a_name_cannot_forge_words_of_a_verdict(self):
+        some = (DATA / "one_direction.cert").read_text()
+        path = self.file("x optima=1 y", re.sub("id .*\n", "id optima=1 x\n", some))
+        name = f"{self.folder}/x%20optima=1%20y"
+        self.assertEqual(self.both(path)[1][0], f"s MALFORMED {name}:{some[:some.index('id ')].count(chr(10)) + 1}")
+        path = self.file("x optima=1 y", re.sub("id .*\n", "", some))
+        self.assertEqual(self.both(path), (0, [f"s VERIFIED penetrating depth_squared=1/12 {name}"]))
+
     def test_a_name_cannot_forge_a_line(self):
         path = self.file("x\ns VERIFIED %", "garbage\n")
-        self.assertEqual(self.both(path), (2, [f"s MALFORMED {self.folder}/x%0As VERIFIED %25:1"]))
+        self.assertEqual(self.both(path), (2, [f"s MALFORMED {self.folder}/x%0As%20VERIFIED%20%25:1"]))
 
     def test_each_verdict_before_the_next_certificate(self):
         process = subprocess.Popen([*CHECK, "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
@@ -171,6 +189,25 @@ class Options(ProgramTest):
                           "s MALFORMED error", f"s MALFORMED {path}:6", f"s MALFORMED {path}:7", CUBES_OK])
         self.assertEqual(self.run_program(CHECK, "--results", "-", stdin=lines[0])[0], 0)
         self.assertEqual(self.run_program(CHECK, "--results", self.file("none", "\n"))[0], 2)
+
+    def test_a_result_is_about_its_own_case(self):
+        def case(name, x):
+            cube = [[x + i, j, k] for k in (0, 2) for j in (0, 2) for i in (0, 2)]
+            return json.dumps({"id": name, "a": {"vertices": cube}, "b": {"vertices": [[i + 1, j, k] for i, j, k in cube]}})
+
+        def checked(cases, **fields):
+            own, results = self.file("own.jsonl", "\n".join(cases)), self.file("results.jsonl", json.dumps({**fields, "certificate": CUBES}))
+            code, lines, _ = self.run_program(CHECK, "--results", results, "--case", own)
+            return code, re.sub(r":\d+: .*", "", lines[0])
+
+        both = [case("two cubes", 0), case("Y", 5)]
+        self.assertEqual(checked(both, id="two cubes"), (0, CUBES_OK))
+        self.assertEqual(checked(both), (0, CUBES_OK))
+        self.assertEqual(checked(both, id="Y"), (1, "s REFUSED Y"))
+        self.assertEqual(checked(both, id="two%20cubes"), (1, "s REFUSED two%2520cubes"))
+        self.assertEqual(checked(both[:1], id="two cubes"), (0, CUBES_OK))
+        self.assertEqual(checked([case("Y", 0)], id="two cubes"), (1, "s REFUSED two%20cubes"))
+        self.assertEqual(checked([case("Y", 0)]), (0, CUBES_OK))
 
 
 class Hostile(ProgramTest):

@@ -60,7 +60,7 @@ TEST(Check, SaysWhatIsProved) {
   EXPECT_EQ(line("point_tetrahedron.cert"), "s VERIFIED penetrating depth_squared=1/12 optima=4 a%20point%20in%20a%20tetrahedron");
   EXPECT_EQ(line("one_direction.cert"), "s VERIFIED penetrating depth_squared=1/12 one%20of%20four%20directions");
   EXPECT_EQ(line("bounds_cubes.cert"), "s VERIFIED penetrating depth_squared_in=[1/2,16/5] bounds%20of%20cubes");
-  EXPECT_EQ(line("penetrating_cubes.cert"), "s VERIFIED penetrating depth_squared_in=[0,1] file name");
+  EXPECT_EQ(line("penetrating_cubes.cert"), "s VERIFIED penetrating depth_squared_in=[0,1] file%20name");
   EXPECT_EQ(line("touching_cubes.cert"), "s VERIFIED touching depth_squared=0 touching%20cubes");
   EXPECT_EQ(line("disjoint_cubes.cert"), "s VERIFIED disjoint depth_squared=0 disjoint%20cubes");
 }
@@ -72,7 +72,7 @@ TEST(Check, VerdictStartsFromNo) {
 }
 
 TEST(Check, NamesAreEscapedInTheLine) {
-  EXPECT_EQ(verdict_line(verify(""), "a\nb%"), "s MALFORMED a%0Ab%25:1: expected 'fathom-certificate 1', found the end of the input");
+  EXPECT_EQ(verdict_line(verify(""), "a\nb% c"), "s MALFORMED a%0Ab%25%20c:1: expected 'fathom-certificate 1', found the end of the input");
 }
 
 TEST(Check, OneTextHoldsOneCertificate) {
@@ -220,13 +220,23 @@ TEST(Check, Grammar) {
   for (const auto& [from, to] : edits) EXPECT_TRUE(malformed_at(4)(verify(edited(text, from, to)))) << to;
   EXPECT_TRUE(verify(edited(text, "0 0 0\n", "-0 000 0/007\n")).accepted());
   EXPECT_TRUE(verify(edited(text, "0 0 0\n", "# any \xff bytes\n0 0 0\n")).accepted());
-  for (const char* id : {"id\n", "id \n", "id a%\n", "id a%4\n", "id a%4g\n", "id \xc3\xa9\n", "id a\tb\n"})
+  for (const char* id : {"id\n", "id \n", "id a%\n", "id a%4\n", "id a%4g\n", "id \xc3\xa9\n", "id a\tb\n", "id a b\n", "id optima=1 x\n"})
     EXPECT_TRUE(malformed_at(2)(verify(edited(text, "id disjoint%20cubes\n", id)))) << id;
-  EXPECT_EQ(verify(edited(text, "id disjoint%20cubes\n", "id a b%c3%A9\n")).id, "a b%c3%A9");
+  EXPECT_EQ(verify(edited(text, "id disjoint%20cubes\n", "id a%20b%c3%A9\n")).id, "a%20b%c3%A9");
   EXPECT_TRUE(malformed_at(1)(verify(edited(text, "certificate 1", "certificate 2"))));
   for (const char* word : {"any", "SOME", "", "some some"})
     EXPECT_TRUE(malformed_at(22)(verify(edited(text, "directions 1 some", std::string("directions 1 ") + word)))) << word;
   EXPECT_TRUE(malformed_at(1)(verify("\xef\xbb\xbf" + text)));
+}
+
+// The line which is missing, or the one that is cut off.
+TEST(Check, TheLineWhereTheInputEnds) {
+  const std::string start = "fathom-certificate 1\n# a comment\na 1\n";
+  EXPECT_EQ(verify(start).line, 4U);
+  EXPECT_EQ(verify(start + "0 0 0").line, 4U);
+  EXPECT_EQ(verify(start + "# another\n").line, 5U);
+  EXPECT_EQ(verify("").line, 1U);
+  EXPECT_EQ(verify("# a comment\n").line, 2U);
 }
 
 TEST(Check, EveryTruncationIsMalformed) {

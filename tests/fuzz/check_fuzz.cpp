@@ -9,6 +9,7 @@
 
 #include "verify/check/budget.hpp"
 #include "verify/check/cases.hpp"
+#include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
 #include "verify/check/result.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases.hpp"
 
-#include <optional>
-
 #include "number.hpp"
 #include "text.hpp"
 #include "vectors.hpp"
@@ -44,6 +42,7 @@ class CaseReader {
       if (placing) point = placed(point, *placing);
       for (mpq_class& x : point) {
         if (rounding && !round_to_binary64(x)) throw wrong("placed points within the range of binary64");
+        constexpr std::uint64_t mpz_bytes = 48;  // that a small mpz_class occupies, its block on the heap included
         budget_->store(sizeof(mpq_class) + 2 * mpz_bytes + (bits(x.get_num()) + bits(x.get_den())) / 8, line_);
       }
       points.push_back(std::move(point));
@@ -100,8 +99,8 @@ class CaseReader {
   bool rounded_ = false;
 };
 
-bool same(const Rational& r, const Rational& s) { return r.num * s.den == s.num * r.den; }
-bool equal(const Rational& r, const mpq_class& q) { return r.num * q.get_den() == q.get_num() * r.den; }
+bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
+bool equal(const Rational& r, const mpq_class& q) { return r.num == q.get_num() && r.den == q.get_den(); }
 
 void compare_points(const Part<std::vector<RationalPoint>>& part, const std::vector<ExactPoint>& own, const std::string& name) {
   if (part.items.size() != own.size())
@@ -132,18 +131,18 @@ void CaseFile::read(const Json& value, std::size_t line) {
   cases_.push_back({reader.body("a"), reader.body("b")});
 }
 
-const CaseFile::Bodies& CaseFile::find(const Certificate& certificate) const {
-  if (cases_.size() == 1) return cases_.front();
+const CaseFile::Bodies& CaseFile::find(const Certificate& certificate, const std::optional<std::string>& result_id) const {
+  if (!result_id && cases_.size() == 1) return cases_.front();
   constexpr std::size_t first_line = 1;
-  if (certificate.id.empty()) throw refused(first_line, "without an id, none of the cases can be found");
-  const auto found = by_id_.find(unescaped(certificate.id));
+  if (!result_id && certificate.id.empty()) throw refused(first_line, "without an id, none of the cases can be found");
+  const auto found = by_id_.find(result_id ? *result_id : unescaped(certificate.id));
   if (found == by_id_.end()) throw refused(first_line, "no case has this id");
   if (found->second.size() > 1) throw refused(first_line, "several cases have this id");
   return cases_[found->second.front()];
 }
 
-void CaseFile::compare(const Certificate& certificate, bool width) const {
-  const Bodies& own = find(certificate);
+void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
+  const Bodies& own = find(certificate, result_id);
   compare_points(certificate.a, own.a, "a");
   if (!width) compare_points(certificate.b, own.b, "b");
 }

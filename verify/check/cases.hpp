@@ -9,6 +9,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,17 +31,17 @@ class CaseFile {
   explicit CaseFile(std::string_view text);
 
   /// Returns if the certificate is about the same points, in the same order, as the user's case; throws Fault (refused) otherwise.
-  /// That is the only case of the file, or else the one whose id the certificate bears; a case without an id has the number of its
-  /// first line for one.
+  /// That is the case of the id `result_id`, if a result bears one; else the only case of the file, or the one whose id the certificate
+  /// bears. A case without an id has the number of its first line for one.
   /// With `width`, body a of the case is compared alone.
-  void compare(const Certificate& certificate, bool width = false) const;
+  void compare(const Certificate& certificate, bool width = false, const std::optional<std::string>& result_id = {}) const;
 
  private:
   struct Bodies {
     std::vector<ExactPoint> a, b;
   };
   void read(const Json& value, std::size_t line);
-  [[nodiscard]] const Bodies& find(const Certificate& certificate) const;
+  [[nodiscard]] const Bodies& find(const Certificate& certificate, const std::optional<std::string>& result_id) const;
 
   std::vector<Bodies> cases_;
   std::map<std::string, std::vector<std::size_t>, std::less<>> by_id_;

@@ -15,9 +15,10 @@ struct Vector {
   mpz_class x, y, z;
 };
 
+/// In lowest terms.
 struct Rational {
   mpz_class num;
-  mpz_class den = 1;  ///< positive; not necessarily in lowest terms
+  mpz_class den = 1;  ///< positive
 };
 
 struct RationalPoint {
@@ -64,6 +65,7 @@ struct Certificate {
   Part<std::vector<Pair>> vertices;
   Part<Facets> facets;
   Part<std::vector<Weight>> weights_a, weights_b;
+  mpz_class scale = 1;  ///< the least common multiple of the denominators of all coordinates
 };
 
 }  // namespace fathom_check

@@ -2,6 +2,7 @@
 #include "check.hpp"
 
 #include "budget.hpp"
+#include "limits.hpp"
 #include "reader.hpp"
 #include "text.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which checks belong to which claim.
+#include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
 
@@ -36,16 +37,15 @@ void check_counts(const Certificate& c) {
 
 }  // namespace
 
-void check_claim(const Certificate& c, Budget& budget) {
+void check_claim(const Certificate& c) {
   check_numbers(c);
   check_counts(c);
-  const Scaled bodies = scaled(c, budget);
-  budget.work(8 * (bits(c.low.num) + bits(c.high.num) + bits(bodies.scale)), c.claim_line);
-  check_directions(c, bodies, in_units(c.high, bodies.scale), budget);
+  const Scaled bodies = scaled(c);
+  check_directions(c, bodies, in_units(c.high, c.scale));
   switch (c.claim) {
     case Claim::depth:
-    case Claim::bounds: return check_inner(c, bodies, in_units(c.low, bodies.scale), budget);
-    case Claim::touching: return check_weights(c, bodies, budget);
+    case Claim::bounds: return check_inner(c, bodies, in_units(c.low, c.scale));
+    case Claim::touching: return check_weights(c, bodies);
     case Claim::disjoint: return;
   }
   throw refused(c.claim_line, "an unknown claim");

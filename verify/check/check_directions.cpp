@@ -2,6 +2,7 @@
 // Half-spaces that hold P, and how near their planes are to O.
 #include <algorithm>
 
+#include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
 
@@ -39,13 +40,12 @@ void check_order(const Part<std::vector<Vector>>& part) {
 
 }  // namespace
 
-void check_directions(const Certificate& c, const Scaled& bodies, const Rational& squared, Budget& budget) {
+void check_directions(const Certificate& c, const Scaled& bodies, const Rational& squared) {
   const Part<std::vector<Vector>>& part = c.directions;
   for (std::size_t k = 0; k < part.items.size(); ++k) {
     const Vector& n = part.items[k];
     const std::size_t line = part.lines[k];
     if (is_zero(n)) throw refused(line, "a direction that is zero proves nothing");
-    budget.work((bodies.a.size() + bodies.b.size()) * (3 * bits(n) + bodies.widest) + bits(squared.num), line);
     const mpz_class h = support(bodies, n);
     if (c.claim == Claim::touching) {
       if (h != 0) throw refused(line, "O does not lie on the plane of this direction");

@@ -4,6 +4,7 @@
 #include <limits>
 #include <tuple>
 
+#include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
 
@@ -38,8 +39,8 @@ class EdgeTable {
 
 class Inner {
  public:
-  Inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared, Budget& budget)
-      : c_(&certificate), facets_(&certificate.facets.items), squared_(&squared), budget_(&budget) {
+  Inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared)
+      : c_(&certificate), facets_(&certificate.facets.items), squared_(&squared) {
     make_vertices(bodies);
   }
 
@@ -47,7 +48,6 @@ class Inner {
     const Part<Facets>& part = c_->facets;
     if (part.items.size() == 0) throw refused(part.line, "there is no facet");
     for (std::size_t f = 0; f < part.items.size(); ++f) check_facet(f);
-    budget_->store(part.items.corners.size() * 2 * sizeof(std::uint64_t), part.line);
     const EdgeTable edges(part.items);
     for (std::size_t f = 0; f < part.items.size(); ++f) check_edges(f, edges);
     const auto opposite = [this](const Plane& g) { return dot(g.normal, planes_.front().normal) < 0; };
@@ -76,7 +76,6 @@ class Inner {
   const Certificate* c_;
   const Facets* facets_;
   const Rational* squared_;
-  Budget* budget_;
   std::vector<Vector> vertices_;
   std::vector<Plane> planes_;
 };
@@ -87,9 +86,7 @@ void Inner::make_vertices(const Scaled& bodies) {
     const Pair pair = part.items[k];
     if (pair.j >= bodies.b.size()) throw refused(part.lines[k], "b has no point of this number");
     if (pair.i >= bodies.a.size()) throw refused(part.lines[k], "a has no point of this number");
-    const Vector &a = bodies.a[pair.i], &b = bodies.b[pair.j];
-    budget_->store(sizeof(Vector) + 3 * mpz_bytes + (bits(a) + bits(b)) / 8, part.lines[k]);
-    vertices_.push_back(difference(b, a));
+    vertices_.push_back(difference(bodies.b[pair.j], bodies.a[pair.i]));
   }
 }
 
@@ -97,14 +94,8 @@ void Inner::make_vertices(const Scaled& bodies) {
 void Inner::check_facet(std::size_t f) {
   const std::size_t count = corners(f);
   if (count < 3) throw refused(line(f), "a facet has at least three corners");
-  std::uint64_t size = 0;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count; ++k)
     if (number(f, k) >= vertices_.size()) throw refused(line(f), "there is no vertex " + std::to_string(number(f, k)));
-    size += bits(corner(f, k));
-  }
-  constexpr std::uint64_t products = 12;
-  budget_->store(sizeof(Plane) + 4 * mpz_bytes + size, line(f));
-  budget_->work(products * size + bits(squared_->num), line(f));
   std::vector<Vector> crosses(count);
   Plane plane;
   for (std::size_t k = 0; k < count; ++k) {
@@ -158,7 +149,6 @@ bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) cons
   const Vector inward = cross(corner(f, k), corner(f, k + 1));
   for (std::size_t step = 2; step < corners(f); ++step) {
     const Vector& w = corner(f, k + step);
-    budget_->work(3 * bits(inward) + 3 * bits(across.normal) + 2 * bits(w), line(f));
     if (dot(inward, w) > 0 && dot(across.normal, w) < across.c) return true;
   }
   return false;
@@ -166,8 +156,8 @@ bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) cons
 
 }  // namespace
 
-void check_inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared, Budget& budget) {
-  Inner(certificate, bodies, squared, budget).check();
+void check_inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared) {
+  Inner(certificate, bodies, squared).check();
 }
 
 }  // namespace fathom_check

@@ -2,22 +2,21 @@
 // The checks of FORMAT.md, section 4. Each returns if all is proved and throws a Fault otherwise.
 #pragma once
 
-#include "budget.hpp"
 #include "certificate.hpp"
 #include "scaled.hpp"
 
 namespace fathom_check {
 
 /// The whole of section 4: the claim of `certificate` is proved by its parts.
-void check_claim(const Certificate& certificate, Budget& budget);
+void check_claim(const Certificate& certificate);
 
 /// Directions (section 5, upper side): each h(n) compared as the claim demands. `squared` is the bound in the units of the scaled points.
-void check_directions(const Certificate& certificate, const Scaled& bodies, const Rational& squared, Budget& budget);
+void check_directions(const Certificate& certificate, const Scaled& bodies, const Rational& squared);
 
 /// The weights are convex and yield the same point of A and of B.
-void check_weights(const Certificate& certificate, const Scaled& bodies, Budget& budget);
+void check_weights(const Certificate& certificate, const Scaled& bodies);
 
 /// The inner polytope holds a ball of squared radius `squared` around O; with `all`, no direction is missing.
-void check_inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared, Budget& budget);
+void check_inner(const Certificate& certificate, const Scaled& bodies, const Rational& squared);
 
 }  // namespace fathom_check

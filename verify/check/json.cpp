@@ -145,6 +145,7 @@ std::string JsonReader::string() {
     }
   }
   if (rest_.empty()) throw wrong("the end of a text");
+  if (!is_utf8(result)) throw wrong("UTF-8 in the text before this");  // an escape never completes a sequence
   rest_.remove_prefix(1);
   return result;
 }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "budget.hpp"
-
 namespace fathom_check {
 namespace {
 
@@ -42,23 +40,23 @@ class Scan {
 struct Float {
   bool negative = false;
   std::string digits;
-  long exponent = 0;          ///< of the last digit
-  long written_exponent = 0;  ///< saturated
+  std::int64_t exponent = 0;          ///< of the last digit
+  std::int64_t written_exponent = 0;  ///< saturated
 };
 
 /// [digits][.digits][e[+-]digits]; `hexadecimal` with p for e.
 std::optional<Float> scan_float(Scan scan, bool negative, bool hexadecimal) {
-  constexpr long far = 1'000'000'000;  // larger in magnitude than anything that matters
+  constexpr std::int64_t far = 1'000'000'000;  // larger in magnitude than anything that matters
   Float result;
   result.negative = negative;
   result.digits = scan.take_digits(hexadecimal);
-  long behind_point = 0;
+  std::int64_t behind_point = 0;
   if (scan.take('.')) {
     const std::string_view fraction = scan.take_digits(hexadecimal);
     result.digits += fraction;
-    behind_point = static_cast<long>(fraction.size()) * (hexadecimal ? 4 : 1);
+    behind_point = static_cast<std::int64_t>(fraction.size()) * (hexadecimal ? 4 : 1);
   }
-  if (result.digits.empty() || result.digits.size() > longest_integer) return std::nullopt;
+  if (result.digits.empty() || result.digits.size() > longest_case_number) return std::nullopt;
   if (hexadecimal ? scan.take('p', 'P') : scan.take('e', 'E')) {
     const bool minus = scan.take_sign();
     const std::string_view digits = scan.take_digits(false);
@@ -71,11 +69,15 @@ std::optional<Float> scan_float(Scan scan, bool negative, bool hexadecimal) {
   return result;
 }
 
-mpz_class power(unsigned long base, long exponent) {
+mpz_class power(unsigned long base, std::int64_t exponent) {
   mpz_class result;
-  mpz_ui_pow_ui(result.get_mpz_t(), base, static_cast<unsigned long>(exponent));
+  mpz_ui_pow_ui(result.get_mpz_t(), base, static_cast<unsigned long>(exponent));  // limits keep it within 32 bits
   return result;
 }
+
+/// Binary digits, and a shift by as many as GMP takes: no number here has 2^32 of them.
+std::int64_t size_of(const mpz_class& value) { return static_cast<std::int64_t>(mpz_sizeinbase(value.get_mpz_t(), 2)); }
+unsigned long shift_by(std::int64_t bits) { return static_cast<unsigned long>(bits); }
 
 mpq_class value_of(const Float& number, int digit_base, unsigned long exponent_base) {
   mpz_class digits;
@@ -94,7 +96,7 @@ std::optional<mpq_class> ratio(Scan scan, bool negative) {
   const std::string_view num = scan.take_digits(false);
   if (num.empty() || !scan.take('/')) return std::nullopt;
   const std::string_view den = scan.take_digits(false);
-  if (!scan.done() || num.size() > longest_integer || den.size() > longest_integer) return std::nullopt;
+  if (!scan.done() || num.size() > longest_case_number || den.size() > longest_case_number) return std::nullopt;
   if (den.find_first_not_of('0') == std::string_view::npos) return std::nullopt;
   mpq_class result;
   result.get_num().set_str(std::string(num), 10);
@@ -113,7 +115,7 @@ std::optional<mpq_class> exact_number(std::string_view text) {
   Scan prefix = scan;
   const bool hexadecimal = prefix.take('0') && prefix.take('x', 'X');
   const std::optional<Float> number = scan_float(hexadecimal ? prefix : scan, negative, hexadecimal);
-  const long limit = hexadecimal ? largest_binary_exponent : largest_decimal_exponent;
+  const std::int64_t limit = hexadecimal ? largest_binary_exponent : largest_decimal_exponent;
   if (!number || number->written_exponent > limit || number->written_exponent < -limit) return std::nullopt;
   return value_of(*number, hexadecimal ? 16 : 10, hexadecimal ? 2 : 10);
 }
@@ -125,7 +127,8 @@ std::optional<mpq_class> nearest_binary64(std::string_view json_number) {
   if (!number) return std::nullopt;
   number->digits.erase(0, std::min(number->digits.find_first_not_of('0'), number->digits.size()));
   if (number->digits.empty()) return mpq_class(0);
-  const long magnitude = static_cast<long>(number->digits.size()) + number->exponent;  // below 10^magnitude, and not below a tenth of it
+  const std::int64_t magnitude =
+      static_cast<std::int64_t>(number->digits.size()) + number->exponent;  // below 10^magnitude, and not below a tenth of it
   if (magnitude > 310) return std::nullopt;
   if (magnitude < -330) return mpq_class(0);
   mpq_class result = value_of(*number, 10, 10);
@@ -134,28 +137,27 @@ std::optional<mpq_class> nearest_binary64(std::string_view json_number) {
 }
 
 bool round_to_binary64(mpq_class& value) {
-  constexpr long precision = 53, smallest = -1074, largest = 1024;
+  constexpr std::int64_t precision = 53, smallest = -1074, largest = 1024;
   if (value == 0) return true;
   const mpz_class magnitude = abs(value.get_num());
   const mpz_class& den = value.get_den();
   // 2^(top - 1) < |value| < 2^(top + 1)
-  long top = static_cast<long>(mpz_sizeinbase(magnitude.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(den.get_mpz_t(), 2));
-  const bool below =
-      top >= 0 ? magnitude < (den << static_cast<unsigned long>(top)) : (magnitude << static_cast<unsigned long>(-top)) < den;
+  std::int64_t top = size_of(magnitude) - size_of(den);
+  const bool below = top >= 0 ? magnitude < (den << shift_by(top)) : (magnitude << shift_by(-top)) < den;
   if (below) --top;
-  const long unit = std::max(top - (precision - 1), smallest);  // the exponent of the last bit
+  const std::int64_t unit = std::max(top - (precision - 1), smallest);  // the exponent of the last bit
   mpz_class num = magnitude, unit_den = den;
-  if (unit < 0) num <<= static_cast<unsigned long>(-unit);
-  if (unit > 0) unit_den <<= static_cast<unsigned long>(unit);
+  if (unit < 0) num <<= shift_by(-unit);
+  if (unit > 0) unit_den <<= shift_by(unit);
   mpz_class rounded, rest;
   mpz_fdiv_qr(rounded.get_mpz_t(), rest.get_mpz_t(), num.get_mpz_t(), unit_den.get_mpz_t());
   const int half = cmp(mpz_class(2 * rest), unit_den);
   if (half > 0 || (half == 0 && mpz_odd_p(rounded.get_mpz_t()))) ++rounded;
-  if (static_cast<long>(mpz_sizeinbase(rounded.get_mpz_t(), 2)) + unit > largest && rounded != 0) return false;
+  if (size_of(rounded) + unit > largest && rounded != 0) return false;
   const bool negative = value < 0;
   value = rounded;
-  if (unit > 0) value <<= static_cast<unsigned long>(unit);
-  if (unit < 0) value >>= static_cast<unsigned long>(-unit);
+  if (unit > 0) value <<= shift_by(unit);
+  if (unit < 0) value >>= shift_by(-unit);
   if (negative) value = -value;
   return true;
 }

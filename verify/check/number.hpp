@@ -4,13 +4,16 @@
 
 #include <gmpxx.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace fathom_check {
 
-constexpr long largest_decimal_exponent = 100'000;  ///< in magnitude, as written
-constexpr long largest_binary_exponent = 400'000;
+constexpr std::size_t longest_case_number = 2'000'000;      ///< digits
+constexpr std::int64_t largest_decimal_exponent = 100'000;  ///< in magnitude, as written
+constexpr std::int64_t largest_binary_exponent = 400'000;
 
 /// An exact number: integer, p/q, decimal, or C99 hexadecimal float, with an optional sign. Nothing if it is none, or beyond the limits.
 std::optional<mpq_class> exact_number(std::string_view text);

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "limits.hpp"
 #include "text.hpp"
-#include "vectors.hpp"
 
 namespace fathom_check {
 namespace {
 
 constexpr std::string_view header_word = "fathom-certificate";
-
-bool is_natural(std::string_view token) {
-  return !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
 
 /// Its value, or the largest number if it is larger.
 std::size_t saturated(std::string_view digits) {
@@ -28,7 +24,7 @@ std::size_t saturated(std::string_view digits) {
 bool is_id(std::string_view text) {
   const auto hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] < ' ' || text[i] > '~') return false;
+    if (text[i] <= ' ' || text[i] > '~') return false;
     if (text[i] != '%') continue;
     if (i + 2 >= text.size() || !hex(text[i + 1]) || !hex(text[i + 2])) return false;
     i += 2;
@@ -67,8 +63,10 @@ Fault Parser::wrong(const std::string& expected) const {
   return malformed(lines_->number(), "expected " + expected + ", found " + found);
 }
 
-void Parser::require_line(const char* expected) const {
+void Parser::require_line(const char* expected) {
   if (lines_->kind() != Lines::Kind::whole) throw wrong(expected);
+  bytes_ += lines_->text().size();
+  if (bytes_ > longest_certificate) throw malformed(lines_->number(), "a certificate of more bytes than the limit, 1000000000");
 }
 
 // Moves on to the next line that is no comment and splits it into its fields. Blanks in excess yield empty fields, which are no tokens.
@@ -95,46 +93,65 @@ void Parser::demand(std::size_t count, const char* expected) const {
   if (fields_.size() != count) throw wrong(expected);
 }
 
-mpz_class Parser::integer(std::string_view token, const char* expected) {
-  const std::string_view digits = token.substr(!token.empty() && token[0] == '-' ? 1 : 0);
-  if (!is_natural(digits)) throw wrong(expected);
-  if (digits.size() > longest_integer) throw malformed(lines_->number(), "an integer of more than 2000000 digits, this checker's limit");
-  budget_->store(mpz_bytes + digits.size() / 2, lines_->number());
+/// The fields of a line that holds `numbers` of them and nothing else.
+void Parser::row(std::size_t numbers, const char* expected) {
+  next(expected);
+  demand(numbers, expected);
+  count_numbers(numbers);
+}
+
+void Parser::count_numbers(std::size_t numbers) {
+  numbers_ += numbers;
+  if (numbers_ > most_numbers) throw malformed(lines_->number(), "a certificate of more numbers than the limit, 10000000");
+}
+
+void Parser::require_natural(std::string_view token, const char* expected) const {
+  if (!is_natural(token)) throw wrong(expected);
+  if (token.size() > longest_number) throw malformed(lines_->number(), "a number of more digits than the limit, 100000");
+}
+
+mpz_class Parser::integer(std::string_view token, const char* expected) const {
+  require_natural(token.substr(!token.empty() && token[0] == '-' ? 1 : 0), expected);
   return to_integer(token);
 }
 
-Rational Parser::rational(std::string_view token) {
+Rational Parser::rational(std::string_view token) const {
   constexpr const char* expected = "rational numbers";
   const std::size_t slash = token.find('/');
   Rational result;
   result.num = integer(token.substr(0, slash), expected);
   if (slash == std::string_view::npos) return result;
   const std::string_view denominator = token.substr(slash + 1);
-  if (!is_natural(denominator)) throw wrong(expected);
-  result.den = integer(denominator, expected);
+  require_natural(denominator, expected);
+  result.den = to_integer(denominator);
   if (result.den == 0) throw wrong("a denominator other than zero");
+  const mpz_class common = gcd(result.num, result.den);
+  if (common == 1) return result;
+  result.num /= common;
+  result.den /= common;
   return result;
 }
 
 std::size_t Parser::count(std::size_t index, const char* expected) const {
-  if (!is_natural(fields_[index])) throw wrong(expected);
+  require_natural(fields_[index], expected);
   return saturated(fields_[index]);
 }
 
 std::uint32_t Parser::index_number(std::string_view token) const {
-  if (!is_natural(token)) throw wrong("indices, counted from 0");
+  require_natural(token, "indices, counted from 0");
   return static_cast<std::uint32_t>(std::min<std::size_t>(saturated(token), no_index));
 }
 
 // Parts.
 
-void Parser::read(Certificate& result, Budget& budget) {
-  budget_ = &budget;
+void Parser::read(Certificate& result) {
+  bytes_ = numbers_ = 0;
   if (lines_->kind() != Lines::Kind::whole || lines_->text() != "fathom-certificate 1") {
     const Fault fault = wrong("'fathom-certificate 1'");
     if (at_header()) lines_->advance();  // it is this certificate's own
     throw fault;
   }
+  bytes_ += lines_->text().size();
   next("'id', or 'a' and the number of its points");
   if (fields_[0] == "id") read_id(result);
   read_points(result.a, "a", "'a' and the number of its points");
@@ -150,12 +167,13 @@ void Parser::read(Certificate& result, Budget& budget) {
     read_weights(result.weights_b, "weights_b", "'weights_b' and their number");
   }
   read_footer(result);
+  require_limits(result, lines_->number());
 }
 
 void Parser::read_id(Certificate& result) {
   constexpr std::size_t prefix = 3;
   const std::string_view text = lines_->text().substr(std::min(prefix, lines_->text().size()));
-  if (!is_id(text)) throw wrong("an id in printable ASCII, other bytes and % as %XX");
+  if (!is_id(text)) throw wrong("an id in printable ASCII; blanks, other bytes and % as %XX");
   result.id = text;
   next("'a' and the number of its points");
 }
@@ -170,9 +188,7 @@ std::size_t Parser::part_header(const char* word, std::size_t fields, const char
 void Parser::read_points(Part<std::vector<RationalPoint>>& part, const char* word, const char* expected) {
   part.line = lines_->number();
   for (std::size_t left = part_header(word, 2, expected); left > 0; --left) {
-    next("a point: three rational numbers");
-    demand(3, "a point: three rational numbers");
-    budget_->store(sizeof(RationalPoint), lines_->number());
+    row(3, "a point: three rational numbers");
     part.items.push_back({rational(fields_[0]), rational(fields_[1]), rational(fields_[2])});
     part.lines.push_back(lines_->number());
   }
@@ -210,8 +226,7 @@ void Parser::read_directions(Certificate& result) {
   if (fields_[2] != "some" && fields_[2] != "all") throw wrong(expected);
   result.all = fields_[2] == "all";
   for (; left > 0; --left) {
-    next(vector);
-    demand(3, vector);
+    row(3, vector);
     part.items.push_back({integer(fields_[0], vector), integer(fields_[1], vector), integer(fields_[2], vector)});
     part.lines.push_back(lines_->number());
   }
@@ -222,9 +237,7 @@ void Parser::read_vertices(Part<std::vector<Pair>>& part) {
   next(expected);
   part.line = lines_->number();
   for (std::size_t left = part_header("vertices", 2, expected); left > 0; --left) {
-    next("a vertex: an index into b and one into a");
-    demand(2, "a vertex: an index into b and one into a");
-    budget_->store(sizeof(Pair) + sizeof(std::size_t), lines_->number());
+    row(2, "a vertex: an index into b and one into a");
     part.items.push_back({index_number(fields_[0]), index_number(fields_[1])});
     part.lines.push_back(lines_->number());
   }
@@ -238,7 +251,7 @@ void Parser::read_facets(Part<Facets>& part) {
   for (std::size_t left = part_header("facets", 2, expected); left > 0; --left) {
     next(facet);
     if (count(0, facet) != fields_.size() - 1) throw wrong(facet);
-    budget_->store(2 * sizeof(std::size_t) + sizeof(std::uint32_t) * fields_.size(), lines_->number());
+    count_numbers(fields_.size());
     for (std::size_t k = 1; k < fields_.size(); ++k) part.items.corners.push_back(index_number(fields_[k]));
     part.items.ends.push_back(part.items.corners.size());
     part.lines.push_back(lines_->number());
@@ -249,8 +262,7 @@ void Parser::read_weights(Part<std::vector<Weight>>& part, const char* word, con
   next(expected);
   part.line = lines_->number();
   for (std::size_t left = part_header(word, 2, expected); left > 0; --left) {
-    next("a weight: an index and a rational number");
-    demand(2, "a weight: an index and a rational number");
+    row(2, "a weight: an index and a rational number");
     part.items.push_back({index_number(fields_[0]), rational(fields_[1])});
     part.lines.push_back(lines_->number());
   }

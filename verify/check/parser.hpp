@@ -16,7 +16,7 @@ class Parser {
   bool find_next();
 
   /// Reads the certificate whose first line is at hand into `result`, up to its footer. Throws Fault if it is malformed.
-  void read(Certificate& result, Budget& budget);
+  void read(Certificate& result);
 
   /// After a fault: moves to the next line that begins a certificate. False at the end of the input.
   bool skip_to_next();
@@ -25,15 +25,17 @@ class Parser {
 
  private:
   void next(const char* expected);
-  void require_line(const char* expected) const;
+  void require_line(const char* expected);
   bool skip_comments();
   void split();
   [[nodiscard]] Fault wrong(const std::string& expected) const;
 
-  std::string_view field(std::size_t index) const { return fields_[index]; }
   void demand(std::size_t count, const char* expected) const;
-  mpz_class integer(std::string_view token, const char* expected);
-  Rational rational(std::string_view token);
+  void row(std::size_t numbers, const char* expected);
+  void count_numbers(std::size_t numbers);
+  void require_natural(std::string_view token, const char* expected) const;
+  mpz_class integer(std::string_view token, const char* expected) const;
+  Rational rational(std::string_view token) const;
   std::size_t count(std::size_t index, const char* expected) const;
   std::uint32_t index_number(std::string_view token) const;
 
@@ -48,7 +50,7 @@ class Parser {
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;
-  Budget* budget_ = nullptr;
+  std::size_t bytes_ = 0, numbers_ = 0;  ///< of this certificate so far
   std::vector<std::string_view> fields_;
   bool fresh_ = false;  ///< the line at hand is the first of a certificate that has not been read yet
 };

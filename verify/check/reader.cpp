@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "budget.hpp"
 #include "checks.hpp"
 #include "text.hpp"
 
@@ -62,10 +63,9 @@ std::optional<Verdict> Reader::next(const Inspect& inspect) {
   Certificate certificate;
   verdict = caught(
       [&] {
-        Budget budget;
-        parser_.read(certificate, budget);
+        parser_.read(certificate);
         if (inspect) inspect(certificate);
-        check_claim(certificate, budget);
+        check_claim(certificate);
         return verified(certificate);
       },
       0);

@@ -2,6 +2,8 @@
 // A line of JSON Lines results that holds a certificate.                                                            [FORMAT.md, section 9]
 #pragma once
 
+#include <gmpxx.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,14 +15,14 @@ namespace fathom_check {
 /// What the line says besides.
 struct Result {
   std::string certificate;
-  std::string id;  ///< of the result, percent-escaped; empty if it has none
-  std::optional<std::string> status, depth_squared;
+  std::optional<std::string> id, status;
+  std::optional<mpq_class> depth_squared, bound_squared;
 };
 
 /// Throws Fault (malformed); the id may have been read by then.
 void read_result(std::string_view text, std::size_t line, Result& result);
 
-/// Throws Fault (refused) unless status and depth are those that the certificate claims.
+/// Throws Fault (refused) unless id, status, depth and bound are those of the certificate.
 void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "limits.hpp"
 #include "reader.hpp"
 #include "result.hpp"
 #include "text.hpp"
@@ -59,8 +60,9 @@ class Run {
       if (lines.kind() != Lines::Kind::too_long && lines.text().find_first_not_of(" \t\r") == std::string_view::npos) continue;
       any = true;
       Result result;
-      const Verdict verdict = caught([&] { return judge(lines, result); }, lines.number());
-      report(verdict, result.id.empty() ? name + ":" + std::to_string(lines.number()) : unescaped(result.id));
+      Verdict verdict = caught([&] { return judge(lines, result); }, lines.number());
+      if (result.id) verdict.id = escaped(*result.id);
+      report(verdict, name + ":" + std::to_string(lines.number()));
     }
     if (lines.broken()) return report(unreadable("cannot be read"), name);
     if (!any) report(unreadable("expected results, one JSON object a line, found none"), name);
@@ -73,7 +75,7 @@ class Run {
     Reader reader(text);
     const Verdict verdict = *reader.next([&](const Certificate& certificate) {
       compare(result, certificate);
-      look_at(certificate);
+      look_at(certificate, result.id);
     });
     const std::size_t end = text.number();
     if (verdict.outcome != Outcome::malformed && reader.next())
@@ -82,10 +84,10 @@ class Run {
   }
 
   // What the user asked for besides the proof.
-  void look_at(const Certificate& certificate) {
+  void look_at(const Certificate& certificate, const std::optional<std::string>& result_id = {}) {
     if (options_->echo) echo(certificate);
     if (options_->width) require_width(certificate);
-    if (cases_) cases_->compare(certificate, options_->width);
+    if (cases_) cases_->compare(certificate, options_->width, result_id);
   }
 
   void echo(const Certificate& c) {

@@ -4,18 +4,15 @@
 
 #include <vector>
 
-#include "budget.hpp"
 #include "certificate.hpp"
 
 namespace fathom_check {
 
-/// The points of A and B, and numbers num / den, in units of 1 / scale.
+/// The points of A and B, in units of 1 / certificate.scale.
 struct Scaled {
   std::vector<Vector> a, b;
-  mpz_class scale;
-  std::uint64_t widest = 0;  ///< bits of the largest point
 };
 
-Scaled scaled(const Certificate& certificate, Budget& budget);
+Scaled scaled(const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -4,21 +4,40 @@
 
 #include <gmpxx.h>
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace fathom_check {
 
-/// In quotes, printable and short, whatever it was.
+/// In quotes, printable and short, whatever it was. Blanks stay.
 std::string shown(std::string_view text);
 
-/// What is not printable ASCII, and %, as %XX.
+/// As %XX what is not printable ASCII, blanks, and %.
 std::string escaped(std::string_view text);
 /// The reverse; a % that no two hexadecimal digits follow stays.
 std::string unescaped(std::string_view text);
 
+/// Whether these bytes are UTF-8: no overlong forms, no surrogates.
+bool is_utf8(std::string_view text);
+
+/// Digits, at least one.
+bool is_natural(std::string_view token);
+
 /// -?[0-9]+, which the caller has made sure of.
 mpz_class to_integer(std::string_view token);
+
+/// Likewise, if it has so few digits that an Int holds every number of as many.
+template <class Int>
+std::optional<Int> short_integer(std::string_view token) {
+  const bool negative = token[0] == '-';
+  const std::string_view digits = token.substr(negative ? 1 : 0);
+  if (digits.size() > std::size_t{std::numeric_limits<Int>::digits10}) return std::nullopt;
+  Int value = 0;
+  for (const char c : digits) value = static_cast<Int>(value * 10 + (c - '0'));
+  return negative ? static_cast<Int>(-value) : value;
+}
 
 /// "p/q" in lowest terms, without a denominator of 1. The denominator is positive.
 std::string ratio_text(const mpz_class& num, const mpz_class& den);

@@ -35,10 +35,7 @@ inline void add(Vector& sum, const Vector& v) {
 
 inline bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// Their size, for budgets.
-inline std::uint64_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
-inline std::uint64_t bits(const Vector& v) { return bits(v.x) + bits(v.y) + bits(v.z); }
-
-constexpr std::uint64_t mpz_bytes = 48;  ///< that a small mpz_class occupies, its block on the heap included
+/// Binary digits of the absolute value; 0 has none.
+inline std::uint64_t bits(const mpz_class& value) { return value == 0 ? 0 : mpz_sizeinbase(value.get_mpz_t(), 2); }
 
 }  // namespace fathom_check

@@ -5,6 +5,7 @@
 
 #include "reference/depth/gap.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
 #include "verify/golden/faces.hpp"
 #include "verify/golden/facts.hpp"
