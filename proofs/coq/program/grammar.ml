@@ -2,7 +2,6 @@
 (* The grammar of verify/check/FORMAT.md: from lines to a certificate as it stands there.  Each part keeps the number of its line. *)
 open Lines
 
-type point = { x : Q.t; y : Q.t; z : Q.t }
 type 'a part = { line : int; items : 'a array; lines_of : int array }
 
 type claim =
@@ -12,8 +11,8 @@ type claim =
   | Disjoint
 
 type t = {
-  a : point part;
-  b : point part;
+  a : Proved.point part;
+  b : Proved.point part;
   claim : claim;
   claim_line : int;
   all : bool;
@@ -57,10 +56,12 @@ let counted r word expected item =
 
 let part r word expected item = advance r; counted r word expected item
 
+let ratio f = let q = rational f in { Proved.num = Q.num q; den = Q.den q }
+
 let point f =
-  let x = rational f in blank f;
-  let y = rational f in blank f;
-  { x; y; z = rational f }
+  let qx = ratio f in blank f;
+  let qy = ratio f in blank f;
+  { Proved.qx; qy; qz = ratio f }
 
 let direction f =
   let x = integer f in blank f;
@@ -84,7 +85,7 @@ let facet f =
 
 let is_hex c = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
 
-(* printable ASCII, all else as %XX *)
+(* codes 33 to 126 but %, all else as %XX *)
 let id_of f =
   literal f "id ";
   let first = f.at in
@@ -94,7 +95,7 @@ let id_of f =
       if f.at + 2 >= String.length f.s || not (is_hex f.s.[f.at + 1] && is_hex f.s.[f.at + 2]) then wrong f;
       f.at <- f.at + 3
     end
-    else if c >= ' ' && c <= '~' then f.at <- f.at + 1
+    else if c > ' ' && c <= '~' then f.at <- f.at + 1
     else wrong f
   done;
   if f.at = first then wrong f;
@@ -143,7 +144,7 @@ let certificate r name =
   finish f;
   advance r;
   (match r.text with
-   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text in printable ASCII"); advance r
+   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits"); advance r
    | _ -> ());
   let a = counted r "a" "three rationals: a point" point in
   let b = part r "b" "three rationals: a point" point in

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* From the certificate as it stands in the file to what the proved function takes: integers over a common denominator, and for each
-   edge a hint which facet lies across it.  Nothing here is trusted but that the points and the claim are those of the file. *)
+(* What the proved function is told beside the points: a common denominator, the claim, and for each edge a hint which facet lies across
+   it.  Nothing here is trusted: what is printed is what the function accepts, of the points that it is given. *)
 open Grammar
 
 exception Refused of int * string
@@ -8,8 +8,7 @@ exception Refused of int * string
 let demand line good reason = if not good then raise (Refused (line, reason))
 
 (* ---- a common denominator ---- *)
-let widen line count m q =
-  let d = Q.den q in
+let widen line count m d =
   if Z.divisible m d then m
   else begin
     let m = Z.lcm m d in
@@ -20,20 +19,15 @@ let widen line count m q =
 
 let common_denominator g =
   let count = 3 * (Array.length g.a.items + Array.length g.b.items) in
-  let of_points m (p : point part) =
-    Array.fold_left (fun m { x; y; z } -> List.fold_left (widen p.line count) m [ x; y; z ]) m p.items in
+  let of_points m (p : Proved.point part) =
+    Array.fold_left (fun m { Proved.qx; qy; qz } -> List.fold_left (widen p.line count) m [ qx.den; qy.den; qz.den ]) m p.items in
   of_points (of_points Z.one g.a) g.b
-
-let scaled m q = Z.mul (Q.num q) (Z.divexact m (Q.den q))
-
-let points m part =
-  let f { x; y; z } = { Proved.zx = scaled m x; zy = scaled m y; zz = scaled m z } in
-  Array.to_list (Array.map f part.items)
 
 let weights a b =
   let count = Array.length a.items + Array.length b.items in
-  let of_weights m p = Array.fold_left (fun m (_, w) -> widen p.line count m w) m p.items in
+  let of_weights m p = Array.fold_left (fun m (_, w) -> widen p.line count m (Q.den w)) m p.items in
   let unit = of_weights (of_weights Z.one a) b in
+  let scaled m q = Z.mul (Q.num q) (Z.divexact m (Q.den q)) in
   let list p = Array.to_list (Array.map (fun (i, w) -> (i, scaled unit w)) p.items) in
   (unit, list a, list b)
 
@@ -91,21 +85,17 @@ let single g =
   demand g.directions.line ((not g.all) && Array.length g.directions.items = 1) "this claim takes exactly one direction, and some";
   fst (direction g.directions.items.(0))
 
-let certificate g =
+let claim g =
   demand g.a.line (Array.length g.a.items > 0) "a body without points";
   demand g.b.line (Array.length g.b.items > 0) "a body without points";
-  let scale = common_denominator g in
-  let claimed =
-    match g.claim with
-    | Depth q ->
-      Proved.Depth (Q.num q, Q.den q, g.all, Array.to_list (Array.map direction g.directions.items), inner g)
-    | Bounds (lo, hi) ->
-      let n = single g in
-      Proved.Bounds (Q.num lo, Q.den lo, Q.num hi, Q.den hi, n, inner g)
-    | Touching ->
-      let n = single g in
-      let unit, a, b = weights g.weights_a g.weights_b in
-      Proved.Touching (n, unit, a, b)
-    | Disjoint -> Proved.Disjoint (single g)
-  in
-  { Proved.scale; body_a = points scale g.a; body_b = points scale g.b; claimed }
+  match g.claim with
+  | Depth q ->
+    Proved.Depth (Q.num q, Q.den q, g.all, Array.to_list (Array.map direction g.directions.items), inner g)
+  | Bounds (lo, hi) ->
+    let n = single g in
+    Proved.Bounds (Q.num lo, Q.den lo, Q.num hi, Q.den hi, n, inner g)
+  | Touching ->
+    let n = single g in
+    let unit, a, b = weights g.weights_a g.weights_b in
+    Proved.Touching (n, unit, a, b)
+  | Disjoint -> Proved.Disjoint (single g)

@@ -30,7 +30,8 @@ let inner_reason g (c : Proved.certificate) qn qd inner extra =
     fs;
   demand g.facets.line (Proved.bounded fs) "no two facets face opposite sides"
 
-let find g (c : Proved.certificate) =
+let find ~width g (c : Proved.certificate) =
+  demand g.b.line (not width || Proved.same_vectors c.body_a c.body_b) "the points of b are not those of a again";
   let square n = Z.mul n (Z.mul c.scale c.scale) in
   let a = c.body_a and b = c.body_b in
   match c.claimed with
@@ -54,7 +55,7 @@ let find g (c : Proved.certificate) =
     demand g.weights_a.line (Proved.common_point a b unit wa wb) "the weights are not those of one common point"
   | Proved.Disjoint _ -> directions_reason g (fun _ -> false) "no plane with this normal lies between the bodies"
 
-let reason g c =
-  match find g c with
+let reason ~width g c =
+  match find ~width g c with
   | () -> (g.claim_line, "the claim is not proved")
   | exception Refused (line, text) -> (line, text)

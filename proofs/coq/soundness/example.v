@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Two unit cubes that overlap by 1/10: a certificate checked inside Coq, and the closed theorem that follows; and forgeries. *)
 Require Import Reals Lra List ZArith NArith.
-From Fathom.checker Require Import vector certificate.
+From Fathom.checker Require Import vector certificate verdict.
 From Fathom.geometry Require Import meaning.
 From Fathom.soundness Require Import statement main.
 Import ListNotations.
@@ -24,6 +24,13 @@ Definition cubes := Certificate 10 A B (Depth 1 100 true [left] box).
 
 Theorem cubes_depth : depth2_is (map (frac 10) A) (map (frac 10) B) (1 / 100).
 Proof. assert (H : check cubes = true) by (vm_compute; reflexivity). apply check_sound in H. apply H. Qed.
+
+(* the line that the program prints of it: a wrong common denominator, or a width that it is not, has none *)
+Definition tenths (v : zvec) := let r n := Ratio n 10 in Point (r (zx v)) (r (zy v)) (r (zz v)).
+Theorem cubes_verdict : map (fun wm => verdict (fst wm) (snd wm) (map tenths A) (map tenths B) (claimed cubes))
+  [(false, 10); (false, 20); (false, 15); (false, 0); (false, -10); (true, 10)]
+  = let yes := Some (Depth_is (Ratio 1 100) (Some 1)) in [yes; yes; None; None; None; None].
+Proof. vm_compute. reflexivity. Qed.
 
 (* nothing is proved by a direction that is zero, by a claim of a little more or less, or by a facet the wrong way round *)
 Definition zero := (Zvec 0 0 0, Zvec 0 0 0).
