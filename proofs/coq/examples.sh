@@ -56,7 +56,7 @@ printf 'fathom-certificate 1\na 1\n0 0 0\nb 1\n0/7 0 0\nclaim touching\ndirectio
   >"$folder/optima=1 x"
 expect 0 '^s VERIFIED touching depth_squared=0 .*/optima=1%20x$' --width "$folder/optima=1 x" </dev/null
 
-# size: 100,000 points a body, doubled facets, a facet of 90,000 corners, in 256 KiB of stack
+# size: 100,000 points a body, doubled facets, a facet of 16,000 corners, in 256 KiB of stack
 many() { yes "$1" | head -n "$2"; }
 large() { # EXTRA-POINTS EXTRA-FACETS CORNERS-OF-THE-LAST
   points='0 0 0@3 0 0@0 2 0@3 2 0@0 0 1@3 0 1@0 2 1@3 2 1'
@@ -80,6 +80,6 @@ large 100000 0 4 >"$scratch"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
 large 0 100000 4 >"$scratch"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
-large 0 0 90000 >"$scratch"
+large 0 0 16000 >"$scratch"
 expect 1 '^s REFUSED <stdin>:' - <"$scratch"
 exit $bad

@@ -12,11 +12,12 @@ trap 'rm -rf "$scratch"' EXIT
 bad=0
 complain() { echo "mutants.sh: $*"; bad=1; }
 
-build() { # SED-SCRIPT, for prepare.ml
+build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  sed -i.before "$1" prepare.ml
-  ! cmp -s prepare.ml prepare.ml.before || complain "nothing to falsify: $1"
+  cat limits.ml prepare.ml >before
+  sed -i "$1" limits.ml prepare.ml
+  ! cat limits.ml prepare.ml | cmp -s - before || complain "nothing to falsify: $1"
   # shellcheck disable=SC2046
   ocamlfind ocamlopt -w -a -package zarith -linkpkg proved.cmx $(ocamlfind ocamldep -sort ./*.ml) -o mutant || complain "cannot be built: $1"
 }
@@ -31,6 +32,7 @@ mutant() { # SED-SCRIPT NAME TRUE FORGED
 
 # seven of the eight nearest facets are listed as all
 mutant 's/g\.all, Array/false, Array/' an%20optimum%20missing 'VERIFIED penetrating depth_squared=1/3 an' '.*optima=' <"$forgeries"
+mutant 's/Rays\.find_opt (/(fun _ _ -> Some Z.zero) (/' an%20optimum%20missing REFUSED '' <"$forgeries"
 # 334/1000 is claimed where it is 1/3
 mutant 's/Proved\.Depth (Q\.num q, Q\.den q/Proved.Depth (Z.one, Z.of_int 3/' more%20than%20the%20depth \
   'VERIFIED penetrating depth_squared=1/3 more' '.*depth_squared=167/500' <"$forgeries"
@@ -45,5 +47,5 @@ mutant 's/| Touching ->/| Touching -> Proved.Disjoint (single g) | Touching ->/'
   printf 'fathom-certificate 1\na 1\n1/3 0 0\nb 1\n-1/2 0 0\nclaim touching\ndirections 1 some\n1 0 0\n'
   printf 'weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n'
 } >"$scratch/points"
-mutant 's/of_points (of_points Z\.one g\.a) g\.b/Z.one/' '[^ ]*' REFUSED '' <"$scratch/points"
+mutant 's/{ of_points;/{ of_points = Z.one;/' '[^ ]*' REFUSED '' <"$scratch/points"
 exit $bad

@@ -29,10 +29,14 @@ let words : Proved.statement -> string = function
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
+let too_large = "expected a certificate of a size that this machine can hold"
+
 let judge ~width name (g : Grammar.t) =
-  match (Prepare.claim g, Prepare.common_denominator g) with
+  let denominators = Limits.within g in
+  match Prepare.claim g denominators with
   | exception Prepare.Refused (line, reason) -> refused name line reason
-  | claim, m ->
+  | claim ->
+    let m = denominators.of_points in
     let a = Array.to_list g.a.items and b = Array.to_list g.b.items in
     match Proved.verdict width m a b claim with
     | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (words statement) name)
@@ -48,21 +52,22 @@ let one ~width (r : Lines.t) file =
   | g ->
     (try judge ~width !name g with
      | Lines.Malformed (line, reason) -> malformed !name line reason
-     | Stack_overflow | Out_of_memory -> malformed !name first "expected a certificate of a size that this checker can hold");
+     | Stack_overflow | Out_of_memory -> malformed !name g.end_line too_large);
     Lines.advance r
-  | exception Lines.Malformed (line, reason) ->
+  | exception (Lines.Malformed _ | Out_of_memory as fault) ->
+    let line, reason = match fault with Lines.Malformed (line, reason) -> (line, reason) | _ -> (r.number, too_large) in
     malformed !name line reason;
     if r.number = first then Lines.step r;
     Lines.to_next_certificate r
 
 let stream ~width channel file =
   match Lines.opened channel with
-  | exception Sys_error reason -> malformed file 1 ("expected a file that can be read: " ^ reason)
+  | exception Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason)
   | r ->
     (try
        one ~width r file;
        while r.text <> Lines.No_more do one ~width r file done
-     with Sys_error reason -> malformed file r.number ("expected a file that can be read: " ^ reason))
+     with Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason))
 
 let input ~width name =
   let file = if name = "-" then "<stdin>" else escaped name in

@@ -41,9 +41,9 @@ let find ~width g (c : Proved.certificate) =
     demand g.directions.line (dirs <> []) "no direction";
     directions_reason g (Proved.tangent a b qn qd) "this direction's plane is not at the depth claimed";
     if complete then demand g.directions.line (Proved.canonical dirs) "the directions are not primitive and strictly ascending";
-    let listed = List.rev (List.rev_map fst dirs) in
+    let listed = Proved.numbered (List.rev (List.rev_map fst dirs)) in
     inner_reason g c qn qd inner (fun line f ->
-        if complete then demand line (Proved.listed qn qd listed f) "this facet is a nearest one, and its direction is not listed")
+        if complete then demand line (Proved.listed qn qd listed inner.find f) "this facet is a nearest one, and its direction is not listed")
   | Proved.Bounds (ln, ld, hn, hd, _, inner) ->
     demand g.claim_line (Z.sign ln >= 0 && Z.sign hn > 0) "the bounds are not those of a depth";
     directions_reason g (Proved.within a b (square hn) hd) "this direction's plane is not within the upper bound";

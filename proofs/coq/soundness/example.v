@@ -17,7 +17,7 @@ Definition box := Inner
      [(2, 1); (6, 4); (7, 0); (3, 5)];
      [(0, 5); (1, 0); (5, 4); (4, 1)];
      [(4, 3); (5, 0); (7, 2); (6, 1)];
-     [(0, 1); (2, 2); (3, 0); (1, 3)]]%N.
+     [(0, 1); (2, 2); (3, 0); (1, 3)]]%N (fun _ => 0%N).
 Definition left := (Zvec (-1) 0 0, Zvec (-1) 0 0).
 
 Definition cubes := Certificate 10 A B (Depth 1 100 true [left] box).
@@ -34,7 +34,7 @@ Proof. vm_compute. reflexivity. Qed.
 
 (* nothing is proved by a direction that is zero, by a claim of a little more or less, or by a facet the wrong way round *)
 Definition zero := (Zvec 0 0 0, Zvec 0 0 0).
-Definition turned := Inner (vertices box) (map (@rev _) (facets box)).
+Definition turned := Inner (vertices box) (map (@rev _) (facets box)) (find box).
 Theorem forgeries_refused : map check
   [Certificate 10 A B (Depth 1 100 false [zero] box); Certificate 10 A B (Touching zzero 1 [(0%N, 1)] [(0%N, 1)]);
    Certificate 10 A B (Depth 1 99 false [left] box); Certificate 10 A B (Depth 1 101 false [left] box);
