@@ -85,8 +85,8 @@ class Run {
 
   // What the user asked for besides the proof.
   void look_at(const Certificate& certificate) {
-    if (options_->second) options_->second->hand_over(certificate);
     if (options_->echo) echo(certificate);
+    if (options_->second) options_->second->hand_over(certificate);
     if (options_->width) require_width(certificate);
     if (cases_) cases_->compare(certificate, options_->width);
   }
