@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <climits>
+#include <cstdlib>
 
 namespace fathom::cli {
 namespace {
@@ -26,6 +27,12 @@ void become(const std::string& program, std::vector<std::string> words) {
   const std::string folder = own_folder();
   if (!folder.empty()) execv((folder + program).c_str(), arguments.data());
   execvp(program.c_str(), arguments.data());
+}
+
+void look_here_first() {
+  const std::string folder = own_folder();
+  const char* const path = std::getenv("PATH");
+  if (!folder.empty()) setenv("PATH", (folder + (path ? ":" + std::string(path) : "")).c_str(), 1);
 }
 
 }  // namespace fathom::cli

@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # agreement.sh PROJECT PROVED CHECKER FATHOM   the extracted checker and fathom-check give the same verdict on thousands of damaged
-#                                              certificates, and accept none that claims something untrue.
+#                                              certificates, and accept none that claims something untrue; and the extracted one draws the
+#                                              limits of the format where fathom-check and check.py do.
 project=$1
+python3 -B "$project/tests/check/limits.py" --checker "$2" || exit 1
 exec python3 -B "$project/tests/check/forgeries.py" --checker "$2" --checker "$3" --oracle "$4" --count 10000 --seed 5 \
   "$project/tests/data/certificates" "$project/proofs/coq/examples/proved_width.cert" "$project/proofs/coq/examples/proved_statuses.cert"

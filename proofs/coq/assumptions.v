@@ -1,9 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations.
-From Fathom.soundness Require Import main corollaries example.
+From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example.
 
 Print Assumptions check_sound.
+Print Assumptions verdict_sound.
+Print Assumptions verdict_width.
+Print Assumptions every_facet_listed.
+Print Assumptions no_facet_twice.
 Print Assumptions check_sound_AGHRS.
 Print Assumptions check_sound_translation.
 Print Assumptions check_sound_width.
@@ -20,4 +24,5 @@ Print Assumptions naive_algorithm.
 Print Assumptions three_states.
 Print Assumptions hull_comb.
 Print Assumptions cubes_depth.
+Print Assumptions cubes_verdict.
 Print Assumptions forgeries_refused.

@@ -33,8 +33,30 @@ expect 2 '^s MALFORMED /nowhere/50%25:0: ' /nowhere/50% </dev/null
 expect 2 '^s MALFORMED /:' / </dev/null
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 width%20of%20a%20box$' -- - <proved_width.cert
 expect 2 '^s MALFORMED <stdin>:1: ' - <"$program"
+expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 width%20of%20a%20box$' --width - <proved_width.cert
+expect 1 '^s REFUSED apart:[0-9]+: the points of b are not those of a again$' --width -- proved_statuses.cert </dev/null
+expect 2 '^usage' --width </dev/null
 
-# size: 100,000 points a body, doubled facets, a facet of 90,000 corners, in 256 KiB of stack
+# a name that would pass for a longer line
+expect 2 '^s MALFORMED <stdin>:2: ' - <<'CERTIFICATE'
+fathom-certificate 1
+id optima=1 x
+a 1
+0 0 0
+b 1
+1 0 0
+claim disjoint
+directions 1 some
+-1 0 0
+end 1 1 1 0 0
+CERTIFICATE
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+printf 'fathom-certificate 1\na 1\n0 0 0\nb 1\n0/7 0 0\nclaim touching\ndirections 1 some\n1 0 0\nweights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n' \
+  >"$folder/optima=1 x"
+expect 0 '^s VERIFIED touching depth_squared=0 .*/optima=1%20x$' --width "$folder/optima=1 x" </dev/null
+
+# size: 100,000 points a body, doubled facets, a facet of 16,000 corners, in 256 KiB of stack
 many() { yes "$1" | head -n "$2"; }
 large() { # EXTRA-POINTS EXTRA-FACETS CORNERS-OF-THE-LAST
   points='0 0 0@3 0 0@0 2 0@3 2 0@0 0 1@3 0 1@0 2 1@3 2 1'
@@ -52,13 +74,12 @@ large() { # EXTRA-POINTS EXTRA-FACETS CORNERS-OF-THE-LAST
   echo "$3$(many ' 0 2 3 1' "$(($3 / 4))" | tr -d '\n')"
   echo "end $((8 + $1)) $((8 + $1)) 2 8 $((6 + $2))"
 }
-scratch=$(mktemp) || exit 1
-trap 'rm -f "$scratch"' EXIT
+scratch=$folder/large
 ulimit -s 256
 large 100000 0 4 >"$scratch"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
 large 0 100000 4 >"$scratch"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
-large 0 0 90000 >"$scratch"
+large 0 0 16000 >"$scratch"
 expect 1 '^s REFUSED <stdin>:' - <"$scratch"
 exit $bad

@@ -94,8 +94,9 @@ Request understand(const std::vector<std::string>& words) {
   return request;
 }
 
-int run_words(const std::vector<std::string>& words, const std::string& program) {
-  const Request request = understand(words);
+int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second) {
+  Request request = understand(words);
+  request.options.second = second;
   if (request.understood) return run(request.options, std::cin, std::cout, std::cerr);
   if (request.sentence.empty()) {
     std::cout << "Usage: " << program << help << std::flush;
@@ -107,11 +108,11 @@ int run_words(const std::vector<std::string>& words, const std::string& program)
 
 }  // namespace
 
-int command_line(const std::vector<std::string>& words, const std::string& program) noexcept {
+int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second) noexcept {
   mp_set_memory_functions(allocate, reallocate, release);
   std::ios::sync_with_stdio(false);
   try {
-    return run_words(words, program);
+    return run_words(words, program, second);
   } catch (const std::exception& error) {
     std::cerr << program << ": " << error.what() << '\n';
   } catch (...) {

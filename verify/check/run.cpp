@@ -39,8 +39,10 @@ class Run {
   }
 
   void report(const Verdict& verdict, const std::string& name) {
-    worst_ = std::max(worst_, verdict.outcome);
-    *out_ << verdict_line(verdict, name) << '\n' << std::flush;
+    SecondChecker::Opinion said{verdict.outcome, verdict_line(verdict, name)};
+    if (verdict.accepted() && options_->second) said = options_->second->opinion(verdict.id.empty() ? escaped(name) : verdict.id);
+    worst_ = std::max(worst_, said.outcome);
+    *out_ << said.line << '\n' << std::flush;
   }
 
   void read_certificates(std::istream& stream, const std::string& name) {
@@ -86,6 +88,7 @@ class Run {
   // What the user asked for besides the proof.
   void look_at(const Certificate& certificate, const std::optional<std::string>& result_id = {}) {
     if (options_->echo) echo(certificate);
+    if (options_->second) options_->second->hand_over(certificate);
     if (options_->width) require_width(certificate);
     if (cases_) cases_->compare(certificate, options_->width, result_id);
   }

@@ -8,8 +8,25 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "check.hpp"
 
 namespace fathom_check {
+
+/// Another checker, without whose assent nothing is accepted.
+class SecondChecker {
+ public:
+  /// What it says of one certificate: the line to print for it.
+  struct Opinion {
+    Outcome outcome = Outcome::refused;
+    std::string line;
+  };
+
+  virtual ~SecondChecker() = default;
+  /// A well-formed certificate, not yet checked.
+  virtual void hand_over(const Certificate& certificate) = 0;
+  /// On the one that was handed over last and has been found right. May throw: then nothing more is checked.
+  virtual Opinion opinion(const std::string& name) = 0;
+};
 
 struct Input {
   std::string path;         ///< "-" for standard input
@@ -21,6 +38,7 @@ struct Options {
   std::optional<std::string> cases;  ///< to compare points with
   bool width = false;                ///< the certificates are about the width of a body: b repeats a
   bool echo = false;
+  SecondChecker* second = nullptr;  ///< may be absent
 };
 
 /// Prints verdicts to `out`, complaints about the case file to `err`. The exit code.

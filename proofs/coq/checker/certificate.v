@@ -5,8 +5,9 @@ From Fathom.checker Require Import vector sequence table polytope support.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* A vertex (j, i) is b_j - a_i; a facet is its cycle of (vertex, number of the facet across the edge that leaves it). *)
-Record inner := Inner { vertices : list (N * N); facets : list (list (N * N)) }.
+(* A vertex (j, i) is b_j - a_i; a facet is its cycle of (vertex, number of the facet across the edge that leaves it); find gives the
+   number of the listed direction that has the sense of a facet's normal. *)
+Record inner := Inner { vertices : list (N * N); facets : list (list (N * N)); find : zvec -> N }.
 
 (* A direction, and a multiplier with <direction, multiplier> = 1, which shows that the direction is primitive (it is
    looked at only where that matters). *)
@@ -35,7 +36,7 @@ Definition check_depth (A B : list zvec) (qn qd : Z) (complete : bool) (dirs : l
   && match dirs with [] => false | _ => true end
   && forallb (fun n => tangent A B qn qd (fst n)) dirs
   && inner_ok qn qd Fs
-  && (negb complete || canonical dirs && forallb (listed qn qd (each fst dirs)) Fs).
+  && (negb complete || canonical dirs && (let T := numbered (each fst dirs) in forallb (listed qn qd T (find q)) Fs)).
 
 Definition check_bounds (A B : list zvec) (ln ld hn hd : Z) (n : zvec) (q : inner) : bool :=
   (0 <=? ln) && (0 <? ld) && (0 <? hn) && (0 <? hd)

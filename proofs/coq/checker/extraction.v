@@ -2,6 +2,7 @@
 (* The checker as OCaml, with zarith's integers for Coq's.  Beside the checker itself its parts are given out:
    the program asks them why a certificate was refused. *)
 Require Import ZArith List.
-From Fathom.checker Require Import vector sequence table polytope support certificate.
+From Fathom.checker Require Import vector sequence table polytope support certificate verdict.
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
-Extraction "proved.ml" check make_facets numbered facet_ok bounded listed canonical tangent within height common_point zdot.
+Extraction "proved.ml" verdict.verdict with_integers same_vectors
+  make_facets numbered facet_ok bounded listed canonical tangent within height common_point zdot.

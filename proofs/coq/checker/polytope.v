@@ -65,7 +65,7 @@ Definition bounded (Fs : list facet) : bool :=
 Definition inner_ok (qn qd : Z) (Fs : list facet) : bool :=
   let T := numbered Fs in bounded Fs && forallb (facet_ok qn qd T) Fs.
 
-(* a facet at distance exactly qn/qd has a listed direction *)
-Definition listed (qn qd : Z) (dirs : list zvec) (f : facet) : bool :=
+(* a facet at distance exactly qn/qd has a listed direction, where find says: a hint, of which nothing is assumed *)
+Definition listed (qn qd : Z) (dirs : table zvec) (find : zvec -> N) (f : facet) : bool :=
   negb (qn * zdot (normal f) (normal f) =? offset f * offset f * qd)
-  || existsb (fun n => same_sense n (normal f)) dirs.
+  || match member dirs (find (normal f)) with Some n => same_sense n (normal f) | None => false end.

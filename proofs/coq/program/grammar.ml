@@ -2,7 +2,6 @@
 (* The grammar of verify/check/FORMAT.md: from lines to a certificate as it stands there.  Each part keeps the number of its line. *)
 open Lines
 
-type point = { x : Q.t; y : Q.t; z : Q.t }
 type 'a part = { line : int; items : 'a array; lines_of : int array }
 
 type claim =
@@ -12,10 +11,11 @@ type claim =
   | Disjoint
 
 type t = {
-  a : point part;
-  b : point part;
+  a : Proved.point part;
+  b : Proved.point part;
   claim : claim;
   claim_line : int;
+  end_line : int;
   all : bool;
   directions : (Z.t * Z.t * Z.t) part;
   vertices : (Z.t * Z.t) part;
@@ -26,21 +26,12 @@ type t = {
 
 let nothing line = { line; items = [||]; lines_of = [||] }
 
-(* what one certificate may take in memory, roughly: a text that needs more is not read *)
-let most_memory = 2 lsl 30
-let memory = ref 0
-
-let pay r bytes =
-  memory := !memory + bytes;
-  if !memory > most_memory then malformed r "a certificate of a size that this checker can hold"
-
 (* as many items as were announced, each on a line of its own; nothing is set aside for lines that may never come *)
 let rows r line count expected item =
   let items = ref [] and numbers = ref [] and got = ref 0 in
   while Z.gt count (Z.of_int !got) do
     advance r;
     let f = fields r expected in
-    pay r (200 + String.length f.s);
     items := item f :: !items;
     finish f;
     numbers := r.number :: !numbers;
@@ -57,25 +48,30 @@ let counted r word expected item =
 
 let part r word expected item = advance r; counted r word expected item
 
+let ratio q = { Proved.num = Q.num q; den = Q.den q }
+
 let point f =
-  let x = rational f in blank f;
-  let y = rational f in blank f;
-  { x; y; z = rational f }
+  spend f 3;
+  let qx = rational f in blank f;
+  let qy = rational f in blank f;
+  { Proved.qx = ratio qx; qy = ratio qy; qz = ratio (rational f) }
 
 let direction f =
+  spend f 3;
   let x = integer f in blank f;
   let y = integer f in blank f;
   (x, y, integer f)
 
-let pair f = let j = natural f in blank f; (j, natural f)
-let weight f = let i = natural f in blank f; (i, rational f)
+let pair f = spend f 2; let j = natural f in blank f; (j, natural f)
+let weight f = spend f 2; let i = natural f in blank f; (i, rational f)
 
 let facet f =
   let count = natural f in
-  pay f.lines (String.length f.s * 60);
+  spend f 1;
   let corners = ref [] and got = ref 0 in
   while not (at_end f) do
     blank f;
+    spend f 1;
     corners := natural f :: !corners;
     incr got
   done;
@@ -84,7 +80,7 @@ let facet f =
 
 let is_hex c = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
 
-(* printable ASCII, all else as %XX *)
+(* codes 33 to 126 but %, all else as %XX *)
 let id_of f =
   literal f "id ";
   let first = f.at in
@@ -94,7 +90,7 @@ let id_of f =
       if f.at + 2 >= String.length f.s || not (is_hex f.s.[f.at + 1] && is_hex f.s.[f.at + 2]) then wrong f;
       f.at <- f.at + 3
     end
-    else if c >= ' ' && c <= '~' then f.at <- f.at + 1
+    else if c > ' ' && c <= '~' then f.at <- f.at + 1
     else wrong f
   done;
   if f.at = first then wrong f;
@@ -137,13 +133,13 @@ let footer r counts =
 
 (* name: where the certificate's own is put, as soon as it is known *)
 let certificate r name =
-  memory := 0;
+  begin_certificate r;
   let f = fields r "fathom-certificate 1" in
   literal f "fathom-certificate 1";
   finish f;
   advance r;
   (match r.text with
-   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text in printable ASCII"); advance r
+   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits"); advance r
    | _ -> ());
   let a = counted r "a" "three rationals: a point" point in
   let b = part r "b" "three rationals: a point" point in
@@ -165,4 +161,4 @@ let certificate r name =
     | _ -> (nothing r.number, nothing r.number) in
   let size p = Array.length p.items in
   footer r [ size a; size b; size directions; size vertices + size weights_a; size facets + size weights_b ];
-  { a; b; claim; claim_line; all; directions; vertices; facets; weights_a; weights_b }
+  { a; b; claim; claim_line; end_line = r.number; all; directions; vertices; facets; weights_a; weights_b }

@@ -17,10 +17,15 @@ type t = {
   mutable stop : int;
   mutable number : int; (* of the line at hand, from 1 *)
   mutable text : text;
+  mutable bytes : int; (* of this certificate so far *)
+  mutable numbers : int;
 }
 
-let longest_line = 16 lsl 20
-let longest_number = 2_000_000
+(* verify/check/FORMAT.md, section 8 *)
+let longest_line = 16_777_216
+let longest_number = 100_000
+let most_bytes = 1_000_000_000
+let most_numbers = 10_000_000
 
 let refill r =
   r.start <- 0;
@@ -48,12 +53,20 @@ let step r =
 
 let has_prefix p s = String.length s >= String.length p && String.sub s 0 (String.length p) = p
 
+let count_bytes r = match r.text with Whole s | Cut_off s -> r.bytes <- r.bytes + String.length s | Too_long | No_more -> ()
+
 let rec advance r =
   step r;
-  match r.text with Whole s when has_prefix "#" s -> advance r | _ -> ()
+  match r.text with Whole s when has_prefix "#" s -> advance r | _ -> count_bytes r
+
+(* the line at hand is a certificate's first *)
+let begin_certificate r =
+  r.bytes <- 0;
+  r.numbers <- 0;
+  count_bytes r
 
 let opened channel =
-  let r = { channel; block = Bytes.create 65536; start = 0; stop = 0; number = 0; text = No_more } in
+  let r = { channel; block = Bytes.create 65536; start = 0; stop = 0; number = 0; text = No_more; bytes = 0; numbers = 0 } in
   advance r;
   r
 
@@ -67,6 +80,7 @@ let rec to_next_certificate r =
 let malformed r expected = raise (Malformed (r.number, "expected " ^ expected))
 
 let at_hand r expected =
+  if r.bytes > most_bytes then malformed r "a certificate of at most 1000000000 bytes";
   match r.text with
   | Whole s -> s
   | Cut_off _ -> malformed r (expected ^ ", but the line has no end: the text is cut off")
@@ -78,6 +92,11 @@ type fields = { lines : t; expected : string; s : string; mutable at : int }
 
 let fields lines expected = { lines; expected; s = at_hand lines expected; at = 0 }
 let wrong f = malformed f.lines f.expected
+
+(* that many numbers stand on the line *)
+let spend f count =
+  f.lines.numbers <- f.lines.numbers + count;
+  if f.lines.numbers > most_numbers then malformed f.lines "a certificate of at most 10000000 numbers"
 let at_end f = f.at = String.length f.s
 let finish f = if not (at_end f) then wrong f
 
@@ -93,7 +112,7 @@ let natural f =
   while f.at < String.length f.s && f.s.[f.at] >= '0' && f.s.[f.at] <= '9' do f.at <- f.at + 1 done;
   let n = f.at - first in
   if n = 0 then wrong f;
-  if n > longest_number then malformed f.lines "numbers of at most 2000000 digits";
+  if n > longest_number then malformed f.lines "numbers of at most 100000 digits";
   if n <= 18 then Z.of_int (int_of_string (String.sub f.s first n)) else Z.of_substring f.s ~pos:first ~len:n
 
 let integer f =

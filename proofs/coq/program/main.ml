@@ -1,84 +1,101 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* fathom-check-proved FILE...   checks certificates (verify/check/FORMAT.md) with the function that Coq proved sound.  - is standard input.
-   One line per certificate; exit code 0 all accepted, 1 some refused, 2 some malformed, nothing there, or wrong usage. *)
+(* fathom-check-proved [--width] FILE...   checks certificates (verify/check/FORMAT.md) with the function that Coq proved sound.
+   - is standard input.  One line per certificate; exit code 0 all accepted, 1 some refused, 2 some malformed, nothing there, or wrong usage. *)
 
-let usage = "usage: fathom-check-proved CERTIFICATES...\n\
+let usage = "usage: fathom-check-proved [--width] CERTIFICATES...\n\
 \  Checks each certificate of each file (- is standard input) with the checker extracted from Coq, and prints one line for each.\n\
+\  --width: also refuses a certificate whose b is not a again: its depth is the width of a.\n\
 \  Exit code: 0 all accepted, 1 some refused, 2 some malformed, no certificate, or wrong usage.\n"
 
 let worst = ref 0
 let verdict code line = worst := max !worst code; print_string line; print_char '\n'; flush stdout
 
-(* printable ASCII, all else as %XX *)
+(* codes 33 to 126 but %, all else as %XX *)
 let escaped name =
   let b = Buffer.create 80 in
-  String.iter (fun c -> if c >= ' ' && c <= '~' && c <> '%' then Buffer.add_char b c else Printf.bprintf b "%%%02X" (Char.code c)) name;
+  String.iter (fun c -> if c > ' ' && c <= '~' && c <> '%' then Buffer.add_char b c else Printf.bprintf b "%%%02X" (Char.code c)) name;
   Buffer.contents b
 
-let proved (g : Grammar.t) =
-  match g.claim with
-  | Depth q ->
-    "penetrating depth_squared=" ^ Q.to_string q
-    ^ if g.all then Printf.sprintf " optima=%d" (Array.length g.directions.items) else ""
-  | Bounds (lo, hi) -> Printf.sprintf "penetrating depth_squared_in=[%s,%s]" (Q.to_string lo) (Q.to_string hi)
-  | Touching -> "touching depth_squared=0"
-  | Disjoint -> "disjoint depth_squared=0"
+let number (r : Proved.ratio) = Z.to_string r.num ^ if Z.equal r.den Z.one then "" else "/" ^ Z.to_string r.den
+
+(* the proved statement in words: its meaning is soundness/printed.v's *)
+let words : Proved.statement -> string = function
+  | Depth_is (q, None) -> "penetrating depth_squared=" ^ number q
+  | Depth_is (q, Some k) -> Printf.sprintf "penetrating depth_squared=%s optima=%s" (number q) (Z.to_string k)
+  | Depth_between (lo, hi) -> Printf.sprintf "penetrating depth_squared_in=[%s,%s]" (number lo) (number hi)
+  | They_touch -> "touching depth_squared=0"
+  | They_are_apart -> "disjoint depth_squared=0"
 
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
-let judge name g =
-  match Prepare.certificate g with
+let too_large = "expected a certificate of a size that this machine can hold"
+
+let judge ~width name (g : Grammar.t) =
+  let denominators = Limits.within g in
+  match Prepare.claim g denominators with
   | exception Prepare.Refused (line, reason) -> refused name line reason
-  | c ->
-    if Proved.check c then verdict 0 (Printf.sprintf "s VERIFIED %s %s" (proved g) name)
-    else begin
-      let line, reason = Reasons.reason g c in
+  | claim ->
+    let m = denominators.of_points in
+    let a = Array.to_list g.a.items and b = Array.to_list g.b.items in
+    match Proved.verdict width m a b claim with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (words statement) name)
+    | None ->
+      let line, reason = Reasons.reason ~width g (Proved.with_integers m a b claim) in
       refused name line reason
-    end
 
 (* one certificate, from its first line on *)
-let one (r : Lines.t) file =
+let one ~width (r : Lines.t) file =
   let first = r.number in
   let name = ref file in
   match Grammar.certificate r name with
   | g ->
-    (try judge !name g with
+    (try judge ~width !name g with
      | Lines.Malformed (line, reason) -> malformed !name line reason
-     | Stack_overflow | Out_of_memory -> malformed !name first "expected a certificate of a size that this checker can hold");
+     | Stack_overflow | Out_of_memory -> malformed !name g.end_line too_large);
     Lines.advance r
-  | exception Lines.Malformed (line, reason) ->
+  | exception (Lines.Malformed _ | Out_of_memory as fault) ->
+    let line, reason = match fault with Lines.Malformed (line, reason) -> (line, reason) | _ -> (r.number, too_large) in
     malformed !name line reason;
     if r.number = first then Lines.step r;
     Lines.to_next_certificate r
 
-let stream channel file =
+let stream ~width channel file =
   match Lines.opened channel with
-  | exception Sys_error reason -> malformed file 1 ("expected a file that can be read: " ^ reason)
+  | exception Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason)
   | r ->
     (try
-       one r file;
-       while r.text <> Lines.No_more do one r file done
-     with Sys_error reason -> malformed file r.number ("expected a file that can be read: " ^ reason))
+       one ~width r file;
+       while r.text <> Lines.No_more do one ~width r file done
+     with Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason))
 
-let input name =
+let input ~width name =
   let file = if name = "-" then "<stdin>" else escaped name in
-  if name = "-" then (set_binary_mode_in stdin true; stream stdin file)
+  if name = "-" then (set_binary_mode_in stdin true; stream ~width stdin file)
   else
     match open_in_bin name with
     | exception Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ escaped reason)
-    | channel -> Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> stream channel file)
+    | channel -> Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> stream ~width channel file)
+
+(* options and files; none: the words make no sense *)
+let rec understood ~width files = function
+  | "--" :: rest -> finish ~width (List.rev_append rest files)
+  | "--width" :: rest -> understood ~width:true files rest
+  | word :: _ when String.length word > 1 && word.[0] = '-' -> None
+  | word :: rest -> understood ~width (word :: files) rest
+  | [] -> finish ~width files
+and finish ~width files = if files = [] then None else Some (width, List.rev files)
 
 let () =
   match List.tl (Array.to_list Sys.argv) with
   | [ "--help" ] | [ "-h" ] -> print_string usage
   | words ->
-    let files = match words with "--" :: rest -> rest | _ -> words in
-    let is_option w = String.length w > 1 && w.[0] = '-' in
-    if files = [] || (files == words && List.exists is_option words) then (prerr_string usage; exit 2);
-    (try List.iter input files; flush stdout
-     with Sys_error reason ->
-       prerr_endline ("fathom-check-proved: cannot write: " ^ reason);
-       close_out_noerr stdout;
-       exit 2);
-    exit !worst
+    match understood ~width:false [] words with
+    | None -> prerr_string usage; exit 2
+    | Some (width, files) ->
+      (try List.iter (input ~width) files; flush stdout
+       with Sys_error reason ->
+         prerr_endline ("fathom-check-proved: cannot write: " ^ reason);
+         close_out_noerr stdout;
+         exit 2);
+      exit !worst

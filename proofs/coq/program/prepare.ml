@@ -1,41 +1,14 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* From the certificate as it stands in the file to what the proved function takes: integers over a common denominator, and for each
-   edge a hint which facet lies across it.  Nothing here is trusted but that the points and the claim are those of the file. *)
+(* What the proved function is told beside the points: the claim with its proof, and hints: for each edge which facet lies across it, for
+   each facet whose direction it has, for each direction why it is primitive.  Nothing here is trusted: what is printed is what the function accepts, of the points that it is given. *)
 open Grammar
 
 exception Refused of int * string
 
 let demand line good reason = if not good then raise (Refused (line, reason))
 
-(* ---- a common denominator ---- *)
-let widen line count m q =
-  let d = Q.den q in
-  if Z.divisible m d then m
-  else begin
-    let m = Z.lcm m d in
-    if Z.numbits m > 8 * most_memory / (count + 1) then
-      raise (Lines.Malformed (line, "expected points whose common denominator is smaller: this checker cannot hold them"));
-    m
-  end
-
-let common_denominator g =
-  let count = 3 * (Array.length g.a.items + Array.length g.b.items) in
-  let of_points m (p : point part) =
-    Array.fold_left (fun m { x; y; z } -> List.fold_left (widen p.line count) m [ x; y; z ]) m p.items in
-  of_points (of_points Z.one g.a) g.b
-
-let scaled m q = Z.mul (Q.num q) (Z.divexact m (Q.den q))
-
-let points m part =
-  let f { x; y; z } = { Proved.zx = scaled m x; zy = scaled m y; zz = scaled m z } in
-  Array.to_list (Array.map f part.items)
-
-let weights a b =
-  let count = Array.length a.items + Array.length b.items in
-  let of_weights m p = Array.fold_left (fun m (_, w) -> widen p.line count m w) m p.items in
-  let unit = of_weights (of_weights Z.one a) b in
-  let list p = Array.to_list (Array.map (fun (i, w) -> (i, scaled unit w)) p.items) in
-  (unit, list a, list b)
+let weights unit part =
+  Array.to_list (Array.map (fun (i, w) -> (i, Z.mul (Q.num w) (Z.divexact unit (Q.den w)))) part.items)
 
 (* ---- directions ---- *)
 (* g = a s + b t is the greatest common divisor *)
@@ -82,30 +55,45 @@ let hinted (facets : Z.t array array) =
     List.rev !result in
   Array.to_list (Array.map hint facets)
 
+module Rays = Map.Make (struct
+  type t = Z.t * Z.t * Z.t
+  let compare (a, b, c) (x, y, z) =
+    let first = Z.compare a x in
+    if first <> 0 then first else let second = Z.compare b y in if second <> 0 then second else Z.compare c z
+end)
+
+(* the number of the primitive direction that a vector is a multiple of *)
+let finder directions =
+  let none = Z.of_int (Array.length directions) in
+  let numbered = ref Rays.empty in
+  Array.iteri (fun k n -> numbered := Rays.add n (Z.of_int k) !numbered) directions;
+  fun { Proved.zx; zy; zz } ->
+    let common = Z.gcd (Z.gcd zx zy) zz in
+    if Z.equal common Z.zero then none
+    else
+      let part = Z.divexact in
+      Option.value ~default:none (Rays.find_opt (part zx common, part zy common, part zz common) !numbered)
+
 let inner g =
   demand_ranges g;
-  { Proved.vertices = Array.to_list g.vertices.items; facets = hinted g.facets.items }
+  { Proved.vertices = Array.to_list g.vertices.items; facets = hinted g.facets.items; find = finder g.directions.items }
 
 (* ---- all of it ---- *)
 let single g =
   demand g.directions.line ((not g.all) && Array.length g.directions.items = 1) "this claim takes exactly one direction, and some";
   fst (direction g.directions.items.(0))
 
-let certificate g =
+let claim g (denominators : Limits.denominators) =
   demand g.a.line (Array.length g.a.items > 0) "a body without points";
   demand g.b.line (Array.length g.b.items > 0) "a body without points";
-  let scale = common_denominator g in
-  let claimed =
-    match g.claim with
-    | Depth q ->
-      Proved.Depth (Q.num q, Q.den q, g.all, Array.to_list (Array.map direction g.directions.items), inner g)
-    | Bounds (lo, hi) ->
-      let n = single g in
-      Proved.Bounds (Q.num lo, Q.den lo, Q.num hi, Q.den hi, n, inner g)
-    | Touching ->
-      let n = single g in
-      let unit, a, b = weights g.weights_a g.weights_b in
-      Proved.Touching (n, unit, a, b)
-    | Disjoint -> Proved.Disjoint (single g)
-  in
-  { Proved.scale; body_a = points scale g.a; body_b = points scale g.b; claimed }
+  match g.claim with
+  | Depth q ->
+    Proved.Depth (Q.num q, Q.den q, g.all, Array.to_list (Array.map direction g.directions.items), inner g)
+  | Bounds (lo, hi) ->
+    let n = single g in
+    Proved.Bounds (Q.num lo, Q.den lo, Q.num hi, Q.den hi, n, inner g)
+  | Touching ->
+    let n = single g in
+    let unit = denominators.of_weights in
+    Proved.Touching (n, unit, weights unit g.weights_a, weights unit g.weights_b)
+  | Disjoint -> Proved.Disjoint (single g)

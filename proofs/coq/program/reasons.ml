@@ -30,7 +30,8 @@ let inner_reason g (c : Proved.certificate) qn qd inner extra =
     fs;
   demand g.facets.line (Proved.bounded fs) "no two facets face opposite sides"
 
-let find g (c : Proved.certificate) =
+let find ~width g (c : Proved.certificate) =
+  demand g.b.line (not width || Proved.same_vectors c.body_a c.body_b) "the points of b are not those of a again";
   let square n = Z.mul n (Z.mul c.scale c.scale) in
   let a = c.body_a and b = c.body_b in
   match c.claimed with
@@ -40,9 +41,9 @@ let find g (c : Proved.certificate) =
     demand g.directions.line (dirs <> []) "no direction";
     directions_reason g (Proved.tangent a b qn qd) "this direction's plane is not at the depth claimed";
     if complete then demand g.directions.line (Proved.canonical dirs) "the directions are not primitive and strictly ascending";
-    let listed = List.rev (List.rev_map fst dirs) in
+    let listed = Proved.numbered (List.rev (List.rev_map fst dirs)) in
     inner_reason g c qn qd inner (fun line f ->
-        if complete then demand line (Proved.listed qn qd listed f) "this facet is a nearest one, and its direction is not listed")
+        if complete then demand line (Proved.listed qn qd listed inner.find f) "this facet is a nearest one, and its direction is not listed")
   | Proved.Bounds (ln, ld, hn, hd, _, inner) ->
     demand g.claim_line (Z.sign ln >= 0 && Z.sign hn > 0) "the bounds are not those of a depth";
     directions_reason g (Proved.within a b (square hn) hd) "this direction's plane is not within the upper bound";
@@ -54,7 +55,7 @@ let find g (c : Proved.certificate) =
     demand g.weights_a.line (Proved.common_point a b unit wa wb) "the weights are not those of one common point"
   | Proved.Disjoint _ -> directions_reason g (fun _ -> false) "no plane with this normal lies between the bodies"
 
-let reason g c =
-  match find g c with
+let reason ~width g c =
+  match find ~width g c with
   | () -> (g.claim_line, "the claim is not proved")
   | exception Refused (line, text) -> (line, text)

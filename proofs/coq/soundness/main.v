@@ -35,7 +35,7 @@ Section Integers.
       destruct (nearest_plane RA RB _ n h D Hn Hh E) as [F N]. split; auto.
       exists (scal (h / norm2 n) n). split; auto. exists h. auto.
     - intros ->. simpl in Hall. bsplit.
-      apply (complete_sound A B qn qd Hqd (vertices i) (facets i)); auto.
+      apply (complete_sound A B qn qd Hqd (vertices i) (facets i) _ (find i)); auto.
   Qed.
 
   Lemma check_bounds_sound : forall ln ld hn hd n q, check_bounds A B ln ld hn hd n q = true ->

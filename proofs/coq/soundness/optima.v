@@ -80,12 +80,12 @@ Section Optima.
     rewrite N, Ehk, E, scal_scal. f_equal. field. split; lra.
   Qed.
 
-  Lemma complete_sound : forall dirs,
+  Lemma complete_sound : forall dirs find,
     inner_ok qn qd Fs = true -> forallb (fun n => tangent A B qn qd (fst n)) dirs = true ->
-    depth2_is RA RB q -> canonical dirs = true -> forallb (listed qn qd (each fst dirs)) Fs = true ->
+    depth2_is RA RB q -> canonical dirs = true -> forallb (listed qn qd (numbered (each fst dirs)) find) Fs = true ->
     directions_complete RA RB q (map (fun n => inj (fst n)) dirs).
   Proof.
-    intros dirs Hinner Htangent D Hcan Hlisted.
+    intros dirs find Hinner Htangent D Hcan Hlisted.
     assert (T : forall d, In d dirs -> exists h, height_is RA RB (inj (fst d)) h /\ 0 < h /\ inj (fst d) <> origin
         /\ h * h = q * norm2 (inj (fst d))).
     { intros d Id. apply tangent_sound; auto. exact (forallb_In _ _ _ Htangent d Id). }
@@ -100,7 +100,7 @@ Section Optima.
         destruct L as [L|L].
         { exfalso. apply negb_true_iff, Z.eqb_neq in L. apply L. apply eq_IZR. rewrite !mult_IZR, norm2_inj, E.
           unfold q. field. lra. }
-        apply existsb_exists in L. destruct L as (n & In0 & L). rewrite each_map in In0.
+        destruct (member _ _) as [n|] eqn:En in L; [|discriminate]. assert (In0 := member_in _ _ _ _ En). rewrite each_map in In0.
         apply in_map_iff in In0. destruct In0 as (d & <- & Id).
         unfold same_sense in L. apply andb_true_iff in L. destruct L as [L1 L2].
         apply is_zero_spec in L1. apply Z.ltb_lt, IZR_lt in L2. rewrite dot_inj in L2.

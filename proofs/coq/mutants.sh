@@ -1,0 +1,51 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# mutants.sh OUT   falsifies, in one way after another, what the front end tells the proved function beside the points, and demands that the
+#                  program so built prints nothing untrue all the same. OUT holds the compiled program.
+set -u
+here=$(dirname -- "$(readlink -f -- "$0")")
+out=$(readlink -f -- "$1")/program
+forgeries=$here/examples/proved_forgeries.cert
+cubes=$here/../../tests/data/certificates
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+bad=0
+complain() { echo "mutants.sh: $*"; bad=1; }
+
+build() { # SED-SCRIPT
+  rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
+  cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
+  cat limits.ml prepare.ml >before
+  sed -i "$1" limits.ml prepare.ml
+  ! cat limits.ml prepare.ml | cmp -s - before || complain "nothing to falsify: $1"
+  # shellcheck disable=SC2046
+  ocamlfind ocamlopt -w -a -package zarith -linkpkg proved.cmx $(ocamlfind ocamldep -sort ./*.ml) -o mutant || complain "cannot be built: $1"
+}
+
+# the certificates come on standard input; a line with the name has the first pattern behind s, and none has the second
+mutant() { # SED-SCRIPT NAME TRUE FORGED
+  build "$1"
+  lines=$(./mutant - | grep -E "[ ]$2(:|\$)")
+  printf '%s\n' "$lines" | grep -qE "^s $3" || complain "with $1 expected $3, but it is: $lines"
+  ! printf '%s\n' "$lines" | grep -E "^s VERIFIED $4" || complain "with $1 an untrue line is printed"
+}
+
+# seven of the eight nearest facets are listed as all
+mutant 's/g\.all, Array/false, Array/' an%20optimum%20missing 'VERIFIED penetrating depth_squared=1/3 an' '.*optima=' <"$forgeries"
+mutant 's/Rays\.find_opt (/(fun _ _ -> Some Z.zero) (/' an%20optimum%20missing REFUSED '' <"$forgeries"
+# 334/1000 is claimed where it is 1/3
+mutant 's/Proved\.Depth (Q\.num q, Q\.den q/Proved.Depth (Z.one, Z.of_int 3/' more%20than%20the%20depth \
+  'VERIFIED penetrating depth_squared=1/3 more' '.*depth_squared=167/500' <"$forgeries"
+# two cubes of squared depth 1 are said to have at most 3/4
+sed 's,^claim bounds .*,claim bounds 1/2 3/4,' "$cubes/bounds_cubes.cert" >"$scratch/bounds"
+mutant 's/Q\.num hi, Q\.den hi/Z.of_int 16, Z.of_int 5/' '[^ ]*' 'VERIFIED penetrating depth_squared_in=\[1/2,16/5\]' '.*,3/4\]' <"$scratch/bounds"
+# two cubes that are apart are said to touch
+sed 's/^claim disjoint/claim touching/; s/^end .*/weights_a 1\n0 1\nweights_b 1\n0 1\nend 8 8 1 1 1/' "$cubes/disjoint_cubes.cert" >"$scratch/touching"
+mutant 's/| Touching ->/| Touching -> Proved.Disjoint (single g) | Touching ->/' '[^ ]*' 'VERIFIED disjoint' 'touching' <"$scratch/touching"
+# two points that a wrong common denominator would move to the same place
+{
+  printf 'fathom-certificate 1\na 1\n1/3 0 0\nb 1\n-1/2 0 0\nclaim touching\ndirections 1 some\n1 0 0\n'
+  printf 'weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n'
+} >"$scratch/points"
+mutant 's/{ of_points;/{ of_points = Z.one;/' '[^ ]*' REFUSED '' <"$scratch/points"
+exit $bad
