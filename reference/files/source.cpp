@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "reference/files/body.hpp"
@@ -43,7 +44,51 @@ void require_plain_name(const std::string& path) {
   if (path.find('\0') != std::string::npos) refuse(shown(path), "a null byte in its name");
 }
 
+// What is left of the limits on a line while it is read.
+class GrowingLine {
+ public:
+  explicit GrowingLine(std::string& text) : text_(&text) { text.clear(); }
+
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    if (size_ > longest_line) give_up(LineRead::too_long);
+    if (read_ != LineRead::whole) return;
+    try {
+      text_->append(piece);
+    } catch (const std::bad_alloc&) {
+      give_up(LineRead::no_memory);
+    }
+  }
+  [[nodiscard]] bool endless() const { return size_ > 16 * longest_line; }
+  [[nodiscard]] LineRead read() const { return read_; }
+
+ private:
+  void give_up(LineRead why) {
+    read_ = why;
+    std::string().swap(*text_);
+  }
+
+  std::string* text_;
+  std::size_t size_ = 0;
+  LineRead read_ = LineRead::whole;
+};
+
 }  // namespace
+
+LineRead read_line(std::istream& input, std::string& line) {
+  char block[1 << 14];
+  GrowingLine growing(line);
+  for (bool any = false;; any = true) {
+    input.getline(block, sizeof block);
+    const auto got = static_cast<std::size_t>(input.gcount());
+    const bool full = input.fail() && got == sizeof block - 1;  // and the line goes on
+    if (input.bad() || (got == 0 && !any)) return LineRead::none;
+    growing.add({block, full || input.eof() ? got : got - 1});  // without the line feed
+    if (!full) return growing.read();
+    input.clear(growing.endless() ? std::ios::badbit : std::ios::goodbit);
+    if (growing.endless()) return growing.read();
+  }
+}
 
 std::string read_file(const std::string& path) {
   require_plain_name(path);

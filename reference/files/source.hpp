@@ -2,10 +2,22 @@
 // From a path to bytes, and from bytes to what a message may show of them.
 #pragma once
 
+#include <cstddef>
+#include <istream>
 #include <string>
 #include <string_view>
 
 namespace fathom {
+
+/// The longest line of a stream, in bytes, and the longest case, over however many lines: an input without an end must not eat all memory.
+inline constexpr std::size_t longest_line = std::size_t{256} << 20;
+
+enum class LineRead { whole, too_long, no_memory, none };
+
+/// Replaces `line` by the next line of `input`, without its line feed; `none`: there is no more. A line that is longer than the limit, or
+/// than the memory at hand, is passed over to its end and leaves `line` empty; after sixteen times the limit `input` is taken to be
+/// without an end, and goes bad.
+LineRead read_line(std::istream& input, std::string& line);
 
 /// The whole file, byte by byte; pipes are read to their end.
 /// InputError if it is missing, a directory, unreadable, or a device without an end.
