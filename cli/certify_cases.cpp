@@ -34,6 +34,8 @@ std::optional<std::size_t> lines_of(const std::string& path) {
 CertifyCases::CertifyCases(const std::string& input, std::function<void(const std::string&)> tell)
     : input_(input), tell_(std::move(tell)), items_(CaseStream::open(input, std::cin)), expected_(lines_of(input)) {}
 
+std::string CertifyCases::place() const { return (input_ == "-" ? "<stdin>" : input_) + ":" + std::to_string(items_.case_line()); }
+
 std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {
     std::string fault;

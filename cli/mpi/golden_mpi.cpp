@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "cli/golden_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/output.hpp"
 #include "verify/golden/file_error.hpp"
 #include "verify/golden/generate.hpp"
@@ -169,6 +170,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fathom::cli::guard_memory();
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
