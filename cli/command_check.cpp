@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom check [--proved] CERTIFICATES...   hands over to the independent checkers, which have a parser and a command line of their own.
 #include <algorithm>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ ExitCode become_proved(const std::vector<std::string>& words) {
 ExitCode run_check(std::vector<std::string> words) {
   const auto files = std::find(words.begin(), words.end(), "--");
   const auto proved = std::find(words.begin(), files, "--proved");
-  if (proved == files) return static_cast<ExitCode>(fathom_check::command_line(words, "fathom check"));
+  if (proved == files) {
+    const int code = fathom_check::command_line(words, "fathom check");
+    return std::cout ? static_cast<ExitCode>(code) : internal_error;  // a program of its own has no such code: fathom-check says 2
+  }
   words.erase(proved);
   return become_proved(words);
 }
