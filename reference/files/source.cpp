@@ -15,9 +15,6 @@
 namespace fathom {
 namespace {
 
-// A device may never end (/dev/zero); no terminal or sound input is this long.
-constexpr std::size_t device_limit = std::size_t{1} << 30;
-
 [[noreturn]] void refuse(const std::string& path, const std::string& found) {
   throw InputError(path, 0, "expected a readable file, found " + found);
 }
@@ -90,7 +87,7 @@ LineRead read_line(std::istream& input, std::string& line) {
   }
 }
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, std::size_t most_of_a_pipe) {
   require_plain_name(path);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
@@ -105,7 +102,8 @@ std::string read_file(const std::string& path) {
     if (got < 0) refuse_with_errno(path);
     if (got == 0) return bytes;
     bytes.append(block.data(), static_cast<std::size_t>(got));
-    if (S_ISCHR(status.st_mode) && bytes.size() > device_limit) refuse(path, "a device without an end");
+    if (!S_ISREG(status.st_mode) && bytes.size() > most_of_a_pipe)
+      refuse(path, "a pipe or device of more than " + std::to_string(most_of_a_pipe) + " bytes");
   }
 }
 

@@ -20,8 +20,8 @@ enum class LineRead { whole, too_long, no_memory, none };
 LineRead read_line(std::istream& input, std::string& line);
 
 /// The whole file, byte by byte; pipes are read to their end.
-/// InputError if it is missing, a directory, unreadable, or a device without an end.
-std::string read_file(const std::string& path);
+/// InputError if it is missing, a directory, unreadable, or a pipe or device, which may have no end, of more than so many bytes.
+std::string read_file(const std::string& path, std::size_t most_of_a_pipe = std::size_t{1} << 30);
 
 /// InputError if `path` is missing, a directory or unreadable. Opens nothing.
 void require_readable(const std::string& path);
