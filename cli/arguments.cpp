@@ -128,13 +128,13 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
 }
 
 /// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
-std::string wrong_words(const char* const* argv) {
-  const std::string_view command = argv[1];
+std::string wrong_words(const std::vector<std::string>& words) {
+  const std::string_view command = words[0];
   const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
   const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
   if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
   if (!known) return fmt::format("unknown command {} (expected {})", shown(command), fmt::join(commands, ", "));
-  return "";
+  return missing_value(words);
 }
 
 Arguments refusal(const std::string& sentence, const std::string& command = "") {
@@ -233,7 +233,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 
   if (argc < 2) return {std::nullopt, "expected a command\n\n" + app.help(), bad_input};
-  if (const std::string fault = wrong_words(argv); !fault.empty()) return refusal(fault);
+  if (const std::string fault = wrong_words({argv + 1, argv + argc}); !fault.empty()) return refusal(fault);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -246,6 +246,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (asked() == std::end(apps)) return refusal(fmt::format("expected a command: {}", fmt::join(commands, ", ")));
   request.command = static_cast<Command>(asked() - std::begin(apps));
   if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);
+  if (const std::string fault = empty_value(**asked()); !fault.empty()) return refusal(fault, name(request.command));
   if (request.command == Command::cases) texts.wrong_cases = wrong_cases(cases, request.cases, request.inputs);
   return completed(std::move(request), texts);
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <new>
+#include <string>
 
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -15,24 +17,21 @@ namespace {
 
 class Stream {
  public:
-  explicit Stream(const StreamWork& work) : work_(work) {}
+  Stream(const std::string& input, const StreamWork& work) : name_(input == "-" ? "<stdin>" : input), work_(work) {}
 
-  void take(const CaseItem& item) {
-    const Working working;
-    ++cases_;
-    progress_.about(fmt::format("line {}", item.line));
-    if (!item.ok()) return report(item, item.error().what(), bad_input);
+  /// Reads a case and answers it; false: there is no more.
+  bool take_next(CaseStream& items) {
+    std::optional<CaseItem> item;
     try {
-      hulls_ += work_.answer(item.value(), progress_);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const OutputError&) {
-      throw;
-    } catch (const InputError& error) {
-      report(item, error.what(), bad_input);
-    } catch (const std::exception& error) {
-      report(item, fault_text(error), internal_error);
+      item = items.next();
+    } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+      ++cases_;
+      const std::size_t line = items.case_line();
+      report({line, std::to_string(line), InputError(name_, line, fault_text(error))}, internal_error);
+      return true;
     }
+    if (item) take(*item);
+    return item.has_value();
   }
 
   ExitCode finish() const {
@@ -42,13 +41,33 @@ class Stream {
   }
 
  private:
-  void report(const CaseItem& item, const std::string& sentence, ExitCode code) {
+  void take(const CaseItem& item) {
+    const Working working;
+    ++cases_;
+    progress_.about(fmt::format("line {}", item.line));
+    if (!item.ok()) return report(item, bad_input);
+    try {
+      hulls_ += work_.answer(item.value(), progress_);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const OutputError&) {
+      throw;
+    } catch (const InputError& error) {
+      report({item.line, item.id, error}, bad_input);
+    } catch (const std::exception& error) {
+      report({item.line, item.id, InputError(name_, item.line, fault_text(error))}, internal_error);
+    }
+  }
+
+  void report(const CaseItem& bad, ExitCode code) {
+    const std::string sentence = bad.error().what();
     ++failed_;
     code_ = std::max(code_, code);
     progress_.clear();
-    work_.error_line ? print(work_.error_line(item, sentence)) : talk(sentence);
+    work_.error_line ? print(work_.error_line(bad, sentence)) : talk(sentence);
   }
 
+  std::string name_;  // of the input, for messages
   const StreamWork& work_;
   Progress progress_;
   std::size_t cases_ = 0, failed_ = 0, hulls_ = 0;
@@ -61,11 +80,9 @@ ExitCode for_each_case(const std::string& input, const StreamWork& work) {
   std::ios::sync_with_stdio(false);  // whole blocks at a time; a pipe still yields each line as it comes
   CaseStream items = CaseStream::open(input, std::cin);
   if (!work.header.empty()) print(work.header);
-  Stream stream(work);
-  while (const std::optional<CaseItem> item = items.next()) {
-    stream.take(*item);
+  Stream stream(input, work);
+  while (stream.take_next(items))
     if (interrupt_requested()) throw Interrupted();
-  }
   return stream.finish();
 }
 

@@ -31,25 +31,37 @@ bool is_safe(unsigned char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
 }
 
-// The file behind symbolic links, so that a link stays one.
-std::string resolved(const std::string& path) {
+// The file behind symbolic links, which need not exist yet, so that a link stays one.
+std::string resolved(const std::string& path, const std::string& what) {
+  constexpr int most_links = 40;  // as Linux follows
   std::error_code none;
-  const std::filesystem::path target = std::filesystem::canonical(path, none);
-  return none ? path : target.string();
+  std::filesystem::path target = path;
+  for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
+    if (links == most_links) refuse(path, std::strerror(ELOOP), what);
+    target = target.parent_path() / std::filesystem::read_symlink(target, none);
+  }
+  return target.string();
+}
+
+// A hidden file in the folder, of a name that none has: one may be left from a process that was killed.
+int open_temporary(const std::filesystem::path& folder, std::string& name) {
+  for (unsigned number = 0;; ++number) {
+    name = (folder / fmt::format(".fathom-{}-{}.tmp", ::getpid(), number)).string();  // short, whatever the name to come
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
 }
 
 }  // namespace
 
-CertificateFile::CertificateFile(std::string path, std::string what) : what_(std::move(what)), path_(resolved(path)) {
+CertificateFile::CertificateFile(std::string path, std::string what) : what_(std::move(what)), path_(resolved(path, what_)) {
   struct stat found {};
   const bool exists = ::stat(path_.c_str(), &found) == 0;
   if (exists && S_ISDIR(found.st_mode)) refuse(path, "is a directory", what_);
   if (exists && !S_ISREG(found.st_mode)) {
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-    temporary_ = (folder / fmt::format(".fathom-{}.tmp", ::getpid())).string();  // short, whatever the name to come
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = open_temporary(std::filesystem::path(path_).parent_path(), temporary_);
   }
   if (descriptor_ < 0) refuse(path, std::strerror(errno), what_);
 }

@@ -35,6 +35,8 @@ CertifyCases::CertifyCases(const std::string& input, std::function<void(const st
   stdin_.exceptions(std::ios::badbit);
 }
 
+std::string CertifyCases::place() const { return (input_ == "-" ? "<stdin>" : input_) + ":" + std::to_string(items_.case_line()); }
+
 std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {
     std::string fault;

@@ -19,10 +19,13 @@ class CertifyCases {
   /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be interrupted.
   CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
 
-  /// The next good case; nothing at the end. Of a bad one, or one with an id that was there before, `tell` hears.
+  /// The next good case; nothing at the end. Of a bad one, or one with an id that was there before, `tell` hears. As CaseStream::next,
+  /// throws std::bad_alloc and can go on.
   std::optional<Case> next();
 
   [[nodiscard]] std::size_t bad() const { return bad_; }
+  /// Of the case that was read last, or that did not fit into the memory, for messages.
+  [[nodiscard]] std::string place() const;
   [[nodiscard]] const std::set<std::string>& ids() const { return ids_; }
   /// The number of lines that a regular file has; nothing of other inputs.
   [[nodiscard]] std::optional<std::size_t> expected() const { return expected_; }

@@ -2,7 +2,10 @@
 // fathom approx --delta D A B | CASES.jsonl | -          fathom width --delta D A | CASES.jsonl | -
 #include "cli/command_approx.hpp"
 
+#include <fmt/format.h>
+
 #include "cli/answer.hpp"
+#include "cli/output.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/files/mesh.hpp"
 
@@ -19,9 +22,17 @@ Answer approximate_answer(const Case& single, const Request& request, Progress& 
   return answer;
 }
 
+/// Not refused: a run can be interrupted, and its progress is shown.
+void warn_of_many_rays(const Request& request) {
+  constexpr long many = 10'000'000;
+  const mpq_class rays = (request.command == Command::width ? 2 : 4) / *request.delta;  // the grid itself takes long to find
+  if (rays > many) talk(fmt::format("--delta {} asks for about {} rays a case", exact_text(*request.delta), mpz_class(rays).get_str()));
+}
+
 }  // namespace
 
 Answering approximating(const Request& request) {
+  warn_of_many_rays(request);
   return [&request](const Case& single, Progress& progress) { return approximate_answer(single, request, progress); };
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -122,10 +124,7 @@ class Certify {
     plan.variants = certify_.variants;
     plan.precision = info().precision;
     plan.tolerance = certify_.tolerance;
-    plan.next = [this]() -> std::optional<Case> {
-      if (interrupt_requested()) throw Interrupted();
-      return cases_->next();
-    };
+    plan.next = [this] { return next_case(); };
     plan.worker = [this] { return make_worker(); };
     plan.known = [this](const auto& id, const auto& variant, const auto& digest) { return found_->known(id, variant, digest); };
     plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
@@ -139,6 +138,18 @@ class Certify {
     found_->close();
   }
 
+  std::optional<Case> next_case() {
+    while (true) {
+      if (interrupt_requested()) throw Interrupted();
+      try {
+        return cases_->next();
+      } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+        ++faults_;
+        tell("faults", cases_->place() + ": " + fault_text(error));
+      }
+    }
+  }
+
   /// A case that has no verdict for a reason of its own; anything else ends the run.
   void take_fault(const Case& pair, const std::exception_ptr& error) {
     try {
@@ -147,6 +158,9 @@ class Certify {
       ++missing_;
       tell("cases without a reply", missing.what());
     } catch (const std::logic_error& fault) {
+      ++faults_;
+      tell("faults", pair.id + ": " + fault_text(fault));
+    } catch (const std::bad_alloc& fault) {
       ++faults_;
       tell("faults", pair.id + ": " + fault_text(fault));
     }
@@ -217,7 +231,8 @@ class Certify {
   std::optional<Collector> found_;
   std::mutex telling_;  // of found_
   bool first_is_taken_ = false, reported_ = false, complete_ = false;
-  std::size_t missing_ = 0, faults_ = 0;
+  std::size_t missing_ = 0;
+  std::atomic<std::size_t> faults_ = 0;  // found in reading and in judging
 };
 
 }  // namespace

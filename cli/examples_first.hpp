@@ -3,6 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +34,25 @@ inline std::string sentence(const CLI::ParseError& error) {
   const std::string text = printable(error.what(), 200);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   return text.substr(0, text.find(':')) + ": expected one value, once";
+}
+
+/// What is wrong with a word like "--name=", whose value CLI11 would take from the next word; or nothing.
+inline std::string missing_value(std::span<const std::string> words) {
+  for (const std::string& word : words) {
+    if (word == "--") break;
+    if (word.starts_with("--") && word.find('=') == word.size() - 1) return shown(word) + " lacks its value";
+  }
+  return "";
+}
+
+/// What is wrong where an option of `command` was given an empty text, which would count as not given; or nothing.
+inline std::string empty_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const auto& values = option->results();
+    if (option->nonpositional() && std::find(values.begin(), values.end(), "") != values.end())
+      return option->get_name() + " expects a value, found nothing";
+  }
+  return "";
 }
 
 }  // namespace fathom::cli

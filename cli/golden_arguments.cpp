@@ -112,6 +112,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
   if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
     return refusal(fmt::format("unknown task {} of golden (expected generate, verify)", shown(words[0])));
+  if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {

@@ -114,8 +114,9 @@ inline constexpr std::string_view certify_examples =
 inline constexpr std::string_view footer =
     "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.\n"
     "Results go to standard output, everything else to standard error.\n"
-    "Exit codes: 0 fine; 1 a verdict failed; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error;\n"
-    "4 incomplete; 130 interrupted.\n";
+    "Exit codes: 0 fine; 1 a verdict failed; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error, out "
+    "of\n"
+    "memory, or output that cannot be written; 4 incomplete; 130 interrupted.\n";
 
 inline std::string footer_text() { return std::string(footer); }
 

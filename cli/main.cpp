@@ -7,6 +7,7 @@
 #include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/memory.hpp"
 #include "cli/output.hpp"
 #include "kernels/float_environment.hpp"
 
@@ -58,6 +59,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  guard_memory();
   const fathom::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
   hold_standard_streams();
   install_signal_handlers();

@@ -2,6 +2,7 @@
 #include "kernels/parallel.hpp"
 
 #include <exception>
+#include <new>
 #include <system_error>
 #include <thread>
 
@@ -14,7 +15,15 @@ namespace {
 struct Outcome {
   PredicateCounts counts;
   std::exception_ptr error;
+  bool done = false;
 };
+
+// An allocator may want a large block for a new thread, and glibc ends the process where a thread's counts get no memory: ask first.
+bool has_memory() {
+  void* const block = ::operator new(1, std::nothrow);
+  ::operator delete(block);
+  return block != nullptr;
+}
 
 std::exception_ptr error_of(const std::function<void()>& work) {
   try {
@@ -33,8 +42,11 @@ void run_both(bool worth_it, const std::function<void()>& first, const std::func
   if (worth_it) {
     try {
       thread = std::thread([&] {
+        if (!has_memory()) return;
+        outcome.done = true;
         outcome.error = error_of(second);
-        outcome.counts = predicate_counts();
+        const std::exception_ptr uncounted = error_of([&] { outcome.counts = predicate_counts(); });
+        if (!outcome.error) outcome.error = uncounted;
       });
     } catch (const std::system_error&) {  // no thread to be had
     }
@@ -48,6 +60,7 @@ void run_both(bool worth_it, const std::function<void()>& first, const std::func
   thread.join();
   predicate_counts() += outcome.counts;
   if (error) std::rethrow_exception(error);
+  if (!outcome.done) return second();
   if (outcome.error) std::rethrow_exception(outcome.error);
 }
 

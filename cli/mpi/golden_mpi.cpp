@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "cli/golden_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/output.hpp"
 #include "kernels/float_environment.hpp"
 #include "verify/golden/file_error.hpp"
@@ -170,6 +171,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fathom::cli::guard_memory();
   const fathom::DefaultFloatEnvironment environment;
   try {
     return run(argc, argv);

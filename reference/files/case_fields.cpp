@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A listener to the events of a JSON parser. It knows its place in the object; whatever is not ours is passed over unstored, so that
-// nesting of any depth costs one counter. A fault does not stop it: an id that comes later still names the case.
+// A listener to the events of a JSON parser. It knows its place in the object; whatever is not ours is passed over unstored. A fault
+// does not stop it: an id that comes later still names the case.
 #include "reference/files/case_fields.hpp"
 
 #include <algorithm>
@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t readable = 40;  // what a message shows of a text
+constexpr std::size_t deepest = 64;   // objects and arrays within each other, as in the checker of certificates
 
 class Listener : public nlohmann::json_sax<Json> {
  public:
@@ -49,6 +50,7 @@ class Listener : public nlohmann::json_sax<Json> {
   bool end_object() override;
   bool end_array() override;
   bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) override;
+  void refuse_null_byte();
 
  private:
   // A container that is being read: an object with the key at hand, or an array with the index at hand.
@@ -70,7 +72,7 @@ class Listener : public nlohmann::json_sax<Json> {
   }
   bool skip(CasePlace place, const std::string& found) {
     if (place != CasePlace::other) fault(path(), expected_at(place), found);
-    ++skipped_;
+    if (++skipped_ + frames_.size() > deepest) fault("", "values nested at most 64 deep", "a deeper one");
     return true;
   }
   bool done() {
@@ -95,6 +97,7 @@ class Listener : public nlohmann::json_sax<Json> {
   void report(const std::string& sentence) {
     if (fields.fault.empty()) fields.fault = sentence;
   }
+  std::size_t set_fault_line(std::size_t position);
 
   std::string_view text_;
   std::vector<Frame> frames_;
@@ -198,8 +201,8 @@ bool Listener::key(std::string& name) {
   top.key = name;
   const CasePlace place = next_place();
   if (place == CasePlace::other) return true;
-  if (std::ranges::find(top.seen, name) != top.seen.end()) fault(path(), "one field of this name", "a second one");
-  top.seen.push_back(name);
+  if (std::ranges::find(top.seen, name) == top.seen.end()) top.seen.push_back(name);
+  else fault(path(), "one field of this name", "a second one");
   return true;
 }
 
@@ -238,12 +241,25 @@ bool Listener::end_array() {
   return done();
 }
 
+// For a fault at this byte; its column.
+std::size_t Listener::set_fault_line(std::size_t position) {
+  const std::string_view before = text_.substr(0, position);
+  fields.fault_line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+  return before.size() - (before.rfind('\n') + 1) + 1;
+}
+
+// To the parser it is the end of the text: what follows would be passed over.
+void Listener::refuse_null_byte() {
+  const std::size_t position = text_.find('\0');
+  if (position == std::string_view::npos) return;
+  const std::size_t column = set_fault_line(position);
+  fields.fault = "expected JSON, found a null byte at column " + std::to_string(column);
+}
+
 bool Listener::parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) {
   constexpr int number_overflow = 406;
   constexpr std::size_t readable_reason = 160;
-  const std::string_view before = text_.substr(0, position > 0 ? position - 1 : 0);
-  fields.fault_line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
-  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  const std::size_t column = set_fault_line(position > 0 ? position - 1 : 0);
   fields.fault.clear();  // what is no JSON at all is told as such
   if (error.id == number_overflow) {
     fault(path(), "a number within the range of binary64", shown(last_token));
@@ -261,6 +277,7 @@ bool Listener::parse_error(std::size_t position, const std::string& last_token, 
 CaseFields read_case_fields(std::string_view text) {
   Listener listener(text);
   Json::sax_parse(text, &listener);
+  listener.refuse_null_byte();
   return std::move(listener.fields);
 }
 

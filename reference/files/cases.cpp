@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -102,11 +103,14 @@ CaseStream CaseStream::open(const std::string& path, std::istream& standard_inpu
   return {std::move(file), path, CaseLayout::lines};
 }
 
+// A line that could not be kept is empty, and condemns its case.
 bool CaseStream::next_line(std::string& line) {
   if (pending_) {
     line = *std::exchange(pending_, std::nullopt);
-  } else if (!std::getline(*input_, line)) {
-    return false;
+  } else {
+    const LineRead read = read_line(*input_, line);
+    if (read == LineRead::none) return false;
+    if (kept_ == LineRead::whole) kept_ = read;
   }
   ++line_;
   return true;
@@ -124,12 +128,28 @@ void CaseStream::read_rest_of_case(std::string& text) {
   for (std::string line; !nesting.closed() && next_line(line);) {
     if (line.starts_with('{')) return take_back(std::move(line));
     nesting.take(line);
-    text += '\n' + line;
+    append(text, line);
   }
 }
 
 void CaseStream::read_document(std::string& text) {
-  for (std::string line; next_line(line);) text += '\n' + line;
+  for (std::string line; next_line(line);) append(text, line);
+}
+
+void CaseStream::append(std::string& text, const std::string& line) {
+  if (kept_ == LineRead::whole && text.size() + line.size() >= longest_line) kept_ = LineRead::too_long;
+  try {
+    if (kept_ == LineRead::whole) (text += '\n') += line;
+  } catch (const std::bad_alloc&) {
+    kept_ = LineRead::no_memory;
+  }
+  if (kept_ != LineRead::whole) std::string().swap(text);
+}
+
+CaseItem CaseStream::refuse_long() {
+  constexpr std::string_view limit = "expected a case of at most 256 MiB, found ";
+  finished_ = input_->bad();
+  return failure(case_line_, std::string(limit) + (finished_ ? "one without an end" : "a longer one"));
 }
 
 CaseItem CaseStream::failure(std::size_t line, const std::string& message) const {
@@ -140,15 +160,17 @@ std::optional<CaseItem> CaseStream::next() {
   if (finished_) return std::nullopt;
   for (std::string text; next_line(text);) {
     if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-    if (is_blank(text)) continue;
+    if (kept_ == LineRead::whole && is_blank(text)) continue;
     any_ = true;
-    const std::size_t first = line_;
+    case_line_ = line_;
     if (layout_ == CaseLayout::document) {
       read_document(text);
     } else if (is_lone_brace(text)) {
       read_rest_of_case(text);
     }
-    return parse_case(text, name_, first);
+    const LineRead kept = std::exchange(kept_, LineRead::whole);
+    if (kept == LineRead::no_memory) throw std::bad_alloc();
+    return kept == LineRead::too_long ? refuse_long() : parse_case(text, name_, case_line_);
   }
   finished_ = true;
   if (input_->bad()) return failure(line_ + 1, "expected a line, found that the input cannot be read further");

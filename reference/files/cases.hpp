@@ -16,6 +16,7 @@
 #include <variant>
 
 #include "reference/files/body.hpp"
+#include "reference/files/source.hpp"
 
 namespace fathom {
 
@@ -50,8 +51,10 @@ class CaseStream {
   /// InputError if it cannot be read.
   static CaseStream open(const std::string& path, std::istream& standard_input);
 
-  /// The next case; nothing at the end.
+  /// The next case; nothing at the end. A case of more than longest_line bytes is a bad one. Throws std::bad_alloc where memory ends:
+  /// that case, which begins on line case_line(), is passed over then, and the stream can go on.
   std::optional<CaseItem> next();
+  [[nodiscard]] std::size_t case_line() const { return case_line_; }
 
  private:
   CaseStream(std::unique_ptr<std::istream> input, std::string name, CaseLayout layout);
@@ -59,13 +62,16 @@ class CaseStream {
   void take_back(std::string line);
   void read_rest_of_case(std::string& text);
   void read_document(std::string& text);
+  void append(std::string& text, const std::string& line);
+  CaseItem refuse_long();
   CaseItem failure(std::size_t line, const std::string& message) const;
 
   std::unique_ptr<std::istream> owned_;
   std::istream* input_;
   std::string name_;
   CaseLayout layout_;
-  std::size_t line_ = 0;  ///< of the line read last
+  std::size_t line_ = 0, case_line_ = 1;  ///< of the line read last; of the case
+  LineRead kept_ = LineRead::whole;       ///< else why the case at hand is lost
   std::optional<std::string> pending_;
   bool any_ = false, finished_ = false;
 };

@@ -7,15 +7,13 @@
 
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "reference/files/body.hpp"
 
 namespace fathom {
 namespace {
-
-// A device may never end (/dev/zero); no terminal or sound input is this long.
-constexpr std::size_t device_limit = std::size_t{1} << 30;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& found) {
   throw InputError(path, 0, "expected a readable file, found " + found);
@@ -43,9 +41,53 @@ void require_plain_name(const std::string& path) {
   if (path.find('\0') != std::string::npos) refuse(shown(path), "a null byte in its name");
 }
 
+// What is left of the limits on a line while it is read.
+class GrowingLine {
+ public:
+  explicit GrowingLine(std::string& text) : text_(&text) { text.clear(); }
+
+  void add(std::string_view piece) {
+    size_ += piece.size();
+    if (size_ > longest_line) give_up(LineRead::too_long);
+    if (read_ != LineRead::whole) return;
+    try {
+      text_->append(piece);
+    } catch (const std::bad_alloc&) {
+      give_up(LineRead::no_memory);
+    }
+  }
+  [[nodiscard]] bool endless() const { return size_ > 16 * longest_line; }
+  [[nodiscard]] LineRead read() const { return read_; }
+
+ private:
+  void give_up(LineRead why) {
+    read_ = why;
+    std::string().swap(*text_);
+  }
+
+  std::string* text_;
+  std::size_t size_ = 0;
+  LineRead read_ = LineRead::whole;
+};
+
 }  // namespace
 
-std::string read_file(const std::string& path) {
+LineRead read_line(std::istream& input, std::string& line) {
+  char block[1 << 14];
+  GrowingLine growing(line);
+  for (bool any = false;; any = true) {
+    input.getline(block, sizeof block);
+    const auto got = static_cast<std::size_t>(input.gcount());
+    const bool full = input.fail() && got == sizeof block - 1;  // and the line goes on
+    if (input.bad() || (got == 0 && !any)) return LineRead::none;
+    growing.add({block, full || input.eof() ? got : got - 1});  // without the line feed
+    if (!full) return growing.read();
+    input.clear(growing.endless() ? std::ios::badbit : std::ios::goodbit);
+    if (growing.endless()) return growing.read();
+  }
+}
+
+std::string read_file(const std::string& path, std::size_t most_of_a_pipe) {
   require_plain_name(path);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
@@ -60,7 +102,8 @@ std::string read_file(const std::string& path) {
     if (got < 0) refuse_with_errno(path);
     if (got == 0) return bytes;
     bytes.append(block.data(), static_cast<std::size_t>(got));
-    if (S_ISCHR(status.st_mode) && bytes.size() > device_limit) refuse(path, "a device without an end");
+    if (!S_ISREG(status.st_mode) && bytes.size() > most_of_a_pipe)
+      refuse(path, "a pipe or device of more than " + std::to_string(most_of_a_pipe) + " bytes");
   }
 }
 

@@ -2,11 +2,12 @@
 """`fathom approx` and `fathom width --delta`: within a factor, by the exact commands' own answers."""
 import copy
 import json
+import subprocess
 import unittest
 from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, ROOT, UNIT, CliTest, box, case
+from harness import DATA, EXECUTABLE, ROOT, UNIT, CliTest, box, case
 
 VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
@@ -33,6 +34,14 @@ class Approx(CliTest):
                                         "flat", "method", "delta", "rays", "bound"])
         self.assertEqual((result["delta"], result["rays"]), ("1/4", 24))
         self.check(result, self.result("depth", CUBE, ICOSAHEDRON))
+
+    def test_a_delta_that_takes_days_is_not_silent(self):
+        for command, rays in ((["approx", CUBE, CUBE], 4), (["width", CUBE], 2)):
+            with subprocess.Popen([EXECUTABLE, *command, "--delta", "1e-12"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+                words = process.stderr.readline().decode()
+                process.kill()
+            self.assertEqual(words, f"fathom: --delta 1/1000000000000 asks for about {rays}000000000000 rays a case\n")
+        self.assertEqual(self.run_cli("approx", "--delta", "1e-4", CUBE, CUBE)[2], "")
 
     def test_deltas(self):
         exact = self.result("depth", CUBE, ICOSAHEDRON)

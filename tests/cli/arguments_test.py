@@ -47,6 +47,17 @@ class Misuse(CliTest):
         for command in ("explain",):
             self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
 
+    def test_no_value_is_no_value(self):
+        """Neither the next word, nor as if the option were not there."""
+        for words in (["ray", "--direction=", "1,0,0", A, B], ["depth", "--certificate=", "proof.cert", A, B], ["depth", "--seed=", "1", A, B],
+                      ["golden", "generate", "--out=", "folder", "--level", "L0"]):
+            option = next(word for word in words if word.endswith("="))
+            self.assertIn(f"'{option}' lacks its value", self.refused(*words))
+        for words in (["depth", "--certificate", "", A, B], ["metric", "--ball", "", A, B], ["certify", "--report", "", "--replay", A, B],
+                      ["certify", "--html", "", "--replay", A, B]):
+            self.assertIn(f"{words[1]} expects a value, found nothing", self.refused(*words))
+        self.assertIn("--=: expected a readable file", self.refused("depth", "--", A, "--="))
+
     def test_values_of_options(self):
         self.assertIn("--method: 'fast' is unknown (expected auto, exact, certificate, shallow, naive)",
                       self.refused("depth", "--method", "fast", A, B))

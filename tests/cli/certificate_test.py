@@ -4,9 +4,10 @@ import hashlib
 import json
 import os
 import stat
+import subprocess
 import unittest
 
-from harness import UNIT, CliTest, box, case
+from harness import EXECUTABLE, UNIT, CliTest, box, case
 
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 FAR = box([5, 5, 5], [6, 6, 6])
@@ -58,6 +59,34 @@ class Single(CliTest):
         self.assertTrue(self.proof.read_text().startswith("fathom-certificate 1\n"))
         self.assertEqual(stat.S_IMODE(self.proof.stat().st_mode) & 0o111, 0)
 
+    def test_a_link_to_a_file_that_is_not_there_yet_stays_a_link(self):
+        folder = self.folder / "proofs"
+        folder.mkdir()
+        link, second = self.folder / "link", self.folder / "second"
+        link.symlink_to("second")
+        second.symlink_to("proofs/new.cert")
+        self.answer("depth", "--certificate", link, self.a, self.b)
+        self.assertTrue(link.is_symlink() and second.is_symlink())
+        self.assertEqual(os.listdir(folder), ["new.cert"])
+        self.assertTrue((folder / "new.cert").read_text().startswith("fathom-certificate 1\n"))
+        for place in ("missing/new.cert", "link"):
+            link.unlink()
+            link.symlink_to(place)
+            code, out, err = self.run_cli("depth", "--certificate", link, self.a, self.b)
+            self.assertEqual((code, out), (2, ""))
+            self.assertIn(f"{link}: cannot write a certificate: ", err)
+            self.assertTrue(link.is_symlink())
+
+    def test_what_a_killed_process_left_is_in_nobodys_way(self):
+        """Containers give out the same process ids again and again."""
+        shell = 'for n in "" -0 -1; do echo left > .fathom-$$$n.tmp; done; exec "$@"'
+        done = subprocess.run(["sh", "-c", shell, "sh", EXECUTABLE, "depth", "--certificate", self.proof, self.a, self.b],
+                              cwd=self.folder, capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        self.assertTrue(self.proof.read_text().startswith("fathom-certificate 1\n"))
+        left = [path for path in self.folder.iterdir() if path.suffix == ".tmp"]
+        self.assertEqual([path.read_text() for path in left], ["left\n"] * 3)
+
     def test_a_device_is_written_to_and_stays_one(self):
         self.answer("depth", "--certificate", "/dev/null", self.a, self.b)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
@@ -81,6 +110,7 @@ class Single(CliTest):
     def test_what_does_not_go_together(self):
         for arguments, words in ((["--embed-certificate"], "needs --json"), (["--certificate", "-"], "--embed-certificate writes"),
                                  (["--certificate"], "--certificate"),
+                                 (["--certificate", ""], "--certificate expects a value, found nothing"),
                                  (["--method", "certificate", "--closest-lines", "naive"], "cannot be combined with --method certificate")):
             code, out, err = self.run_cli("depth", self.a, self.b, *arguments)
             self.assertEqual((code, out), (2, ""))

@@ -4,6 +4,7 @@
 import json
 import os
 import shutil
+import subprocess
 import unittest
 
 import harness
@@ -33,6 +34,14 @@ class Check(CliTest):
         self.assertEqual((code, out), (2, ""))
         self.assertTrue(err.startswith("fathom check: expected certificates"), err)
         self.assertTrue(self.answer("check", "--help").startswith("Usage: fathom check "))
+
+    def test_output_that_cannot_be_written(self):
+        """By fathom's table of exit codes; the program by itself has its own."""
+        for program, wanted in (([EXECUTABLE, "check"], 3), ([os.environ["FATHOM_CHECK"]], 2)):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([*program, CUBES], stdout=full, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, wanted)
+            self.assertIn(b"cannot write to standard output", done.stderr)
 
     def test_what_fathom_writes(self):
         case = self.file("case.json", '{"id": "a b", "a": {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}, '

@@ -102,6 +102,27 @@ TEST(BadCase, Syntax) {
   EXPECT_LT(sentence.size(), 300u);
 }
 
+TEST(BadCase, NothingButWhiteSpaceBehindTheObject) {
+  using namespace std::string_literals;
+  const std::string good = "{\"a\":{\"vertices\":[[0,0,0]]}," + good_b + "}";
+  const std::string column = std::to_string(good.size() + 1);
+  EXPECT_EQ(complaint(good + " \t\r\n"), "");
+  for (const std::string& junk : {"\0"s, "\0junk"s, "\0{}"s, "\0\n"s})
+    EXPECT_EQ(complaint(good + junk), "expected JSON, found a null byte at column " + column);
+  const CaseItem item = parse_case("{\"id\":\"x\",\n\0"s + good.substr(1), "c", 7);
+  ASSERT_FALSE(item.ok());
+  EXPECT_STREQ(item.error().what(), "c:8: expected JSON, found a null byte at column 1");
+  EXPECT_EQ(item.id, "x");
+}
+
+// One look at each would take hours if every repetition were compared with all before it.
+TEST(BadCase, AMillionRepetitionsOfAField) {
+  std::string text = "{";
+  for (const char* field : {"\"a\":0,", "\"b\":0,"})
+    for (int i = 0; i < 1'000'000; ++i) text += field;
+  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices', found 0");
+}
+
 TEST(BadCase, TheIdIsToldWhereverItStands) {
   EXPECT_EQ(parse_case(R"({"a":3,"id":"late"})", "c").id, "late");
   EXPECT_EQ(parse_case(R"({"id":"early","a":)", "c").id, "early");

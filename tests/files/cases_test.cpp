@@ -127,13 +127,20 @@ TEST(Case, NullStandsForAnOptionalFieldThatIsNotGiven) {
             (Point{1, 2, 3}));
 }
 
-TEST(Case, NestingWithoutLimit) {
-  constexpr std::size_t deep = 300'000;
-  const std::string open(deep, '['), close(deep, ']');
-  EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", "", ",\"x\":" + open + close)), (Point{1, 2, 3}));
-  EXPECT_FALSE(parse_case(open + close, "c").ok());
-  EXPECT_FALSE(parse_case(open, "c").ok());
-  EXPECT_FALSE(parse_case(with_vertex(open + close), "c").ok());
+TEST(Case, NestingHasALimitThatTheCheckerSharesWhereverItStands) {
+  const auto nested = [](std::size_t deep) { return std::string(deep, '[') + std::string(deep, ']'); };
+  EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", "", ",\"x\":" + nested(63))), (Point{1, 2, 3}));
+  EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", ",\"x\":" + nested(62))), (Point{1, 2, 3}));
+  for (const std::string& text : {with_vertex("[1,2,3]", "", ",\"x\":" + nested(64)), with_vertex("[1,2,3]", ",\"x\":" + nested(63)),
+                                  with_vertex("[1,2,3]", "", ",\"x\":" + nested(300'000))}) {
+    const CaseItem item = parse_case(text, "c");
+    ASSERT_FALSE(item.ok());
+    EXPECT_STREQ(item.error().what(), "c:1: expected values nested at most 64 deep, found a deeper one");
+    EXPECT_EQ(item.id, "x");
+  }
+  EXPECT_FALSE(parse_case(nested(300'000), "c").ok());
+  EXPECT_FALSE(parse_case(std::string(300'000, '['), "c").ok());
+  EXPECT_FALSE(parse_case(with_vertex(nested(300'000)), "c").ok());
 }
 
 TEST(CaseStream, OneALine) {

@@ -3,11 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "kernels/filter.hpp"
+
+namespace {
+std::atomic<std::thread::id> fed;  // if set, no other thread gets memory that it asks for gently
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  const std::thread::id only = fed;
+  return only == std::thread::id() || only == std::this_thread::get_id() ? ::operator new(size) : nullptr;
+}
 
 namespace fathom {
 namespace {
@@ -46,6 +57,21 @@ TEST(RunBoth, RunsBothAndSumsTheirCounts) {
     ASSERT_EQ(c[id].decided.size(), 1U);
     EXPECT_EQ(c[id].decided.begin()->second, 2U);
   }
+}
+
+TEST(RunBoth, AThreadWithoutMemoryLeavesItsWorkToTheCaller) {
+  std::thread::id second;
+  int calls = 0;
+  fed = std::this_thread::get_id();
+  run_both(
+      true, [] {},
+      [&] {
+        second = std::this_thread::get_id();
+        ++calls;
+      });
+  fed = std::thread::id();
+  EXPECT_EQ(second, std::this_thread::get_id());
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(RunBoth, MayBeNested) {

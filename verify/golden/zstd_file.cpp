@@ -6,12 +6,11 @@
 #include <new>
 #include <utility>
 
+#include "reference/files/source.hpp"
 #include "verify/golden/file_error.hpp"
 
 namespace fathom::golden {
 namespace {
-
-constexpr std::size_t longest_line = std::size_t{256} << 20;
 
 std::size_t checked(std::size_t code) {
   if (ZSTD_isError(code)) throw FileError(std::string("the Zstandard frame is damaged: ") + ZSTD_getErrorName(code));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "verify/harness/seen_case.hpp"
@@ -94,8 +95,13 @@ class Run {
 
 void run(const RunPlan& plan) {
   Run run(plan);
+  const unsigned jobs = std::max(plan.jobs, 1U);
   std::vector<std::thread> others;
-  for (unsigned i = 1; i < std::max(plan.jobs, 1U); ++i) others.emplace_back([&run] { run.work(); });
+  others.reserve(jobs);
+  try {
+    while (others.size() + 1 < jobs) others.emplace_back([&run] { run.work(); });
+  } catch (const std::system_error&) {  // no more threads to be had: those that there are do the work
+  }
   run.work();
   for (std::thread& other : others) other.join();
   run.finish();
