@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "cli/command.hpp"
+#include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 
@@ -23,7 +24,8 @@ class Stream {
     progress_.about(fmt::format("line {}", item.line));
     if (!item.ok()) return report(item, item.error().what(), bad_input);
     try {
-      hulls_ += work_.answer(item.value(), progress_);
+      if (!hull_told_) tell_of_hull(item);
+      work_.answer(item.value(), progress_);
     } catch (const Interrupted&) {
       throw;
     } catch (const OutputError&) {
@@ -37,11 +39,19 @@ class Stream {
 
   ExitCode finish() const {
     if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
-    if (hulls_ > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls_, cases_));
     return code_;
   }
 
  private:
+  // Once: a stream of such cases would take a hull each to tell.
+  void tell_of_hull(const CaseItem& item) {
+    const std::optional<std::string> note = hull_note(item.value(), work_.one_body);
+    if (!note) return;
+    hull_told_ = true;
+    progress_.clear();
+    talk(fmt::format("line {}: {}; later cases are not looked at for this", item.line, *note));
+  }
+
   void report(const CaseItem& item, const std::string& sentence, ExitCode code) {
     ++failed_;
     code_ = std::max(code_, code);
@@ -51,7 +61,8 @@ class Stream {
 
   const StreamWork& work_;
   Progress progress_;
-  std::size_t cases_ = 0, failed_ = 0, hulls_ = 0;
+  std::size_t cases_ = 0, failed_ = 0;
+  bool hull_told_ = false;
   ExitCode code_ = fine;
 };
 

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "cli/counts.hpp"
@@ -132,28 +130,6 @@ std::string safe_id(const std::string& id) {
       return nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   }
   return id;
-}
-
-namespace {
-
-std::optional<std::string> hull_note(std::initializer_list<std::tuple<std::string_view, std::size_t, std::uint32_t>> bodies) {
-  std::vector<std::string> notes;
-  for (const auto& [body, given, extreme] : bodies) {
-    if (extreme != 0 && extreme < given) notes.push_back(fmt::format("{}: {} of {} points are not extreme", body, given - extreme, given));
-  }
-  if (notes.empty()) return std::nullopt;
-  return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
-}
-
-}  // namespace
-
-std::optional<std::string> hull_note(const Answer& answer, const Request& request) {
-  const std::uint32_t extreme_b = is_width(request) ? 0 : answer.depth.extreme_b;
-  return hull_note({{"A", answer.points_a, answer.depth.extreme_a}, {"B", answer.points_b, extreme_b}});
-}
-
-std::optional<std::string> hull_note(const Case& pair, std::uint32_t extreme_a, std::uint32_t extreme_b) {
-  return hull_note({{"A", pair.a.points.size(), extreme_a}, {"B", pair.b.points.size(), extreme_b}});
 }
 
 }  // namespace fathom::cli
