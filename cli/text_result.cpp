@@ -31,6 +31,11 @@ std::string ties_text(const Depth& depth, const Request& request) {
   return count == 1 ? "none" : fmt::format("{} {}; the first is shown, --json lists all", count, many);
 }
 
+/// An approximation tells no distance: of disjoint bodies it knows some plane between them.
+std::string direction_label(const Answer& answer) {
+  return answer.approximation && answer.depth.status == Status::disjoint ? "separating normal" : "direction";
+}
+
 /// What is known of a depth up to a factor: two bounds.
 void add_bounds(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Approximation& approximation = *answer.approximation;
@@ -48,6 +53,7 @@ void add_distance(std::vector<Row>& rows, const Distance& distance, const Reques
   rows.emplace_back("distance^2", exact_text(distance.squared));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(distance.squared, *request.digits));
   rows.emplace_back("nearest", fmt::format("{} of A, {} of B", point_text(distance.witness.a), point_text(distance.witness.b)));
+  rows.emplace_back("A to B", point_text(distance.translation));
 }
 
 void add_result(std::vector<Row>& rows, const Answer& answer, const Request& request) {
@@ -60,7 +66,7 @@ void add_result(std::vector<Row>& rows, const Answer& answer, const Request& req
     if (request.digits && !depth.distance) rows.emplace_back("enclosure", enclosure_text(depth.squared, *request.digits));
   }
   if (depth.distance) add_distance(rows, *depth.distance, request);
-  if (depth.direction) rows.emplace_back("direction", direction_text(*depth.direction));
+  if (depth.direction) rows.emplace_back(direction_label(answer), direction_text(*depth.direction));
   if (depth.status == Status::penetrating && !is_width(request)) rows.emplace_back("translation", point_text(depth.translation));
   if (depth.contact) rows.emplace_back("contact", contact_text(*depth.contact, is_width(request)));
   if (depth.witness) rows.push_back(witness_row(*depth.witness, is_width(request)));
@@ -84,10 +90,20 @@ void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& requ
   if (depth.flat_a && depth.status == Status::penetrating) rows.push_back(flat_note());
 }
 
+// Of the stages that ran: what another method would have counted is no 0.
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
-  for_each_count(counters, [&](std::string_view what, std::uint64_t count) { rows.emplace_back(what, fmt::format("{}", count)); });
+  std::vector<std::string_view> stages;
+  std::vector<Row> counts;
+  for (const StageCounts& stage : counts_by_stage(counters)) {
+    if (!stage.ran()) continue;
+    stages.push_back(stage.stage);
+    for (const Count& count : stage.counts) counts.emplace_back(count.name, fmt::format("{}", count.value));
+  }
+  rows.emplace_back("counted", fmt::format("{}", fmt::join(stages, ", ")));
+  rows.insert(rows.end(), counts.begin(), counts.end());
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
+    if (tiers.calls == 0) continue;
     rows.emplace_back(predicate_names[i], fmt::format("{} calls, {} exact, {} zero", tiers.calls, tiers.exact, tiers.zero));
   }
 }
@@ -114,7 +130,7 @@ std::string text_line(const Answer& answer, const Request& request) {
     if (request.digits) parts.push_back("in " + enclosure_text(depth.squared, *request.digits));
   }
   if (depth.distance) parts.push_back("distance " + root_text(depth.distance->squared));
-  if (depth.direction) parts.push_back("direction " + direction_text(*depth.direction));
+  if (depth.direction) parts.push_back(direction_label(answer) + " " + direction_text(*depth.direction));
   if (depth.contact) parts.emplace_back(name(depth.contact->kind));
   if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
   if (const std::string flat = flat_bodies(depth, request); !flat.empty()) parts.push_back("flat " + flat);
