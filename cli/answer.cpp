@@ -22,7 +22,7 @@ Answer answer_to(const Case& single, const Request& request, const Solve& solve,
     certificate.id = single.id;
     answer.certificate = certificate_text(certificate);
   }
-  progress.clear();
+  progress.answered();
   return answer;
 }
 

@@ -22,6 +22,7 @@ class Stream {
     const Working working;
     ++cases_;
     progress_.about(fmt::format("line {}", item.line));
+    progress_.report("", -1);
     if (!item.ok()) return report(item, item.error().what(), bad_input);
     try {
       if (!hull_told_) tell_of_hull(item);
@@ -37,7 +38,8 @@ class Stream {
     }
   }
 
-  ExitCode finish() const {
+  ExitCode finish() {
+    progress_.clear();
     if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
     return code_;
   }

@@ -22,7 +22,7 @@ UnitBall ball_of(const Request& request) {
 MetricResult depth_of(const Case& pair, const UnitBall& ball, Progress& progress) {
   const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, report);
-  progress.clear();
+  progress.answered();
   return result;
 }
 

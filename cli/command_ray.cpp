@@ -14,7 +14,7 @@ namespace {
 DirectionalDepth depth_of(const Case& pair, const Request& request, Progress& progress) {
   const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   DirectionalDepth result = directional_depth(pair.a.points, pair.b.points, *request.direction, report);
-  progress.clear();
+  progress.answered();
   return result;
 }
 

@@ -19,7 +19,7 @@ Study study_of(const Case& pair, const Request& request, Progress& progress) {
   if (request.all) options.listed = std::numeric_limits<std::size_t>::max();
   options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   Study result = study(pair.a.points, pair.b.points, options);
-  progress.clear();
+  progress.answered();
   return result;
 }
 
