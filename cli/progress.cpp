@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(1);
 constexpr auto interval = std::chrono::milliseconds(200);
-constexpr int longest_bar = 30, usual_columns = 80;
+constexpr int longest_bar = 30, shortest_bar = 4, usual_columns = 80;
 
 void put(const std::string& text) {
   std::fputs(text.c_str(), stderr);
@@ -86,17 +86,18 @@ void Progress::keep_drawing() {
 }
 
 void Progress::draw() {
-  const int width = columns(), bar = std::min(longest_bar, width * 3 / 8);
-  const int filled = static_cast<int>(std::max(share_, 0.0) * bar);
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin_).count();
   line_is_open(true);
   drawn_ = true;
-  std::string line = what_;
-  if (share_ >= 0) line += fmt::format("{}[{:#<{}}{:.<{}}] {:3.0f}%", line.empty() ? "" : " ", "", filled, "", bar - filled, 100 * share_);
-  for (const std::string& word : {stage_, fmt::format("{} s", seconds)}) {
-    if (!word.empty()) line += (line.empty() ? "" : " ") + word;
+  std::string before = what_, after = stage_ + (stage_.empty() ? "" : " ") + fmt::format("{} s", seconds);
+  if (!before.empty()) before += ' ';
+  const int width = columns() - 1;
+  if (share_ >= 0) {
+    const int room = width - static_cast<int>(before.size() + after.size()) - 8;
+    const int bar = std::clamp(room, shortest_bar, longest_bar), filled = static_cast<int>(share_ * bar);
+    before += fmt::format("[{:#<{}}{:.<{}}] {:3.0f}% ", "", filled, "", bar - filled, 100 * share_);
   }
-  put("\r\033[K" + cut(line, width - 1));
+  put("\r\033[K" + cut(before + after, width));
 }
 
 void Progress::erase() {
