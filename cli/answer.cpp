@@ -15,14 +15,14 @@ Answer answer_to(const Case& single, const Request& request, const Solve& solve,
   options.closest_lines = request.closest_lines;
   options.seed = request.seed;
   options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
-  Answer answer{single.id, solve(single, options), single.a.points.size(), single.b.points.size(), ""};
+  Answer answer{single.id, solve(single, options)};
   if (!request.certificate.empty() || request.embed_certificate) {
     const Body& b = request.command == Command::width ? single.a : single.b;
     Certificate certificate = make_certificate(single.a.points, b.points, answer.depth, options);
     certificate.id = single.id;
     answer.certificate = certificate_text(certificate);
   }
-  progress.clear();
+  progress.answered();
   return answer;
 }
 

@@ -2,7 +2,6 @@
 // One solved case, on its way to a page or to a JSON line.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,9 +23,8 @@ struct Approximation {
 
 struct Answer {
   std::string id;
-  Depth depth;                             ///< for `width`: of the body against itself
-  std::size_t points_a = 0, points_b = 0;  ///< as given
-  std::string certificate = {};            ///< as text, if one was asked for
+  Depth depth;                   ///< for `width`: of the body against itself
+  std::string certificate = {};  ///< as text, if one was asked for
   std::optional<Approximation> approximation = std::nullopt;
 };
 

@@ -15,13 +15,13 @@ ExitCode answer_stream(const Request& request, const Answering& answering) {
   std::optional<CertificateFolder> folder;
   if (!request.certificate.empty()) folder.emplace(request.certificate);
   StreamWork work;
+  work.one_body = request.command == Command::width;
   work.answer = [&](const Case& single, Progress& progress) {
     std::optional<CertificateFile> file;
     if (folder) file.emplace(folder->file(single.id));
     const Answer answer = answering(single, progress);
     if (file) file->write(answer.certificate);
     print(request.json ? json_result(answer, request) : text_line(answer, request));
-    return hull_note(answer, request).has_value();
   };
   if (request.json) work.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
   return for_each_case(request.inputs[0], work);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 
@@ -34,9 +35,9 @@ class Stream {
     return item.has_value();
   }
 
-  ExitCode finish() const {
+  ExitCode finish() {
+    progress_.clear();
     if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
-    if (hulls_ > 0) talk(fmt::format("{} of {} cases had points that are not extreme; convex hulls were taken", hulls_, cases_));
     return code_;
   }
 
@@ -45,9 +46,11 @@ class Stream {
     const Working working;
     ++cases_;
     progress_.about(fmt::format("line {}", item.line));
+    progress_.report("", -1);
     if (!item.ok()) return report(item, bad_input);
     try {
-      hulls_ += work_.answer(item.value(), progress_);
+      if (!hull_told_) tell_of_hull(item);
+      work_.answer(item.value(), progress_);
     } catch (const Interrupted&) {
       throw;
     } catch (const OutputError&) {
@@ -57,6 +60,15 @@ class Stream {
     } catch (const std::exception& error) {
       report({item.line, item.id, InputError(name_, item.line, fault_text(error))}, internal_error);
     }
+  }
+
+  // Once: a stream of such cases would take a hull each to tell.
+  void tell_of_hull(const CaseItem& item) {
+    const std::optional<std::string> note = hull_note(item.value(), work_.one_body);
+    if (!note) return;
+    hull_told_ = true;
+    progress_.clear();
+    talk(fmt::format("line {}: {}; later cases are not looked at for this", item.line, *note));
   }
 
   void report(const CaseItem& bad, ExitCode code) {
@@ -70,7 +82,8 @@ class Stream {
   std::string name_;  // of the input, for messages
   const StreamWork& work_;
   Progress progress_;
-  std::size_t cases_ = 0, failed_ = 0, hulls_ = 0;
+  std::size_t cases_ = 0, failed_ = 0;
+  bool hull_told_ = false;
   ExitCode code_ = fine;
 };
 

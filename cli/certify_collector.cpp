@@ -42,7 +42,7 @@ void Collector::take(const Case& original, const Case& seen, const harness::Outc
   const std::string line = (journal_ && !known) || request_.json ? harness::outcome_line(outcome) : "";
   if (journal_ && !known) journal_->add(line);
   if (request_.json) {
-    progress_.clear();
+    progress_.answered();
     print(line);
   }
   summary_.add(outcome);

@@ -16,8 +16,8 @@ Answer approximate_answer(const Case& single, const Request& request, Progress& 
   const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   ApproxDepth found = request.command == Command::width ? approx_width(single.a.points, *request.delta, report)
                                                         : approx_depth(single.a.points, single.b.points, *request.delta, report);
-  progress.clear();
-  Answer answer{single.id, std::move(found.depth), single.a.points.size(), single.b.points.size()};
+  progress.answered();
+  Answer answer{single.id, std::move(found.depth)};
   answer.approximation = Approximation{found.delta, found.rays, found.bound_squared};
   return answer;
 }

@@ -2,10 +2,10 @@
 // fathom metric --ball Q A B | CASES.jsonl | -
 #include "cli/case_stream.hpp"
 #include "cli/command.hpp"
+#include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/metric_output.hpp"
 #include "cli/output.hpp"
-#include "cli/text_result.hpp"
 #include "reference/files/mesh.hpp"
 
 namespace fathom::cli {
@@ -22,7 +22,7 @@ UnitBall ball_of(const Request& request) {
 MetricResult depth_of(const Case& pair, const UnitBall& ball, Progress& progress) {
   const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, report);
-  progress.clear();
+  progress.answered();
   return result;
 }
 
@@ -31,7 +31,6 @@ ExitCode metric_stream(const Request& request, const UnitBall& ball) {
   work.answer = [&](const Case& pair, Progress& progress) {
     const MetricResult result = depth_of(pair, ball, progress);
     print(request.json ? metric_json(pair.id, result, ball) : metric_line(pair.id, result, ball));
-    return hull_note(pair, result.extreme_a, result.extreme_b).has_value();
   };
   if (request.json) {
     work.error_line = [](const CaseItem& item, const std::string& fault) { return metric_json_error(item.id, item.line, fault); };
@@ -49,7 +48,7 @@ ExitCode run_metric(const Request& request) {
   const Working working;
   Progress progress;
   const MetricResult result = depth_of(pair, ball, progress);
-  if (const auto note = hull_note(pair, result.extreme_a, result.extreme_b)) talk(*note);
+  tell_of_hulls(pair, false, progress);
   print(request.json ? metric_json(pair.id, result, ball) : metric_block(result, ball));
   return fine;
 }

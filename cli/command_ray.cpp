@@ -2,10 +2,10 @@
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
 #include "cli/case_stream.hpp"
 #include "cli/command.hpp"
+#include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/ray_output.hpp"
-#include "cli/text_result.hpp"
 #include "reference/files/mesh.hpp"
 
 namespace fathom::cli {
@@ -14,7 +14,7 @@ namespace {
 DirectionalDepth depth_of(const Case& pair, const Request& request, Progress& progress) {
   const ReportProgress report = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   DirectionalDepth result = directional_depth(pair.a.points, pair.b.points, *request.direction, report);
-  progress.clear();
+  progress.answered();
   return result;
 }
 
@@ -23,7 +23,6 @@ ExitCode ray_stream(const Request& request) {
   work.answer = [&](const Case& pair, Progress& progress) {
     const DirectionalDepth depth = depth_of(pair, request, progress);
     print(request.json ? ray_json(pair.id, depth, request) : ray_line(pair.id, depth));
-    return hull_note(pair, depth.extreme_a, depth.extreme_b).has_value();
   };
   if (request.json)
     work.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };
@@ -39,7 +38,7 @@ ExitCode run_ray(const Request& request) {
   const Working working;
   Progress progress;
   const DirectionalDepth depth = depth_of(pair, request, progress);
-  if (const auto note = hull_note(pair, depth.extreme_a, depth.extreme_b)) talk(*note);
+  tell_of_hulls(pair, false, progress);
   print(request.json ? ray_json(pair.id, depth, request) : ray_block(depth, request));
   return fine;
 }

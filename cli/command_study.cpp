@@ -4,6 +4,7 @@
 
 #include "cli/case_stream.hpp"
 #include "cli/command.hpp"
+#include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/study_output.hpp"
@@ -18,7 +19,7 @@ Study study_of(const Case& pair, const Request& request, Progress& progress) {
   if (request.all) options.listed = std::numeric_limits<std::size_t>::max();
   options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
   Study result = study(pair.a.points, pair.b.points, options);
-  progress.clear();
+  progress.answered();
   return result;
 }
 
@@ -26,6 +27,7 @@ ExitCode study_single(const Request& request, const Case& pair) {
   const Working working;
   Progress progress;
   const Study study = study_of(pair, request, progress);
+  tell_of_hulls(pair, false, progress);
   if (request.csv) print(study_csv_header());
   print(request.csv ? study_csv_row(pair.id, study) : request.json ? study_json(pair.id, study) : study_block(study, request.all));
   return fine;
@@ -36,7 +38,6 @@ ExitCode study_stream(const Request& request) {
   work.answer = [&](const Case& pair, Progress& progress) {
     const Study study = study_of(pair, request, progress);
     print(request.csv ? study_csv_row(pair.id, study) : request.json ? study_json(pair.id, study) : study_line(pair.id, study));
-    return false;
   };
   if (request.csv) {
     work.header = study_csv_header();

@@ -1,45 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The counters by name, in the order in which results list them.
+// The counters by name and stage, in the order in which results list them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "kernels/counters.hpp"
 
 namespace fathom::cli {
 
-/// Calls f(name, count) for every counter but those of the predicates.
-template <class F>
-void for_each_count(const Counters& counters, F f) {
-  f("vertices_a", counters.vertices_a);
-  f("vertices_b", counters.vertices_b);
-  f("edges_a", counters.edges_a);
-  f("edges_b", counters.edges_b);
-  f("facets_a", counters.facets_a);
-  f("facets_b", counters.facets_b);
-  f("scans", counters.scans);
-  f("expansions", counters.expansions);
-  f("inner_facets", counters.inner_facets);
-  f("vertex_facet_pairs", counters.vertex_facet_pairs);
-  f("canonical_pairs", counters.canonical_pairs);
-  f("sum_a", counters.sum_a);
-  f("sum_b", counters.sum_b);
-  f("crossings", counters.crossings);
-  f("pairs_evaluated", counters.pairs_evaluated);
-  f("pairs_exact", counters.pairs_exact);
-  f("grids_cut", counters.grids_cut);
-  f("cells", counters.cells);
-  f("block_tests", counters.block_tests);
-  f("vertex_clears", counters.vertex_clears);
-  f("frame_tests", counters.frame_tests);
-  f("frame_clears", counters.frame_clears);
-  f("quota_checks", counters.quota_checks);
-  f("quota_refinements", counters.quota_refinements);
-  f("few_cells", counters.few_cells);
-  f("seed", counters.seed);
-  f("rays", counters.rays);
-  f("facets_visited", counters.facets_visited);
+struct Count {
+  std::string_view name;
+  std::uint64_t value;
+};
+
+/// The counters of one stage of a run, but those of the predicates. It has run if any of them is not 0.
+struct StageCounts {
+  std::string_view stage;
+  std::vector<Count> counts;
+  [[nodiscard]] bool ran() const {
+    return std::ranges::any_of(counts, [](const Count& count) { return count.value != 0; });
+  }
+};
+
+inline std::vector<StageCounts> counts_by_stage(const Counters& c) {
+  return {
+      {"hulls",
+       {{"vertices_a", c.vertices_a},
+        {"vertices_b", c.vertices_b},
+        {"edges_a", c.edges_a},
+        {"edges_b", c.edges_b},
+        {"facets_a", c.facets_a},
+        {"facets_b", c.facets_b}}},
+      {"position", {{"scans", c.scans}}},
+      {"expanding polytope", {{"expansions", c.expansions}, {"inner_facets", c.inner_facets}}},
+      {"vertex-facet pairs", {{"vertex_facet_pairs", c.vertex_facet_pairs}}},
+      {"canonical subsets", {{"canonical_pairs", c.canonical_pairs}, {"sum_a", c.sum_a}, {"sum_b", c.sum_b}, {"crossings", c.crossings}}},
+      {"closest lines",
+       {{"pairs_evaluated", c.pairs_evaluated},
+        {"pairs_exact", c.pairs_exact},
+        {"grids_cut", c.grids_cut},
+        {"cells", c.cells},
+        {"block_tests", c.block_tests},
+        {"vertex_clears", c.vertex_clears},
+        {"frame_tests", c.frame_tests},
+        {"frame_clears", c.frame_clears},
+        {"quota_checks", c.quota_checks},
+        {"quota_refinements", c.quota_refinements},
+        {"few_cells", c.few_cells},
+        {"seed", c.seed}}},
+      {"rays", {{"rays", c.rays}, {"facets_visited", c.facets_visited}}},
+  };
 }
 
 }  // namespace fathom::cli

@@ -19,7 +19,8 @@ inline constexpr std::string_view generate_examples =
     "  fathom golden generate --level L2 --out data --shard 3/8\n"
     "                                           the third of eight machines; when all are done, the line without --shard completes it\n"
     "  mpirun -np 4 fathom golden generate --level L2 --out data\n"
-    "                                           four processes, which take shard after shard\n"
+    "                                           four processes, which take shard after shard; Open MPI wants --oversubscribe\n"
+    "                                           for more processes than cores, and --allow-run-as-root of root\n"
     "  zstd -dc data/golden-L0-*.jsonl.zst | fathom depth --json -\n"
     "                                           the records are cases for every other command\n";
 

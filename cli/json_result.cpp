@@ -31,7 +31,12 @@ Json distance_object(const Distance& distance, const std::optional<unsigned>& di
 
 Json counters_object(const Counters& counters) {
   Json result;
-  for_each_count(counters, [&](std::string_view what, std::uint64_t count) { result[std::string(what)] = count; });
+  Json stages = Json::array();
+  for (const StageCounts& stage : counts_by_stage(counters)) {
+    if (stage.ran()) stages.push_back(stage.stage);
+    for (const Count& count : stage.counts) result[std::string(count.name)] = count.value;
+  }
+  result["stages"] = std::move(stages);
   Json& predicates = result["predicates"] = Json::object();
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];

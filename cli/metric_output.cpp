@@ -51,12 +51,14 @@ Json optima_array(const MetricResult& result) {
   return array;
 }
 
+std::string direction_label(const MetricResult& result) { return result.status == Status::disjoint ? "separating normal" : "direction"; }
+
 }  // namespace
 
 std::string metric_block(const MetricResult& result, const UnitBall& ball) {
   std::vector<Row> rows{{"depth", decimal(result.depth)}, {"exactly", exact_text(result.depth)}, {"unit ball", ball_text(ball)}};
   if (!result.optima.empty()) rows.emplace_back("vertices", deciding_text(result));
-  if (result.direction) rows.emplace_back("direction", direction_text(*result.direction));
+  if (result.direction) rows.emplace_back(direction_label(result), direction_text(*result.direction));
   if (!result.optima.empty()) {
     const MetricOptimum& first = result.optima.front();
     rows.emplace_back("translation", point_text(first.translation));
@@ -74,7 +76,7 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
     parts.push_back("translation " + point_text(result.optima.front().translation));
     parts.emplace_back(name(result.optima.front().contact.kind));
   } else if (result.direction) {
-    parts.push_back("direction " + direction_text(*result.direction));
+    parts.push_back(direction_label(result) + " " + direction_text(*result.direction));
   }
   if (result.optima.size() > 1) parts.push_back(fmt::format("{} ties", result.optima.size()));
   if (const std::string flat = flat_text(result.flat_a, result.flat_b); !flat.empty()) parts.push_back("flat " + flat);

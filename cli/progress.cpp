@@ -2,6 +2,7 @@
 #include "cli/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,16 +16,31 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(1);
 constexpr auto interval = std::chrono::milliseconds(200);
-constexpr int bar_width = 30;
+constexpr int longest_bar = 30, shortest_bar = 4, usual_columns = 80;
 
 void put(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
 
+int columns() {
+  winsize size = {};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_columns;
+}
+
+/// The first `most` characters of UTF-8.
+std::string cut(const std::string& text, int most) {
+  std::size_t end = 0;
+  for (; end < text.size(); ++end) {
+    const bool begins_character = (static_cast<unsigned char>(text[end]) & 0xc0) != 0x80;
+    if (begins_character && most-- <= 0) break;
+  }
+  return text.substr(0, end);
+}
+
 }  // namespace
 
-Progress::Progress() {
+Progress::Progress() : answers_are_seen_(::isatty(STDOUT_FILENO) == 1) {
   if (::isatty(STDERR_FILENO) == 1) painter_ = std::thread([this] { keep_drawing(); });
 }
 
@@ -58,6 +74,10 @@ void Progress::clear() {
   erase();
 }
 
+void Progress::answered() {
+  if (answers_are_seen_) clear();
+}
+
 void Progress::keep_drawing() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, interval, [this] { return stop_; })) {
@@ -66,13 +86,18 @@ void Progress::keep_drawing() {
 }
 
 void Progress::draw() {
-  const int filled = static_cast<int>(std::max(share_, 0.0) * bar_width);
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin_).count();
   line_is_open(true);
   drawn_ = true;
-  const std::string what = what_.empty() ? "" : what_ + " ";
-  if (share_ < 0) return put(fmt::format("\r\033[K{}{} {} s", what, stage_, seconds));
-  put(fmt::format("\r\033[K{}[{:#<{}}{:.<{}}] {:3.0f}% {} {} s", what, "", filled, "", bar_width - filled, 100 * share_, stage_, seconds));
+  std::string before = what_, after = stage_ + (stage_.empty() ? "" : " ") + fmt::format("{} s", seconds);
+  if (!before.empty()) before += ' ';
+  const int width = columns() - 1;
+  if (share_ >= 0) {
+    const int room = width - static_cast<int>(before.size() + after.size()) - 8;
+    const int bar = std::clamp(room, shortest_bar, longest_bar), filled = static_cast<int>(share_ * bar);
+    before += fmt::format("[{:#<{}}{:.<{}}] {:3.0f}% ", "", filled, "", bar - filled, 100 * share_);
+  }
+  put("\r\033[K" + cut(before + after, width));
 }
 
 void Progress::erase() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bar on standard error, for work over a second and only on a terminal. It also carries Ctrl-C into a computation.
+// A bar on standard error, for work over a second and only on a terminal, in one line of it. It also carries Ctrl-C into a computation.
 #pragma once
 
 #include <chrono>
@@ -23,6 +23,8 @@ class Progress {
   bool report(const std::string& stage, double share);
   /// Takes the bar off the screen until the next report, so that other text can be printed.
   void clear();
+  /// The same before text for standard output: where that is no terminal the bar stays, or short cases in quick succession would show none.
+  void answered();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -33,7 +35,7 @@ class Progress {
   Clock::time_point begin_ = Clock::now();
   std::string what_, stage_;
   double share_ = 0;
-  bool active_ = false, drawn_ = false, stop_ = false;
+  bool answers_are_seen_ = true, active_ = false, drawn_ = false, stop_ = false;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::thread painter_;  // a stage may take long without a report; the clock on the bar shows that it lives

@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* schema = "fathom/ray/1";
 
+std::string normal_label(const DirectionalDepth& depth) { return depth.status == Status::disjoint ? "separating normal" : "normal"; }
+
 }  // namespace
 
 std::string ray_block(const DirectionalDepth& depth, const Request& request) {
@@ -24,7 +26,7 @@ std::string ray_block(const DirectionalDepth& depth, const Request& request) {
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared, *request.digits));
   rows.emplace_back("factor", exact_text(depth.factor));
   if (depth.status == Status::penetrating) rows.emplace_back("translation", point_text(depth.translation));
-  if (depth.normal) rows.emplace_back("normal", direction_text(*depth.normal));
+  if (depth.normal) rows.emplace_back(normal_label(depth), direction_text(*depth.normal));
   if (depth.contact) rows.emplace_back("contact", contact_text(*depth.contact));
   if (depth.witness) rows.push_back(witness_row(*depth.witness));
   if (const std::string flat = flat_text(depth.flat_a, depth.flat_b); !flat.empty()) rows.emplace_back("flat", flat);
@@ -35,7 +37,7 @@ std::string ray_block(const DirectionalDepth& depth, const Request& request) {
 std::string ray_line(const std::string& id, const DirectionalDepth& depth) {
   std::vector<std::string> parts{std::string(name(depth.status)), "length " + root_text(depth.squared)};
   if (depth.status == Status::penetrating) parts.push_back("translation " + point_text(depth.translation));
-  if (depth.normal) parts.push_back("normal " + direction_text(*depth.normal));
+  if (depth.normal) parts.push_back(normal_label(depth) + " " + direction_text(*depth.normal));
   if (depth.contact) parts.emplace_back(name(depth.contact->kind));
   if (const std::string flat = flat_text(depth.flat_a, depth.flat_b); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "cli/counts.hpp"
@@ -34,6 +32,11 @@ std::string ties_text(const Depth& depth, const Request& request) {
   return count == 1 ? "none" : fmt::format("{} {}; the first is shown, --json lists all", count, many);
 }
 
+/// An approximation tells no distance: of disjoint bodies it knows some plane between them.
+std::string direction_label(const Answer& answer) {
+  return answer.approximation && answer.depth.status == Status::disjoint ? "separating normal" : "direction";
+}
+
 /// What is known of a depth up to a factor: two bounds.
 void add_bounds(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Approximation& approximation = *answer.approximation;
@@ -51,6 +54,7 @@ void add_distance(std::vector<Row>& rows, const Distance& distance, const Reques
   rows.emplace_back("distance^2", exact_text(distance.squared));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(distance.squared, *request.digits));
   rows.emplace_back("nearest", fmt::format("{} of A, {} of B", point_text(distance.witness.a), point_text(distance.witness.b)));
+  rows.emplace_back("A to B", point_text(distance.translation));
 }
 
 void add_result(std::vector<Row>& rows, const Answer& answer, const Request& request) {
@@ -63,7 +67,7 @@ void add_result(std::vector<Row>& rows, const Answer& answer, const Request& req
     if (request.digits && !depth.distance) rows.emplace_back("enclosure", enclosure_text(depth.squared, *request.digits));
   }
   if (depth.distance) add_distance(rows, *depth.distance, request);
-  if (depth.direction) rows.emplace_back("direction", direction_text(*depth.direction));
+  if (depth.direction) rows.emplace_back(direction_label(answer), direction_text(*depth.direction));
   if (depth.status == Status::penetrating && !is_width(request)) rows.emplace_back("translation", point_text(depth.translation));
   if (depth.contact) rows.emplace_back("contact", contact_text(*depth.contact, is_width(request)));
   if (depth.witness) rows.push_back(witness_row(*depth.witness, is_width(request)));
@@ -87,10 +91,20 @@ void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& requ
   if (depth.flat_a && depth.status == Status::penetrating) rows.push_back(flat_note());
 }
 
+// Of the stages that ran: what another method would have counted is no 0.
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
-  for_each_count(counters, [&](std::string_view what, std::uint64_t count) { rows.emplace_back(what, fmt::format("{}", count)); });
+  std::vector<std::string_view> stages;
+  std::vector<Row> counts;
+  for (const StageCounts& stage : counts_by_stage(counters)) {
+    if (!stage.ran()) continue;
+    stages.push_back(stage.stage);
+    for (const Count& count : stage.counts) counts.emplace_back(count.name, fmt::format("{}", count.value));
+  }
+  rows.emplace_back("counted", fmt::format("{}", fmt::join(stages, ", ")));
+  rows.insert(rows.end(), counts.begin(), counts.end());
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
+    if (tiers.calls == 0) continue;
     rows.emplace_back(predicate_names[i], fmt::format("{} calls, {} exact, {} zero", tiers.calls, tiers.exact, tiers.zero));
   }
 }
@@ -117,7 +131,7 @@ std::string text_line(const Answer& answer, const Request& request) {
     if (request.digits) parts.push_back("in " + enclosure_text(depth.squared, *request.digits));
   }
   if (depth.distance) parts.push_back("distance " + root_text(depth.distance->squared));
-  if (depth.direction) parts.push_back("direction " + direction_text(*depth.direction));
+  if (depth.direction) parts.push_back(direction_label(answer) + " " + direction_text(*depth.direction));
   if (depth.contact) parts.emplace_back(name(depth.contact->kind));
   if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
   if (const std::string flat = flat_bodies(depth, request); !flat.empty()) parts.push_back("flat " + flat);
@@ -129,28 +143,6 @@ std::string text_line(const Answer& answer, const Request& request) {
 
 std::string safe_id(const std::string& id) {
   return without_controls(id) == id ? id : nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
-
-namespace {
-
-std::optional<std::string> hull_note(std::initializer_list<std::tuple<std::string_view, std::size_t, std::uint32_t>> bodies) {
-  std::vector<std::string> notes;
-  for (const auto& [body, given, extreme] : bodies) {
-    if (extreme != 0 && extreme < given) notes.push_back(fmt::format("{}: {} of {} points are not extreme", body, given - extreme, given));
-  }
-  if (notes.empty()) return std::nullopt;
-  return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
-}
-
-}  // namespace
-
-std::optional<std::string> hull_note(const Answer& answer, const Request& request) {
-  const std::uint32_t extreme_b = is_width(request) ? 0 : answer.depth.extreme_b;
-  return hull_note({{"A", answer.points_a, answer.depth.extreme_a}, {"B", answer.points_b, extreme_b}});
-}
-
-std::optional<std::string> hull_note(const Case& pair, std::uint32_t extreme_a, std::uint32_t extreme_b) {
-  return hull_note({{"A", pair.a.points.size(), extreme_a}, {"B", pair.b.points.size(), extreme_b}});
 }
 
 }  // namespace fathom::cli

@@ -29,7 +29,6 @@ install(TARGETS fathom_judge EXPORT fathom
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom
   FILE_SET c_interface DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
 install(TARGETS fathom_check EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
-install(TARGETS fathom-check)
 install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
 install(FILES verify/check/FORMAT.md verify/judge/VERDICTS.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
@@ -39,9 +38,13 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/fathomConfig.cmake ${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake cmake/fathomNumbers.cmake
   DESTINATION ${package_dir})
 
-if(TARGET fathom)
-  install(TARGETS fathom)
-endif()
+foreach(program fathom fathom-check fathom-golden-mpi)
+  if(TARGET ${program})
+    install(TARGETS ${program})
+    add_dependencies(installed ${program})
+  endif()
+endforeach()
+add_dependencies(installed fathom_kernels fathom_reference fathom_judge fathom_check)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DOCDIR})

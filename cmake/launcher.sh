@@ -27,13 +27,22 @@ inputs() {
 
 up_to_date() { [[ -x $out/fathom && -f $stamp && $(inputs) == "$(<"$stamp")" ]]; }
 
+# How many characters fit into a line of the terminal without making it scroll.
+line_width() {
+  local rows columns
+  read -r rows columns < <(stty size <&2 2>/dev/null)
+  echo $((${columns:-0} > 1 ? columns - 1 : 79))
+}
+
 # Runs a command with its output in the log; on a terminal the latest line is shown while it works.
 logged() {
+  local width
   if [[ ! -t 2 ]]; then
     "$@" </dev/null >>"$log" 2>&1
     return
   fi
-  "$@" </dev/null 2>&1 | tee -a "$log" | while IFS= read -r line; do printf '\r\033[K%s' "${line:0:79}" >&2; done
+  width=$(line_width)
+  "$@" </dev/null 2>&1 | tee -a "$log" | while IFS= read -r line; do printf '\r\033[K%s' "${line:0:width}" >&2; done
   local status=${PIPESTATUS[0]}
   printf '\r\033[K' >&2
   return "$status"

@@ -43,8 +43,6 @@ DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Poi
   result.normal = hit.normal;
   result.contact = pair.contact(hit.normal);
   result.witness = pair.witness(hit.normal, t);
-  result.extreme_a = static_cast<std::uint32_t>(pair.a().polytope().vertices.size());
-  result.extreme_b = static_cast<std::uint32_t>(pair.b().polytope().vertices.size());
   result.steps = hit.steps;
   return result;
 }

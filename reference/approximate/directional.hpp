@@ -22,8 +22,7 @@ struct DirectionalDepth {
   std::optional<Contact> contact;
   std::optional<Witness> witness;  ///< points a and b of the contact with b - a = translation
   bool flat_a = false, flat_b = false;
-  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 unless penetrating
-  std::uint64_t steps = 0;                     ///< of the ray
+  std::uint64_t steps = 0;  ///< of the ray
 };
 
 /// For all statuses and ranks. Throws std::invalid_argument when a body is empty or the direction is zero, and Interrupted.

@@ -89,8 +89,6 @@ MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, co
   });
   if (found.deciding.empty()) throw std::logic_error("a ray from the interior of P found it flat or missed it");
   result.rays = found.rays;
-  result.extreme_a = static_cast<std::uint32_t>(pair.a().polytope().vertices.size());
-  result.extreme_b = static_cast<std::uint32_t>(pair.b().polytope().vertices.size());
   // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1 / denominator of the bodies.
   result.depth = found.depth * ball.denominator / pair.lattice().denominator;
   for (const MetricDepth::Deciding& d : found.deciding) {

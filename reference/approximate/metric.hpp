@@ -67,7 +67,6 @@ struct MetricResult {
   std::vector<MetricOptimum> optima;  ///< one per deciding vertex, by ascending id; empty unless penetrating
   std::optional<Vector> direction;    ///< of the first optimum; else a primitive u with h(u) <= 0
   bool flat_a = false, flat_b = false;
-  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 unless penetrating
   std::uint64_t rays = 0;
 };
 

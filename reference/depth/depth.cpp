@@ -133,7 +133,10 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
   if (result.status == Status::touching) {
     result.witness = Witness{combination(lattice, lattice.a, origin.a), combination(lattice, lattice.b, origin.b)};
   }
-  if (result.status == Status::disjoint) result.distance = distance(lattice, exponent, options, result.counters);
+  if (result.status == Status::disjoint) {
+    result.distance = distance(lattice, exponent, options, result.counters);
+    result.direction = result.distance->direction;
+  }
   if (result.status == Status::penetrating) Penetration(lattice, exponent, options, find_nearest, result).run();
   result.counters.predicates = predicate_counts() - before;
   return result;

@@ -66,7 +66,7 @@ struct Depth {
   Status status = Status::disjoint;
   mpq_class squared;                           ///< depth^2, in lowest terms; 0 unless penetrating
   std::vector<Optimum> optima;                 ///< one per direction, sorted lexicographically on it; empty unless penetrating
-  std::optional<Vector> direction;             ///< of the first optimum; else a primitive u with h(u) <= 0
+  std::optional<Vector> direction;             ///< of the first optimum; of the distance; touching: a primitive u with h(u) = 0
   Point translation;                           ///< of the first optimum; else 0
   std::optional<Contact> contact;              ///< of the first optimum
   std::optional<Witness> witness;              ///< of the first optimum; a common point when touching

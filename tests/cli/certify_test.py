@@ -348,7 +348,7 @@ class Replays(CertifyTest):
 class Bar(CertifyTest):
     def test_rate_time_left_and_worst_error(self):
         path = self.file("cases.jsonl", boxes(0, marked=True) + "".join(boxes(i) for i in range(1, 300)))
-        code, out, seen = run_on_terminal("certify", "--jobs", "1", "--subject", liar("too-deep", 0.02), path, stop_at=b"worst error")
+        code, out, seen = run_on_terminal("certify", "--jobs", "1", "--subject", liar("too-deep", 0.02), path, stop_at=b"worst error", columns=100)
         self.assertEqual((code, out[:7]), (130, b"liar 1 "))
         self.assertRegex(seen, rb"\r\x1b\[K\[#*\.+\] +\d+% \d+ of 300 cases, [0-9.]+/s, \d+ s left, 1 failed, worst error 0\.5; \d+ s")
 

@@ -134,7 +134,13 @@ class Options(CliTest):
         self.assertEqual([counters[f"{what}_{body}"] for what in ("vertices", "edges", "facets") for body in "ab"], [8, 12, 12, 30, 6, 20])
         self.assertGreater(counters["crossings"], 0)
         self.assertGreater(counters["predicates"]["order_on_vertical"]["calls"], 0)
+        self.assertEqual(counters["stages"], ["hulls", "position", "vertex-facet pairs", "canonical subsets", "closest lines"])
+        out = self.answer("depth", "--counters", CUBE, ICOSAHEDRON)
+        self.assertIn("\ncounted       expanding polytope\nexpansions ", out)
+        self.assertNotRegex(out, "crossings|seed|vertices_a|rays|calls", "what did not run has no counts")
         out = self.answer("depth", "--method", "exact", "--counters", CUBE, ICOSAHEDRON)
+        self.assertRegex(out, "\ncounted +hulls, position, vertex-facet pairs, canonical subsets, closest lines\nvertices_a +8\n")
+        self.assertNotIn("inner_facets", out)
         self.assertRegex(out, r"\nvertices_b +12\n")
         self.assertRegex(out, r"\norder_on_vertical +\d+ calls, \d+ exact, \d+ zero\n")
 

@@ -26,6 +26,7 @@ class Distance(CliTest):
         self.assertEqual(sum(x * x for x in t), Fraction(distance["squared"]))
         self.assertLess(sum(x * y for x, y in zip(t, n)), 0)
         self.assertEqual([t[0] * n[1], t[1] * n[2], t[2] * n[0]], [t[1] * n[0], t[2] * n[1], t[0] * n[2]], "parallel")
+        self.assertEqual(result["direction"], distance["direction"], "the direction is the distance's")
         witness = distance["witness"]
         self.assertEqual([y - x for x, y in zip(numbers(witness["a"]), numbers(witness["b"]))], t)
 
@@ -44,8 +45,19 @@ class Distance(CliTest):
         out = self.answer("depth", "--digits", "2", a, b).splitlines()
         self.assertEqual(out[:6], ["disjoint", "depth       0", "depth^2     0", "distance    2", "distance^2  4", "enclosure   [2, 2]"])
         self.assertRegex(out[6], r"^nearest     \(1, .*\) of A, \(3, .*\) of B$")
+        self.assertEqual(out[7:9], ["A to B      (2, 0, 0)", "direction   (-1, 0, 0)"])
         line = self.answer("depth", "-", stdin=case(UNIT, box([3, 0, 0], [4, 1, 1]), id="apart"))
         self.assertTrue(line.startswith("apart: disjoint; depth 0; distance 2; direction (-1, "), line)
+
+    def test_a_separating_normal_is_called_one(self):
+        """Whoever finds no distance shows some plane between the bodies, and does not call it the direction."""
+        a, b = self.file("a.xyz", UNIT), self.file("b.xyz", box([3, 4, 5], [4, 5, 6]))
+        ball = self.file("ball.xyz", box([-1, -1, -1], [1, 1, 1]))
+        for command in (["approx"], ["metric", "--ball", ball], ["ray", "--direction=1,0,0"]):
+            out = self.answer(*command, a, b)
+            self.assertRegex(out, r"(?m)^separating normal +\(-?\d", command)
+            self.assertNotRegex(out, r"(?m)^(direction|normal) ", command)
+            self.assertIn("; separating normal (", self.answer(*command, "-", stdin=case(UNIT, box([3, 4, 5], [4, 5, 6]))))
 
     def test_a_sweep_across_contact_is_one_function(self):
         stream = "".join(case(UNIT, box([f"{16 + step}/16", "1/4", 0], [4, 2, 1])) for step in range(-4, 5))

@@ -9,7 +9,7 @@ import time
 import unittest
 
 from golden_release import ENDS, GoldenTest
-from harness import EXECUTABLE, PATIENCE
+from harness import EXECUTABLE, PATIENCE, ROOT
 
 MPIRUN = shutil.which("mpirun")
 PROGRAM = pathlib.Path(EXECUTABLE).with_name("fathom-golden-mpi")
@@ -49,6 +49,18 @@ class Mpi(GoldenTest):
             expected = f"{folder}: {count} of {count} shards made by {ranks} processes; the release is complete\n"
             self.assertEqual((code, out), (0, expected), err)
             self.same_as_release(folder)
+
+    def test_the_line_in_the_readme(self):
+        """As it is written there, from a folder like the project's, but of the level that is quick to make."""
+        lines = [line.strip() for line in (ROOT / "README.md").read_text().splitlines() if line.strip().startswith("mpirun ")]
+        self.assertEqual(len(lines), 1)
+        self.assertIn("--level L1 --seed 1 --out golden", lines[0])
+        (self.folder / "build").mkdir()
+        (self.folder / "build" / "release").symlink_to(pathlib.Path(EXECUTABLE).parent)
+        done = subprocess.run(lines[0].replace("--level L1", "--level L0"), shell=True, cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("made by 4 processes; the release is complete", done.stdout)
+        self.same_as_release(self.folder / "golden")
 
     def test_goes_on(self):
         folder = self.folder / "part"

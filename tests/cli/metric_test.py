@@ -65,7 +65,7 @@ class Metric(CliTest):
         text = self.run_cli("metric", "--ball", self.balls["octahedron"], self.file("cases.jsonl", STREAM))[1].splitlines()
         self.assertEqual(text[0], "deep: penetrating; depth 0.25 in the norm; translation (-1/4, 0, 0); facet-facet")
         self.assertTrue(text[1].endswith("; 6 ties"), text[1])
-        self.assertTrue(text[3].startswith("apart: disjoint; depth 0 in the norm; direction (-1, "), text[3])
+        self.assertTrue(text[3].startswith("apart: disjoint; depth 0 in the norm; separating normal (-1, "), text[3])
 
     def test_text_says_norm_or_gauge(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", SHIFTED)

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Interrupts, readers that go away, output that cannot be written, and the progress bar."""
+import fcntl
 import json
 import os
 import pathlib
 import pty
 import random
 import signal
+import struct
 import subprocess
 import tempfile
+import termios
+import threading
 import unittest
 
 from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, case
@@ -27,9 +31,10 @@ LONG = case(on_sphere(1000, 1), on_sphere(1000, 2))
 MIDDLE = case(on_sphere(400, 1), on_sphere(400, 2))
 
 
-def run_on_terminal(*arguments, stop_at=None):
+def run_on_terminal(*arguments, stop_at=None, columns=0):
     """(exit code, stdout, what appeared on stderr, a terminal). SIGINT is sent once `stop_at` has appeared."""
     ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     with subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.PIPE, stderr=theirs) as process:
         os.close(theirs)
         seen = b""
@@ -146,6 +151,45 @@ class Bar(CliTest):
         code, out, seen = run_on_terminal("depth", "--method", "exact", a, b, stop_at=b"% ")
         self.assertEqual((code, out), (130, b""))
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
+
+    def test_fits_the_terminal(self):
+        path = self.file("long.jsonl", LONG)
+        for columns in (20, 40, 60):
+            code, _, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"line 1", columns=columns)
+            self.assertEqual(code, 130)
+            lines = seen.replace(b"fathom: interrupted\r\n", b"").split(b"\r\x1b[K")
+            self.assertGreater(max(map(len, lines)), columns // 2, lines)
+            self.assertLess(max(map(len, lines)), columns, lines)
+
+    def test_short_cases_into_a_file(self):
+        """The line at hand is shown, and stays from case to case; it is wiped at the end."""
+        ours, theirs = pty.openpty()
+        with subprocess.Popen([EXECUTABLE, "depth", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=theirs) as process:
+            os.close(theirs)
+            enough = threading.Event()
+
+            def feed():
+                while not enough.is_set():
+                    process.stdin.write(GOOD.encode() * 100)
+                process.stdin.close()
+
+            writer = threading.Thread(target=feed)
+            writer.start()
+            seen = b""
+            try:
+                while True:
+                    seen += os.read(ours, 4096)
+                    if seen.count(b"line ") >= 3:
+                        enough.set()
+            except OSError:  # the other side is closed
+                enough.set()
+            writer.join()
+            os.close(ours)
+            self.assertEqual(process.wait(PATIENCE), 0)
+        shown = seen.split(b"\r\x1b[K")
+        self.assertEqual((shown[0], shown[-1]), (b"", b""), seen)
+        for line in shown[1:-1]:
+            self.assertRegex(line, rb"^line \d+ .*\d+ s$", "not wiped between cases")
 
 
 if __name__ == "__main__":

@@ -121,6 +121,12 @@ law='a lost program is built again'
 rm "$tree/build/release/fathom"
 expect 0 four ./link
 
+law='the lines shown on a terminal fit into its width'
+program four >"$tree/cli/main.cpp"
+script -qec "stty cols 40; './link'" /dev/null >"$work/terminal" </dev/null || broken 'no answer on a terminal'
+tr '\r' '\n' <"$work/terminal" | sed -n 's/^\x1b\[K//p' >"$work/shown"
+[[ $(wc -L <"$work/shown") == 39 ]] || broken "the longest line has not 39 characters: $(cat "$work/shown")"
+
 law='two calls at once: one builds, the other waits, both answer'
 program five >"$tree/cli/main.cpp"
 ./link >"$work/left" 2>"$work/talk.left" &

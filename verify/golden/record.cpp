@@ -15,13 +15,6 @@
 namespace fathom::golden {
 namespace {
 
-Depth answer_to(const Case& points, const Options& options) {
-  Depth answer = penetration_depth(points.a.points, points.b.points, options);
-  // Of all directions that separate the bodies the one of their distance: it is the only one of its kind.
-  if (answer.distance) answer.direction = answer.distance->direction;
-  return answer;
-}
-
 void insist_on(const std::string& id, const std::string& text, const Depth& answer) {
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
@@ -37,7 +30,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, const std:
   Options options;
   options.method = Method::certificate;
   if (keep_going) options.progress = [&keep_going](const std::string&, double) { return keep_going(); };
-  const Depth answer = answer_to(points, options);
+  const Depth answer = penetration_depth(points.a.points, points.b.points, options);
   Certificate certificate = make_certificate(points.a.points, points.b.points, answer, options);
   certificate.id = points.id;
   Record record{points.id, {}, certificate_text(certificate)};
