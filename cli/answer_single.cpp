@@ -8,13 +8,15 @@
 #include "cli/hull_note.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json_result.hpp"
+#include "cli/json_values.hpp"
 #include "cli/output.hpp"
 #include "cli/text_result.hpp"
 
 namespace fathom::cli {
 
-ExitCode answer_single(const Request& request, const Case& single, const Answering& answering) {
+ExitCode answer_single(const Request& request, Case single, const Answering& answering) {
   const Working working;
+  single.id = valid_utf8(single.id);  // of file names; result and certificate are to agree on it
   std::optional<CertificateFile> file;
   if (!request.certificate.empty()) file.emplace(request.certificate);
   Progress progress;

@@ -38,7 +38,7 @@ using Solve = std::function<Depth(const Case&, const Options&)>;
 using Answering = std::function<Answer(const Case&, Progress&)>;
 
 /// Prints the answer to one case.
-ExitCode answer_single(const Request& request, const Case& single, const Answering& answering);
+ExitCode answer_single(const Request& request, Case single, const Answering& answering);
 
 /// Prints the answer to each case of the stream that is named by the only input, before the next case is read. A bad case gets an
 /// error line and the stream goes on; the exit code tells. A stream without any case is an error.

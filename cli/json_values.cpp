@@ -57,6 +57,8 @@ Json flat_array(bool a, bool b) {
   return result;
 }
 
+std::string valid_utf8(const std::string& text) { return Json::parse(one_line(text)).get<std::string>(); }
+
 std::string one_line(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error) {

@@ -29,6 +29,9 @@ Json contact_object(const Contact& contact);
 Json witness_object(const Witness& witness);
 Json flat_array(bool a, bool b);
 
+/// The text with U+FFFD for what is not UTF-8.
+std::string valid_utf8(const std::string& text);
+
 /// Ids and file names may hold any bytes; what is not UTF-8 is replaced, never an error.
 std::string one_line(const Json& object);
 /// What stands in a stream of results for a case that has none: one line.

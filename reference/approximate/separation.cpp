@@ -101,7 +101,7 @@ std::function<bool(double)> named(const ReportProgress& progress) {
 
 void require_delta(const mpq_class& delta) {
   require_lowest_terms(delta);
-  if (delta < least_delta) throw std::invalid_argument("an approximation needs a positive delta, 1e-12 or more");
+  if (delta < least_delta) throw std::invalid_argument("an approximation needs a positive delta, 1e-9 or more");
 }
 
 }  // namespace
@@ -109,13 +109,13 @@ void require_delta(const mpq_class& delta) {
 ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift,
                                    const std::function<bool(double)>& progress) {
   const DefaultFloatEnvironment environment;
-  const DirectionGrid grid(delta);
+  const DirectionGrid grid(delta, progress ? [&] { return progress(0); } : std::function<bool()>());
   return search(a, b, grid, grid.size(), shift, progress);
 }
 
 ApproxSeparation approx_width(const Hierarchy& body, const mpq_class& delta, const std::function<bool(double)>& progress) {
   const DefaultFloatEnvironment environment;
-  const DirectionGrid grid(delta);
+  const DirectionGrid grid(delta, progress ? [&] { return progress(0); } : std::function<bool()>());
   return search(body, body, grid, grid.size() / 2, {0, 0, 0}, progress);
 }
 

@@ -29,7 +29,7 @@ struct ApproxSeparation {
 
 /// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
 /// `progress` gets the share of rays that are shot, and returns false to stop (Interrupted is thrown).
-/// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-12.
+/// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-9.
 ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift = {0, 0, 0},
                                    const std::function<bool(double)>& progress = {});
 
@@ -46,7 +46,7 @@ struct ApproxDepth {
   mpq_class bound_squared;  ///< a lower bound: bound <= the true depth <= |t| <= (1 + delta) bound
 };
 
-/// For all statuses and ranks. Throws std::invalid_argument when a body is empty or delta is below 1e-12, and Interrupted.
+/// For all statuses and ranks. Throws std::invalid_argument when a body is empty or delta is below 1e-9, and Interrupted.
 ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, const ReportProgress& progress = {});
 
 /// The same for the width of one body, as the depth of the body against itself.

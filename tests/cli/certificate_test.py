@@ -30,6 +30,13 @@ class Single(CliTest):
         self.assertEqual(lines[-1].split()[:4], ["end", "8", "8", "1"])
         self.assertEqual(sorted(os.listdir(self.folder)), ["a.xyz", "b.xyz", "proof.cert"])
 
+    def test_result_and_certificate_agree_on_a_name_that_is_no_utf8(self):
+        odd = os.fsencode(self.folder) + b"/a\xff.xyz"
+        os.link(self.a, odd)
+        run = lambda *arguments, **given: subprocess.run([EXECUTABLE, *arguments], capture_output=True, check=True, **given).stdout
+        result = run("depth", "--json", "--embed-certificate", odd, self.b)
+        self.assertTrue(run("check", "--results", "-", input=result).startswith(b"s VERIFIED penetrating"))
+
     def test_statuses(self):
         for other, claim in ((FAR, "disjoint"), (box([1, 0, 0], [2, 1, 1]), "touching")):
             self.answer("depth", "--certificate", self.proof, self.a, self.file("c.xyz", other))

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "kernels/vector.hpp"
 
@@ -17,14 +18,14 @@ namespace fathom {
 bool covers(const Vector& p, const Vector& v, const mpq_class& delta);
 
 /// The least delta that is taken: smaller ones would need more directions than any run can try.
-inline const mpq_class least_delta(1, 1'000'000'000'000);
+inline const mpq_class least_delta(1, 1'000'000'000);
 
 /// Every v other than 0 lies in the cone of a cell, whose centre covers it.
 class DirectionGrid {
  public:
   /// 6 directions at least; about 4 / delta for small delta. Deterministic.
-  /// Throws std::invalid_argument unless delta >= least_delta.
-  explicit DirectionGrid(const mpq_class& delta);
+  /// Throws std::invalid_argument unless delta >= least_delta. `go_on` is asked now and then, and Interrupted is thrown where it says no.
+  explicit DirectionGrid(const mpq_class& delta, const std::function<bool()>& go_on = {});
 
   /// Of cells. Those from size() / 2 on are the opposites of those before, in another order.
   [[nodiscard]] std::uint64_t size() const { return 6 * side_ * side_; }
