@@ -20,9 +20,10 @@ void count_extreme_points(const Request& request, const Case& single, Depth& dep
   constexpr std::size_t quick = 20000;
   if (depth.method != Method::certificate || single.a.points.size() + single.b.points.size() > quick) return;
   const bool one_body = request.command == Command::width;
-  const Lattice lattice = common_lattice(single.a.points, one_body ? single.a.points : single.b.points);
-  depth.extreme_a = static_cast<std::uint32_t>(convex_hull(lattice.a).vertices.size());
-  if (!one_body) depth.extreme_b = static_cast<std::uint32_t>(convex_hull(lattice.b).vertices.size());
+  const std::optional<Lattice> lattice = slim_lattice(single.a.points, one_body ? single.a.points : single.b.points);
+  if (!lattice) return;
+  depth.extreme_a = static_cast<std::uint32_t>(convex_hull(lattice->a).vertices.size());
+  if (!one_body) depth.extreme_b = static_cast<std::uint32_t>(convex_hull(lattice->b).vertices.size());
 }
 
 }  // namespace
