@@ -30,8 +30,7 @@ std::optional<Point> typed_direction(std::string_view text) {
 
 std::string check_delta(const std::string& text) {
   const auto value = typed_number(text);
-  return value && *value >= least_delta ? ""
-                                        : fmt::format("expected a positive number such as 1/100, 1e-9 or more, found {}", shown(text));
+  return value && *value >= least_delta ? "" : fmt::format("expected a positive number such as 1/100, 1e-9 or more, found {}", shown(text));
 }
 
 std::string check_direction(const std::string& text) {

@@ -19,29 +19,28 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 2048;  // points
 
-/// How many points are not extreme.
-std::size_t inner_points(const std::vector<Point>& points) {
-  if (all_seen_extreme(points)) return 0;
-  const Lattice lattice = common_lattice(points, std::span(points).first(1));
-  const Polytope hull = convex_hull(lattice.a);
-  DistinctPoints extreme = no_points_yet(lattice.a, hull.input_ids.size());
+/// What there is to say of the points of a body; empty if all are extreme.
+std::string note_on(char body, const std::vector<Point>& points) {
+  if (all_seen_extreme(points)) return "";
+  const std::optional<Lattice> lattice = slim_lattice(points, std::span(points).first(1));
+  if (!lattice) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  const Polytope hull = convex_hull(lattice->a);
+  DistinctPoints extreme = no_points_yet(lattice->a, hull.input_ids.size());
   extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
   std::size_t inner = 0;
-  for (std::uint32_t i = 0; i < lattice.a.size(); ++i) inner += !extreme.contains(i);
-  return inner;
+  for (std::uint32_t i = 0; i < lattice->a.size(); ++i) inner += !extreme.contains(i);
+  return inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, inner, points.size()) : "";
 }
 
 }  // namespace
 
 std::optional<std::string> hull_note(const Case& input, bool one_body) {
   const std::vector<Point>&a = input.a.points, &b = input.b.points;
-  std::size_t inner_a = 0, inner_b = 0;
+  std::vector<std::string> notes(2);
   run_both(
-      !one_body && a.size() + b.size() >= worth_a_thread, [&] { inner_a = inner_points(a); },
-      [&] { inner_b = one_body ? 0 : inner_points(b); });
-  std::vector<std::string> notes;
-  if (inner_a > 0) notes.push_back(fmt::format("A: {} of {} points are not extreme", inner_a, a.size()));
-  if (inner_b > 0) notes.push_back(fmt::format("B: {} of {} points are not extreme", inner_b, b.size()));
+      !one_body && a.size() + b.size() >= worth_a_thread, [&] { notes[0] = note_on('A', a); },
+      [&] { notes[1] = one_body ? "" : note_on('B', b); });
+  std::erase(notes, "");
   if (notes.empty()) return std::nullopt;
   return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
 }

@@ -2,10 +2,12 @@
 #include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
+#include "reference/depth/deciding_points.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -42,25 +44,22 @@ Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, ClaimK
 // Q, found anew unless the answer brought it along. The search does not look at the answer, so this is a check of it too.
 InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b, const Depth& answer, const Options& options) {
   if (answer.inner) return *answer.inner;
-  const Clouds clouds(a, b);
-  ExpansionOptions steps;
-  steps.on_step = [&options] {
-    if (options.progress && !options.progress("certificate", 0)) throw Interrupted();
-  };
-  Expansion expansion = nearest_by_expansion(clouds.a, clouds.b, steps);
-  if (expansion.end != ExpansionEnd::proved) contradiction("O is not in the interior of P");
-  mpq_class squared(expansion.nearest.numerator(), expansion.nearest.denominator());
-  squared.canonicalize();
-  if (squared != clouds.squared(answer.squared)) contradiction("another depth");
-  const auto same = [](const Vector& n, const Optimum& optimum) { return n == optimum.direction; };
-  const auto& directions = expansion.nearest.directions();
-  if (!std::equal(directions.begin(), directions.end(), answer.optima.begin(), answer.optima.end(), same)) contradiction("other optima");
-  return std::move(expansion.inner);
+  Options search;
+  search.method = Method::certificate;
+  search.expansion_budget = std::numeric_limits<std::size_t>::max();
+  search.progress = [&options](const std::string&, double) { return !options.progress || options.progress("certificate", 0); };
+  Depth found = penetration_depth(a, b, search);
+  if (!found.inner) contradiction("O is not in the interior of P");
+  if (found.squared != answer.squared) contradiction("another depth");
+  const auto same = [](const Optimum& one, const Optimum& other) { return one.direction == other.direction; };
+  if (!std::ranges::equal(found.optima, answer.optima, same)) contradiction("other optima");
+  return std::move(*found.inner);
 }
 
-// h(n) of the clouds.
-mpz_class support(const Clouds& clouds, const Vector& n) {
-  return dot(n, clouds.b[extreme_points(clouds.b, n).front()] - clouds.a[extreme_points(clouds.a, -n).front()]);
+// The sign of h(n).
+int support_sign(std::span<const Point> a, std::span<const Point> b, const Vector& n) {
+  const Point &p = a[extreme_points(a, -n).front()], &q = b[extreme_points(b, n).front()];
+  return sgn(mpq_class(n.x * (q.x - p.x) + n.y * (q.y - p.y) + n.z * (q.z - p.z)));
 }
 
 void prove_touching(Certificate& certificate, const Depth& answer) {
@@ -68,7 +67,7 @@ void prove_touching(Certificate& certificate, const Depth& answer) {
   PositionOfOrigin origin = position_of_origin(clouds.a, clouds.b);
   if (origin.position != Position::boundary) contradiction("the bodies do not touch");
   certificate.directions = {answer.direction ? *answer.direction : *origin.normal};
-  if (is_zero(certificate.directions.front()) || support(clouds, certificate.directions.front()) != 0)
+  if (is_zero(certificate.directions.front()) || support_sign(certificate.a, certificate.b, certificate.directions.front()) != 0)
     contradiction("no plane through O supports P");
   certificate.weights_a = std::move(origin.a);
   certificate.weights_b = std::move(origin.b);
@@ -94,7 +93,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
     case Status::disjoint: break;
   }
   Certificate certificate = of_bodies(a, b, ClaimKind::disjoint);
-  if (!answer.direction || support(Clouds(a, b), *answer.direction) >= 0) contradiction("the direction does not separate the bodies");
+  if (!answer.direction || support_sign(a, b, *answer.direction) >= 0) contradiction("the direction does not separate the bodies");
   certificate.directions = {*answer.direction};
   return certificate;
 }

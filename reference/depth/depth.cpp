@@ -8,6 +8,7 @@
 #include "kernels/parallel.hpp"
 #include "reference/depth/certified_depth.hpp"
 #include "reference/depth/contact.hpp"
+#include "reference/depth/deciding_points.hpp"
 #include "reference/depth/naive_depth.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "reference/polytope/distance.hpp"
@@ -104,18 +105,8 @@ class Penetration {
   Depth& result_;
 };
 
-}  // namespace
-
-Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
-  if (options.method == Method::shallow) throw std::invalid_argument("Method::shallow is offered by shallow_depth");
-  return penetration_depth(a, b, options, FindNearest());
-}
-
-Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const FindNearest& find_nearest) {
-  const DefaultFloatEnvironment environment;
-  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+Depth depth_on(const Lattice& lattice, const Options& options, const FindNearest& find_nearest) {
   const PredicateCounts before = predicate_counts();
-  const Lattice lattice = common_lattice(a, b);
   const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
   const PointCloud cloud_a(lattice.a, exponent), cloud_b(lattice.b, exponent);
   if (options.method == Method::certificate) {
@@ -140,6 +131,24 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
   if (result.status == Status::penetrating) Penetration(lattice, exponent, options, find_nearest, result).run();
   result.counters.predicates = predicate_counts() - before;
   return result;
+}
+
+}  // namespace
+
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
+  if (options.method == Method::shallow) throw std::invalid_argument("Method::shallow is offered by shallow_depth");
+  return penetration_depth(a, b, options, FindNearest());
+}
+
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const FindNearest& find_nearest) {
+  const DefaultFloatEnvironment environment;
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  if (const std::optional<Lattice> slim = slim_lattice(a, b)) return depth_on(*slim, options, find_nearest);
+  const auto solve = [&](std::span<const Point> some_a, std::span<const Point> some_b) {
+    return depth_on(common_lattice(some_a, some_b), options, find_nearest);
+  };
+  std::optional<Depth> depth = find_nearest ? std::nullopt : depth_by_deciding_points(a, b, options, solve);
+  return depth ? std::move(*depth) : solve(a, b);
 }
 
 mpq_class signed_square(const Depth& depth) { return depth.distance ? mpq_class(-depth.distance->squared) : depth.squared; }

@@ -3,8 +3,9 @@
 
 namespace fathom {
 
-EdgeLines::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent) {
+EdgeLines::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
   for (std::uint32_t i = 0; i < size(); ++i) images_.push_back(point(i), direction(i));
+  for (std::uint32_t i = 0; exponent >= TruncatedLines::worth_it && i < size(); ++i) truncated_.push_back(point(i), direction(i));
 }
 
 Vector EdgeLines::direction(std::uint32_t edge) const {

@@ -6,6 +6,7 @@
 
 #include "kernels/line_scan.hpp"
 #include "kernels/nearest.hpp"
+#include "kernels/truncated_lines.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
@@ -20,10 +21,13 @@ class EdgeLines {
   [[nodiscard]] const Vector& point(std::uint32_t edge) const { return polytope_->vertices[polytope_->edges[edge].from]; }
   [[nodiscard]] Vector direction(std::uint32_t edge) const;
   [[nodiscard]] const LineImages& images() const { return images_; }
+  /// Empty unless the coordinates are long.
+  [[nodiscard]] const TruncatedLines& truncated() const { return truncated_; }
 
  private:
   const Polytope* polytope_;
   LineImages images_;
+  TruncatedLines truncated_;
 };
 
 /// Offers the plane that is parallel to edge `of_a` of A and edge `of_b` of B, oriented away from O, in exact arithmetic. Parallel edges

@@ -44,6 +44,7 @@ void LineSearch::scan(const Grid& grid, const LineImages& rows, std::span<const 
 }
 
 void LineSearch::offer(std::uint32_t of_a, std::uint32_t of_b) {
+  if (truncated_bound_ && surely_farther(a_->truncated(), of_a, b_->truncated(), of_b, *truncated_bound_)) return;
   ++counters_->pairs_exact;
   if (!offer_edges(*a_, of_a, *b_, of_b, *nearest_)) return;
   // A tie comes as one more direction; only a nearer plane leaves a single one.
@@ -68,6 +69,8 @@ void LineSearch::work(std::uint64_t amount) {
 void LineSearch::tighten() {
   bound_ = nearest_->empty() ? LineBound{std::numeric_limits<double>::infinity(), 0}
                              : line_bound(nearest_->numerator(), nearest_->denominator(), a_->images().exponent());
+  if (nearest_->empty() || a_->truncated().empty() || b_->truncated().empty()) return;
+  truncated_bound_ = a_->truncated().bound(nearest_->numerator(), nearest_->denominator());
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <random>
 
 #include "kernels/corner_bound.hpp"
@@ -21,7 +22,7 @@ class LineSearch {
   void scan(std::span<const std::uint32_t> of_a, std::span<const std::uint32_t> of_b);
   /// All pairs of the rows `chosen` and the columns [run.first, run.last), given the grid's images.
   void scan(const Grid& grid, const LineImages& rows, std::span<const std::uint32_t> chosen, const LineImages& columns, LineRun run);
-  /// One pair, in exact arithmetic.
+  /// One pair, in exact arithmetic, unless the first bits of long coordinates show already that it is farther.
   void offer(std::uint32_t of_a, std::uint32_t of_b);
 
   /// The squared distance of the nearest planes so far, in images and exact.
@@ -47,6 +48,7 @@ class LineSearch {
   Counters* counters_;
   const std::function<bool(double)>* keep_going_;
   LineBound bound_;
+  std::optional<mpz_class> truncated_bound_;  // where coordinates are long
   LineImages block_;
   std::vector<std::uint32_t> unsure_;
   std::mt19937_64 random_;

@@ -3,30 +3,53 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "kernels/number/lowest_terms.hpp"
+#include "reference/files/body.hpp"
 
 namespace fathom {
 namespace {
 
-/// common := lcm(common, q's denominator). Denominators repeat a great deal, so divisibility is asked first.
-void absorb(mpz_class& common, const mpq_class& q) {
-  require_lowest_terms(q);
-  if (mpz_divisible_p(common.get_mpz_t(), q.get_den_mpz_t())) return;
-  mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
+// A common denominator of so many bits never costs much; a longer one is compared with the coordinates.
+constexpr std::size_t short_enough = 4096;
+constexpr std::size_t times_the_widest = 8;
+// Of all coordinates together, where the denominator outgrows them: 512 MB.
+constexpr std::uint64_t most_bits = std::uint64_t{1} << 32;
+
+std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
+
+/// Until f(coordinate) is false; tells whether it never was.
+template <class F>
+bool all_coordinates(std::span<const Point> a, std::span<const Point> b, F f) {
+  for (const std::span<const Point> body : {a, b}) {
+    for (const Point& p : body)
+      if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
+  }
+  return true;
 }
 
-mpz_class common_denominator(std::span<const Point> a, std::span<const Point> b) {
+/// The most bits that a common denominator in proportion to the coordinates has.
+std::size_t in_proportion(std::span<const Point> a, std::span<const Point> b) {
+  std::size_t widest = 0;
+  all_coordinates(a, b, [&](const mpq_class& q) {
+    widest = std::max({widest, bits(q.get_num()), bits(q.get_den())});
+    return true;
+  });
+  return std::max(short_enough, times_the_widest * widest);
+}
+
+/// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal, so divisibility is asked first.
+template <class More>
+mpz_class common_denominator(std::span<const Point> a, std::span<const Point> b, More more) {
   mpz_class common = 1;
-  for (const std::span<const Point> body : {a, b}) {
-    for (const Point& p : body) {
-      absorb(common, p.x);
-      absorb(common, p.y);
-      absorb(common, p.z);
-    }
-  }
-  return common;
+  const bool all = all_coordinates(a, b, [&](const mpq_class& q) {
+    if (mpz_divisible_p(common.get_mpz_t(), q.get_den_mpz_t())) return true;
+    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
+    return more(bits(common));
+  });
+  return all ? common : mpz_class(0);
 }
 
 /// q * denominator, which the caller knows to be an integer.
@@ -76,6 +99,31 @@ void coarsen(Lattice& lattice) {
   for_each_coordinate(lattice, [&](mpz_class& c) { mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), shared.get_mpz_t()); });
 }
 
+std::vector<Point> offsets(std::span<const Point> body, const Point& origin) {
+  std::vector<Point> result;
+  result.reserve(body.size());
+  for (const Point& p : body) result.push_back({p.x - origin.x, p.y - origin.y, p.z - origin.z});
+  return result;
+}
+
+/// The lattice of points whose common denominator is much longer than they are: what differences do not need is left out beforehand, and
+/// there are limits.
+Lattice wide_lattice(std::span<const Point> a, std::span<const Point> b) {
+  Lattice lattice;
+  lattice.origin = b.front();
+  const std::vector<Point> from_a = offsets(a, lattice.origin), from_b = offsets(b, lattice.origin);
+  const std::uint64_t coordinates = 3 * (a.size() + b.size());
+  lattice.denominator = common_denominator(from_a, from_b, [&](std::size_t size) { return size * coordinates <= most_bits; });
+  if (lattice.denominator == 0) {
+    throw InputError("input", 0,
+                     "the denominators of the " + std::to_string(a.size() + b.size()) + " points share too little: " +
+                         "over a common one all coordinates together would pass " + std::to_string(most_bits >> 23) + " MB");
+  }
+  for (const Point& p : from_a) lattice.a.push_back(multiple(p, lattice.denominator));
+  for (const Point& p : from_b) lattice.b.push_back(multiple(p, lattice.denominator));
+  return lattice;
+}
+
 mpq_class position(const mpq_class& origin, const mpz_class& v, const mpz_class& unit) {
   mpq_class offset(v, unit);
   offset.canonicalize();
@@ -84,16 +132,27 @@ mpq_class position(const mpq_class& origin, const mpz_class& v, const mpz_class&
 
 }  // namespace
 
-Lattice common_lattice(std::span<const Point> a, std::span<const Point> b) {
-  if (a.empty() || b.empty()) throw std::invalid_argument("common_lattice: a body without points");
+std::optional<Lattice> slim_lattice(std::span<const Point> a, std::span<const Point> b) {
+  if (a.empty() || b.empty()) throw std::invalid_argument("a lattice of a body without points");
+  all_coordinates(a, b, [](const mpq_class& q) { return require_lowest_terms(q), true; });
+  std::size_t limit = short_enough;
   Lattice lattice;
-  lattice.denominator = common_denominator(a, b);
+  lattice.denominator = common_denominator(a, b, [&](std::size_t size) {
+    if (size > limit && limit == short_enough) limit = in_proportion(a, b);
+    return size <= limit;
+  });
+  if (lattice.denominator == 0) return std::nullopt;
   lattice.origin = b.front();
   const Vector origin = multiple(b.front(), lattice.denominator);
   lattice.a = shifted_multiples(a, lattice.denominator, origin);
   lattice.b = shifted_multiples(b, lattice.denominator, origin);
   coarsen(lattice);
   return lattice;
+}
+
+Lattice common_lattice(std::span<const Point> a, std::span<const Point> b) {
+  std::optional<Lattice> slim = slim_lattice(a, b);
+  return slim ? std::move(*slim) : wide_lattice(a, b);
 }
 
 Point position(const Lattice& lattice, const Vector& v, const mpz_class& divisor) {

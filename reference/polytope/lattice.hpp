@@ -2,6 +2,7 @@
 // Both bodies as integer points in one common unit: the form in which every later stage computes.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,9 +20,14 @@ struct Lattice {
 
 /// The lattice with the least denominator for which all points, taken from the first point of B, are integral; b[0] is zero. Exact.
 /// The unit is never coarser than 1: a factor that all integers share stays. Indices are those of the input.
-/// Throws std::invalid_argument when a body is empty, or a coordinate is not in lowest terms over a positive denominator.
 /// Size: each integer has about as many bits as the common denominator of all points, times their extent.
+/// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a positive denominator, InputError when there is no slim lattice and all integers together would take more
+/// than 512 MB.
 Lattice common_lattice(std::span<const Point> a, std::span<const Point> b);
+
+/// The same lattice, if the common denominator is in proportion to the points: it has at most 4096 bits, or eight times as many as the widest
+/// coordinate. Otherwise the points' denominators share little, and what needs few of the points does better without the others.
+std::optional<Lattice> slim_lattice(std::span<const Point> a, std::span<const Point> b);
 
 /// The rational position of a lattice point, or of lattice coordinates with a further divisor: origin + v / (denominator * divisor).
 /// `divisor` must not be zero.

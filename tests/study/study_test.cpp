@@ -6,8 +6,10 @@
 
 #include <algorithm>
 
+#include "kernels/filter.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/prepared.hpp"
+#include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom {
@@ -244,6 +246,27 @@ TEST(Study, ListingsAreLimitedAndCountsAreNot) {
     EXPECT_EQ(kept, std::min<std::uint64_t>(3, all.coincidences[i].count));
     EXPECT_TRUE(std::equal(few.coincidences[i].listed.begin(), few.coincidences[i].listed.end(), all.coincidences[i].listed.begin()));
   }
+}
+
+// Bodies of 10^-300 by 1 by 10^300: no filter in binary64 decides anything about their normals, unless each axis has a unit of its own.
+TEST(Study, StretchedBodiesAreStudiedLikeOthers) {
+  const families::Family& family = *families::find_family("random_sphere");
+  Case pair = family.make(1, 60);
+  const Study plain = study_of(pair.a, pair.b);
+  for (Body* body : {&pair.a, &pair.b}) {
+    for (Point& p : body->points) {
+      p.x /= mpz_class(1) << 1000;
+      p.z *= mpz_class(1) << 1000;
+    }
+  }
+  const auto side_of_arc = [] { return predicate_counts()[static_cast<std::size_t>(Predicate::side_of_arc)]; };
+  const TierCounts before = side_of_arc();
+  const Study stretched = study_of(pair.a, pair.b);
+  const TierCounts after = side_of_arc();
+  EXPECT_GT(after.calls - before.calls, 10000u);
+  EXPECT_LT(after.exact - before.exact, (after.calls - before.calls) / 20);
+  for (std::size_t i = 0; i < coincidence_names.size(); ++i)
+    EXPECT_EQ(stretched.coincidences[i].count, plain.coincidences[i].count) << coincidence_names[i];
 }
 
 TEST(Study, CanBeStopped) {

@@ -28,6 +28,29 @@ PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiag
   return predicate_counts() - before;
 }
 
+mpz_class common_divisor(const Lattice& lattice, mpz_class Vector::*axis) {
+  mpz_class divisor;
+  for (const std::vector<Vector>* body : {&lattice.a, &lattice.b}) {
+    for (const Vector& p : *body) {
+      mpz_gcd(divisor.get_mpz_t(), divisor.get_mpz_t(), (p.*axis).get_mpz_t());
+      if (divisor == 1) return divisor;
+    }
+  }
+  return divisor == 0 ? 1 : divisor;
+}
+
+/// Gives each axis a unit of its own, and returns the units. No coincidence sees them, and bodies of 1 by 10^300 have short coordinates again,
+/// on which filters decide.
+Vector stretch_axes(Lattice& lattice) {
+  Vector units;
+  for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
+    units.*axis = common_divisor(lattice, axis);
+    for (std::vector<Vector>* body : {&lattice.a, &lattice.b})
+      for (Vector& p : *body) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
+  }
+  return units;
+}
+
 /// The face of a body in direction u.
 Feature face(const Polytope& body, const Vector& u) {
   Feature points;
@@ -36,9 +59,11 @@ Feature face(const Polytope& body, const Vector& u) {
   return points;
 }
 
-void find_contacts(const Polytope& a, const Polytope& b, const Depth& depth, Findings& findings) {
+void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, const Depth& depth, Findings& findings) {
   if (depth.status == Status::touching && depth.direction) {
-    findings.add(Coincidence::touching_features, {{face(a, -*depth.direction)}, {face(b, *depth.direction)}});
+    const Vector& n = *depth.direction;
+    const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
+    findings.add(Coincidence::touching_features, {{face(a, -u)}, {face(b, u)}});
   }
   if (depth.optima.size() < 2) return;
   for (const Optimum& optimum : depth.optima) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
@@ -56,7 +81,8 @@ Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptio
   depth_options.progress = options.progress;
   result.depth = penetration_depth(a, b, depth_options);
   progress("hulls", 0);
-  const Lattice lattice = common_lattice(a, b);
+  Lattice lattice = common_lattice(a, b);
+  const Vector units = stretch_axes(lattice);
   const Polytope body_a = convex_hull(lattice.a), body_b = convex_hull(lattice.b);
   result.a = size_of(body_a);
   result.b = size_of(body_b);
@@ -72,7 +98,7 @@ Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptio
   find_normals_on_arcs(of_a, of_b, findings, [&](double share) { progress("normals on arcs", share); });
   find_equator_hits(of_a, of_b, findings);
   find_verticals(of_a, of_b, findings);
-  find_contacts(body_a, body_b, result.depth, findings);
+  find_contacts(body_a, body_b, units, result.depth, findings);
   return result;
 }
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A guess at the points that decide, from bodies rounded to a coarse grid; the exact answer to those; then all points are asked whether one of
+// them lies farther out in a direction that this answer names. As long as some do they join, and the answer is sought anew.
+#include "reference/depth/deciding_points.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom {
+namespace {
+
+constexpr long grid_bits = 128;  // of the largest coordinate
+constexpr int most_rounds = 100;
+constexpr std::size_t worth_a_guess = 32;  // points: of fewer, more than half decide
+
+long bits(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+
+// q * 2^shift, truncated.
+mpz_class truncated(const mpq_class& q, long shift) {
+  mpz_class n = q.get_num(), d = q.get_den();
+  if (shift > 0) n <<= static_cast<unsigned long>(shift);
+  else d <<= static_cast<unsigned long>(-shift);
+  return n / d;
+}
+
+// The points, seen from `origin`, as integers that err by less than one in each coordinate.
+struct Rounded {
+  std::vector<Vector> a, b;
+
+  Rounded(std::span<const Point> of_a, std::span<const Point> of_b) {
+    const Point& origin = of_b.front();
+    long size = -grid_bits * (1L << 20);
+    for (const std::span<const Point> body : {of_a, of_b})
+      for (const Point& p : body)
+        for (const mpq_class& c : {mpq_class(p.x - origin.x), mpq_class(p.y - origin.y), mpq_class(p.z - origin.z)})
+          if (c != 0) size = std::max(size, bits(c.get_num()) - bits(c.get_den()));
+    const long shift = grid_bits - size;
+    for (const Point& p : of_a) a.push_back(image(p, origin, shift));
+    for (const Point& p : of_b) b.push_back(image(p, origin, shift));
+  }
+
+  static Vector image(const Point& p, const Point& origin, long shift) {
+    return {truncated(p.x - origin.x, shift), truncated(p.y - origin.y, shift), truncated(p.z - origin.z, shift)};
+  }
+};
+
+mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
+
+// Of the listed points, those that maximise <u, p>.
+std::vector<std::uint32_t> extreme_among(std::span<const Point> body, const Vector& u, std::span<const std::uint32_t> listed) {
+  std::vector<std::uint32_t> extreme;
+  mpq_class best;
+  for (const std::uint32_t i : listed) {
+    mpq_class value = product(u, body[i]);
+    const int order = extreme.empty() ? 1 : cmp(value, best);
+    if (order < 0) continue;
+    if (order > 0) {
+      extreme.clear();
+      swap(best, value);
+    }
+    extreme.push_back(i);
+  }
+  return extreme;
+}
+
+// The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice that
+// of the greatest.
+std::vector<std::uint32_t> extreme_of_all(std::span<const Point> body, std::span<const Vector> images, const Vector& u) {
+  std::vector<mpz_class> values;
+  values.reserve(images.size());
+  for (const Vector& p : images) values.push_back(dot(u, p));
+  const mpz_class level = *std::ranges::max_element(values) - 2 * (abs(u.x) + abs(u.y) + abs(u.z));
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < values.size(); ++i)
+    if (values[i] >= level) near.push_back(i);
+  return near.size() == 1 ? near : extreme_among(body, u, near);
+}
+
+// From a point of the body to the others, each lengthened by a factor of its own: of the same rank.
+bool is_flat(std::span<const Point> body) {
+  std::vector<Vector> directions{{0, 0, 0}};
+  for (const Point& p : body) {
+    const Point d{p.x - body[0].x, p.y - body[0].y, p.z - body[0].z};
+    const mpz_class scale = lcm(lcm(d.x.get_den(), d.y.get_den()), d.z.get_den());
+    directions.push_back({mpz_class(d.x * scale), mpz_class(d.y * scale), mpz_class(d.z * scale)});
+  }
+  return affine_rank(directions) < 3;
+}
+
+// The directions that an answer names. Where all points agree in each of them with those that were asked, the answer is right.
+std::vector<Vector> directions_of(const Depth& depth) {
+  std::vector<Vector> directions;
+  for (const Optimum& optimum : depth.optima) directions.push_back(optimum.direction);
+  if (depth.optima.empty() && depth.direction) directions.push_back(*depth.direction);
+  if (depth.distance) directions.push_back(depth.distance->direction);
+  return directions;
+}
+
+// The chosen points of one body.
+class Choice {
+ public:
+  Choice(std::span<const Point> body, std::span<const Vector> images) : body_(body), images_(images) {}
+
+  void add(std::uint32_t i) { chosen_.insert(i); }
+  // Whether one was missing.
+  bool add_extreme(const Vector& u) {
+    const std::size_t before = chosen_.size();
+    for (const std::uint32_t i : extreme_of_all(body_, images_, u)) add(i);
+    return chosen_.size() > before;
+  }
+
+  [[nodiscard]] std::size_t size() const { return chosen_.size(); }
+  [[nodiscard]] std::vector<std::uint32_t> ids() const { return {chosen_.begin(), chosen_.end()}; }
+  [[nodiscard]] std::vector<Point> points() const {
+    std::vector<Point> points;
+    for (const std::uint32_t i : chosen_) points.push_back(body_[i]);
+    return points;
+  }
+
+ private:
+  std::span<const Point> body_;
+  std::span<const Vector> images_;
+  std::set<std::uint32_t> chosen_;
+};
+
+class Deciding {
+ public:
+  Deciding(std::span<const Point> a, std::span<const Point> b)
+      : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
+
+  std::optional<Depth> run(const Options& options, const Solve& solve) {
+    guess(options);
+    for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size(); ++round) {
+      Depth depth = solve(chosen_a_.points(), chosen_b_.points());
+      if (!add_extremes(depth)) return of_all(std::move(depth));
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void guess(const Options& options) {
+    Options quick;
+    quick.method = Method::certificate;
+    quick.progress = options.progress;
+    const Depth depth = penetration_depth(positions(images_.a), positions(images_.b), quick);
+    add_extremes(depth);
+    if (!depth.inner) return;
+    for (const auto& [i, j] : depth.inner->vertices) {
+      chosen_a_.add(i);
+      chosen_b_.add(j);
+    }
+  }
+
+  static std::vector<Point> positions(const std::vector<Vector>& images) {
+    std::vector<Point> points;
+    for (const Vector& v : images) points.push_back({v.x, v.y, v.z});
+    return points;
+  }
+
+  bool add_extremes(const Depth& depth) {
+    bool missing = false;
+    for (const Vector& n : directions_of(depth)) {
+      missing = chosen_a_.add_extreme(-n) || missing;
+      missing = chosen_b_.add_extreme(n) || missing;
+    }
+    return missing;
+  }
+
+  // With the indices of all points.
+  Depth of_all(Depth depth) const {
+    const std::vector<std::uint32_t> ids_a = chosen_a_.ids(), ids_b = chosen_b_.ids();
+    const auto rename = [&](Contact& contact) {
+      for (std::uint32_t& i : contact.a) i = ids_a[i];
+      for (std::uint32_t& i : contact.b) i = ids_b[i];
+    };
+    for (Optimum& optimum : depth.optima) rename(optimum.contact);
+    if (depth.contact) rename(*depth.contact);
+    if (depth.inner)
+      for (auto& [i, j] : depth.inner->vertices) std::tie(i, j) = std::pair(ids_a[i], ids_b[j]);
+    depth.flat_a = depth.flat_a && is_flat(a_);
+    depth.flat_b = depth.flat_b && is_flat(b_);
+    depth.extreme_a = depth.extreme_b = 0;
+    return depth;
+  }
+
+  std::span<const Point> a_, b_;
+  Rounded images_;
+  Choice chosen_a_, chosen_b_;
+};
+
+}  // namespace
+
+std::optional<Depth> depth_by_deciding_points(std::span<const Point> a, std::span<const Point> b, const Options& options,
+                                              const Solve& solve) {
+  if (a.size() + b.size() < worth_a_guess) return std::nullopt;
+  return Deciding(a, b).run(options, solve);
+}
+
+std::vector<std::uint32_t> extreme_points(std::span<const Point> body, const Vector& u) {
+  std::vector<std::uint32_t> all(body.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  return extreme_among(body, u, all);
+}
+
+}  // namespace fathom
