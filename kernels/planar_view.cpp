@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filter's error, in units of w = 2^-52, for any rounding mode. Points and u are scaled to [-1, 1]; the image of a coordinate of a
-// point errs by w, that of u by w/2.
+// The filter's error, in units of w = 2^-52, for any rounding mode. Points and u are scaled to [-1, 1], each axis of the points by a power of two
+// of its own and that of u the other way round; the image of a coordinate of a point errs by w, that of u by w/2.
 //   difference of coordinates, below 2        3 w   two images, and w to round
 //   one product with a coordinate of u        5 w   3 + 2 * 1/2, and w to round
 //   height difference, below 6               21 w   three products, and 2 + 4 to round the sums
@@ -25,10 +25,13 @@ int axis_of_greatest(const Vector& u) {
   return axis;
 }
 
+mpz_class shifted(const mpz_class& c, long exponent) { return c << static_cast<mp_bitcnt_t>(exponent); }
+
 }  // namespace
 
 PlanarView::PlanarView(const PointCloud& cloud, const Vector& u) : cloud_(&cloud), u_(u) {
-  const Vec3<DoubleInterval> e = enclose(u);
+  const Vec3<long>& axes = cloud.axis_exponents();
+  const Vec3<DoubleInterval> e = enclose({shifted(u.x, axes.x), shifted(u.y, axes.y), shifted(u.z, axes.z)});
   image_ = {e.x.low, e.y.low, e.z.low};
   const int up = axis_of_greatest(u);
   right_ = (up + 1) % 3;

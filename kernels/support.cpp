@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The support function of a finite point set: a filter in binary64 over all points, exact arithmetic for the few it leaves undecided.
 //
-// The filter's error. Let s = 2^-exponent p be a point, |s_i| <= 1, and v = 2^-f u a direction, |v_i| <= 1. Images s', v' are truncated to 53
-// bits (error below 2^-53), and to 0 below 2^-500, so |s'_i|, |v'_i| <= 1, |s'_i - s_i| <= 2^-53 and |v'_i - v_i| <= 2^-53, and no product
-// of images underflows.
+// The filter's error. Let s be a point with s_i = 2^-e_i p_i, for the axis exponents e_i, |s_i| <= 1, and v a direction with v_i = 2^(e_i - f) u_i,
+// |v_i| <= 1: <v,s> = 2^-f <u,p>. Images s', v' are truncated to 53 bits (error below 2^-53), and to 0 below 2^-500, so |s'_i|, |v'_i| <= 1,
+// |s'_i - s_i| <= 2^-53 and |v'_i - v_i| <= 2^-53, and no product of images underflows.
 //   images      |<v',s'> - <v,s>| <= 3 * (2^-53 + 2^-53)          =  6 * 2^-53
 //   arithmetic  each operation errs by 2^-52 of its result at most, whatever the rounding mode; results below 1, 1, 1 (products),
 //               2 and 3 (sums), up to terms in 2^-104:  8 * 2^-52 = 16 * 2^-53
 // Together less than E = 2^-48 = 32 * 2^-53. So a point is beyond another for sure when its computed value is by more than 2E greater, and the
 // greatest is among those within 2E of the greatest computed value. Adding 2E to a value below 4 errs by 2^-51 at most: E has room for it.
-// When exponent + f + 2 <= 53, images are exact and all products and sums are multiples of 2^-(exponent + f) below 4: E = 0.
+// When f + 2 <= 53, images are exact (but for axes with u_i = 0) and all products and sums are multiples of 2^-f below 4: E = 0.
 #include "kernels/support.hpp"
 
 #include <algorithm>
@@ -41,9 +41,32 @@ struct DirectionImage {
   double slack;  // 2E
 };
 
+// The least e >= 0 with |c| <= 2^e.
+long exponent_of(const mpz_class& c) {
+  if (c == 0) return 0;
+  const auto bits = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));
+  const bool power_of_two = static_cast<long>(mpz_scan1(c.get_mpz_t(), 0)) == bits - 1;
+  return power_of_two ? bits - 1 : bits;
+}
+
+Vec3<long> exponents_of(std::span<const Vector> points) {
+  Vec3<long> e{0, 0, 0};
+  const auto cover = [](long& exponent, const mpz_class& c) {
+    if (mpz_sizeinbase(c.get_mpz_t(), 2) > static_cast<std::size_t>(exponent)) exponent = std::max(exponent, exponent_of(c));
+  };
+  for (const Vector& p : points) {
+    cover(e.x, p.x);
+    cover(e.y, p.y);
+    cover(e.z, p.z);
+  }
+  return e;
+}
+
 DirectionImage image(const Vector& u, const PointCloud& cloud) {
-  const long f = binary_exponent(std::span(&u, 1));
-  return {image(u.x, f), image(u.y, f), image(u.z, f), cloud.exponent() + f + 2 <= 53 ? 0 : twice_the_error};
+  const Vec3<long>& e = cloud.axis_exponents();
+  const auto stretched = [](const mpz_class& c, long axis) { return c == 0 ? 0 : exponent_of(c) + axis; };
+  const long f = std::max({stretched(u.x, e.x), stretched(u.y, e.y), stretched(u.z, e.z)});
+  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), f + 2 <= 53 ? 0 : twice_the_error};
 }
 
 // The one place that computes the filter's value of points; two lanes at a time, or one.
@@ -133,37 +156,31 @@ std::vector<std::uint32_t> extreme_among(std::span<const Vector> points, const V
 
 PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
   if (exponent < binary_exponent(points_)) throw std::invalid_argument("the exponent of a point cloud is below that of its points");
+  make_images({exponent, exponent, exponent});
+}
+
+PointCloud::PointCloud(std::vector<Vector> points) : points_(std::move(points)) {
+  const Vec3<long> axes = exponents_of(points_);
+  exponent_ = std::max({axes.x, axes.y, axes.z});
+  make_images(axes);
+}
+
+void PointCloud::make_images(const Vec3<long>& axes) {
+  axis_exponents_ = axes;
   const DefaultFloatEnvironment environment;
   x_.reserve(size());
   y_.reserve(size());
   z_.reserve(size());
   for (const Vector& p : points_) {
-    x_.push_back(image(p.x, exponent));
-    y_.push_back(image(p.y, exponent));
-    z_.push_back(image(p.z, exponent));
+    x_.push_back(image(p.x, axes.x));
+    y_.push_back(image(p.y, axes.y));
+    z_.push_back(image(p.z, axes.z));
   }
-}
-
-PointCloud::PointCloud(std::vector<Vector> points) {
-  const long exponent = binary_exponent(points);
-  *this = PointCloud(std::move(points), exponent);
 }
 
 long binary_exponent(std::span<const Vector> points) {
-  long exponent = 0;
-  const auto cover = [&exponent](const mpz_class& c) {
-    if (c == 0) return;
-    const auto bits = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));
-    if (bits <= exponent) return;
-    const bool power_of_two = static_cast<long>(mpz_scan1(c.get_mpz_t(), 0)) == bits - 1;
-    exponent = std::max(exponent, power_of_two ? bits - 1 : bits);
-  };
-  for (const Vector& p : points) {
-    cover(p.x);
-    cover(p.y);
-    cover(p.z);
-  }
-  return exponent;
+  const Vec3<long> e = exponents_of(points);
+  return std::max({e.x, e.y, e.z});
 }
 
 std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u) {
@@ -195,7 +212,9 @@ std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& 
 }
 
 std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u) {
-  const DirectionImage v{u.x, u.y, u.z, 0};
+  const Vec3<long>& e = cloud.axis_exponents();
+  const auto image = [&](double c, long axis) { return std::ldexp(c, static_cast<int>(std::max(axis - cloud.exponent(), -4000L))); };
+  const DirectionImage v{image(u.x, e.x), image(u.y, e.y), image(u.z, e.z), 0};
   std::size_t begin = 0;
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cloud.size(); i += block_size) {

@@ -10,28 +10,33 @@
 
 namespace fathom {
 
-/// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of
-/// coordinate * 2^-exponent.
+/// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of coordinate * 2^-(axis exponent).
 class PointCloud {
  public:
   PointCloud() = default;
-  /// Throws std::invalid_argument unless `exponent` is at least binary_exponent(points), so that images stay in [-1, 1].
+  /// With one exponent for all axes, so that clouds can share it. Throws std::invalid_argument unless it is at least binary_exponent(points), so
+  /// that images stay in [-1, 1].
   PointCloud(std::vector<Vector> points, long exponent);
+  /// With the least exponent for each axis: a body stretched along the axes looks like others.
   explicit PointCloud(std::vector<Vector> points);
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] const Vector& operator[](std::size_t i) const { return points_[i]; }
   [[nodiscard]] const std::vector<Vector>& points() const { return points_; }
   [[nodiscard]] long exponent() const { return exponent_; }
+  [[nodiscard]] const Vec3<long>& axis_exponents() const { return axis_exponents_; }
   /// Images, one array per coordinate.
   [[nodiscard]] std::span<const double> xs() const { return x_; }
   [[nodiscard]] std::span<const double> ys() const { return y_; }
   [[nodiscard]] std::span<const double> zs() const { return z_; }
 
  private:
+  void make_images(const Vec3<long>& axes);
+
   std::vector<Vector> points_;
   std::vector<double> x_, y_, z_;
   long exponent_ = 0;
+  Vec3<long> axis_exponents_{0, 0, 0};
 };
 
 /// The least e >= 0 with |coordinate| <= 2^e for every coordinate of every point.

@@ -89,15 +89,40 @@ TEST(PointCloud, ImagesAreWithinTheStatedError) {
     for (int i = 0; i < 3; ++i) points.push_back(random_vector(random, 1 + static_cast<unsigned long>(below(random, 3000))));
     const long exponent = binary_exponent(points) + below(random, 60);
     const PointCloud cloud(points, exponent);
-    const mpq_class unit(1, power_of_two(static_cast<unsigned long>(exponent))), bound(1, power_of_two(52));
+    const auto unit = [](long e) { return mpq_class(1, power_of_two(static_cast<unsigned long>(e))); };
+    const Vec3<long>& e = cloud.axis_exponents();
+    const mpq_class bound = unit(52);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_LE(abs(cloud.xs()[i] - points[i].x * unit), bound);
-      EXPECT_LE(abs(cloud.ys()[i] - points[i].y * unit), bound);
-      EXPECT_LE(abs(cloud.zs()[i] - points[i].z * unit), bound);
+      EXPECT_LE(abs(cloud.xs()[i] - points[i].x * unit(e.x)), bound);
+      EXPECT_LE(abs(cloud.ys()[i] - points[i].y * unit(e.y)), bound);
+      EXPECT_LE(abs(cloud.zs()[i] - points[i].z * unit(e.z)), bound);
       for (const double c : {cloud.xs()[i], cloud.ys()[i], cloud.zs()[i]}) {
         EXPECT_LE(std::abs(c), 1);
         EXPECT_NE(std::fpclassify(c), FP_SUBNORMAL);
       }
+    }
+  }
+}
+
+// 1 by 10^-300 by 10^300: seen by one power of two for all axes, two of them would be nothing.
+TEST(PointCloud, EachAxisOfAStretchedBodyIsSeen) {
+  Random random(2);
+  std::vector<Vector> points;
+  for (int i = 0; i < 10; ++i) {
+    const Vector v = random_vector(random, 60);
+    points.push_back({v.x * power_of_two(1000), v.y, v.z * power_of_two(2000)});
+  }
+  const PointCloud cloud(points);
+  for (const std::span<const double> images : {cloud.xs(), cloud.ys(), cloud.zs()}) {
+    double greatest = 0;
+    for (const double c : images) greatest = std::max(greatest, std::abs(c));
+    EXPECT_GE(greatest, 0.5);
+  }
+  for (int repeat = 0; repeat < 100; ++repeat) {
+    const Vector u = random_vector(random, 50);
+    for (const Vector& v : {u, Vector{u.x * power_of_two(1000), u.y * power_of_two(2000), u.z}}) {
+      EXPECT_EQ(extreme_points(cloud, v), extreme_points_naive(points, v));
+      EXPECT_EQ(points_beyond(cloud, v, 3), points_beyond_naive(points, v, 3));
     }
   }
 }
