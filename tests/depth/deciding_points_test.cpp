@@ -167,7 +167,10 @@ TEST(DecidingPoints, MostPointsNeverMeetTheOthersDenominators) {
 
 TEST(DecidingPoints, DenominatorsThatRepeatAreNoReason) {
   std::vector<Point> a, b;
-  for (int i = 0; i < 2000; ++i) a.push_back({mpq_class(i, 101), mpq_class(i * i, 103), mpq_class(1, i % 10 + 1)});
+  for (int i = 0; i < 2000; ++i) {
+    a.push_back({mpq_class(i, 101), mpq_class(i * i, 103), mpq_class(1, i % 10 + 1)});
+    for (mpq_class* c : {&a.back().x, &a.back().y}) c->canonicalize();
+  }
   b = a;
   EXPECT_TRUE(slim_lattice(a, b));
 }
