@@ -134,6 +134,7 @@ TEST(Replies, RefusesWhatIsNone) {
   EXPECT_THROW(read_reply(R"({"type":"reply","overlap":true})", Precision::binary64), ProtocolError);
   EXPECT_THROW(read_reply(R"({"id":"7","overlap":true})", Precision::binary64), ProtocolError);
   EXPECT_THROW(read_reply(std::string(1'000'000, '['), Precision::binary64), ProtocolError);
+  EXPECT_THROW(read_reply(reply_with(R"("overlap":true)") + '\0' + "junk", Precision::binary64), ProtocolError);
 }
 
 TEST(Replies, NoBytesDoHarm) {

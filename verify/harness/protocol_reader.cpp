@@ -56,6 +56,7 @@ Json parsed(std::string_view line) {
 }
 
 Json object_on(std::string_view line) {
+  if (line.find('\0') != std::string_view::npos) refuse("a JSON object", "a null byte in " + shown(line));  // to the parser, the end
   Json object = parsed(line);
   if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : shown(line)));
   return object;
