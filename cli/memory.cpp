@@ -102,8 +102,15 @@ void* aligned(std::size_t size, std::align_val_t to) {
 
 }  // namespace
 
-// AddressSanitizer has operators of its own. Nobody replaces operator delete: it is free().
-#ifndef __SANITIZE_ADDRESS__
+// AddressSanitizer has operators of its own, as g++ and clang each say in their way. Nobody replaces operator delete: it is free().
+#ifdef __SANITIZE_ADDRESS__
+#define FATHOM_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#define FATHOM_ADDRESS_SANITIZER __has_feature(address_sanitizer)
+#else
+#define FATHOM_ADDRESS_SANITIZER 0
+#endif
+#if !FATHOM_ADDRESS_SANITIZER
 void* operator new(std::size_t size) { return checked(std::malloc(at_least_one(size))); }
 void* operator new[](std::size_t size) { return checked(std::malloc(at_least_one(size))); }
 void* operator new(std::size_t size, std::align_val_t to) { return aligned(size, to); }
