@@ -127,7 +127,7 @@ TEST(Certificate, OfManyOptima) {
 }
 
 TEST(Certificate, ContradictsAWrongAnswer) {
-  const auto& [id, a, b] = cubes;
+  const Body &a = cubes.a, &b = cubes.b;
   const Depth right = penetration_depth(a.points, b.points);
   const auto refused = [&](const Depth& answer, const Body& of_b) {
     EXPECT_THROW(static_cast<void>(make_certificate(a.points, of_b.points, answer)), std::logic_error);

@@ -180,7 +180,7 @@ TEST(Record, APointIsInAFormatIfRoundingLeavesIt) {
 }
 
 TEST(Record, NoRoundingThatOverflowsOrShrinksABodyToAPoint) {
-  const auto [zero, third] = std::pair(mpq_class(0), mpq_class(1, 3));
+  const mpq_class zero = 0, third(1, 3);
   const mpq_class huge = exact_value(1e300), tiny = exact_value(1e-300);
   const auto with = [&](const mpq_class& x) { return Case{"pair", {{{x, zero, zero}, {zero, x, third}}}, {{{third, zero, zero}}}}; };
   EXPECT_TRUE(rounded_case(with(huge), Form::binary64));

@@ -20,7 +20,7 @@ namespace {
 
 std::size_t distinct(std::vector<Vector> points) {
   std::ranges::sort(points, lexicographically_less);
-  return static_cast<std::size_t>(std::ranges::unique(points).begin() - points.begin());
+  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
 }
 
 bool all_extreme_naive(const std::vector<Point>& points) {

@@ -34,8 +34,7 @@ OracleAnswer nearest_half_spaces(std::span<const HalfSpace> half_spaces) {
     answer.directions.push_back(primitive(half_space.normal));
   }
   std::ranges::sort(answer.directions, lexicographically_less);
-  const auto repeated = std::ranges::unique(answer.directions);
-  answer.directions.erase(repeated.begin(), repeated.end());
+  answer.directions.erase(std::unique(answer.directions.begin(), answer.directions.end()), answer.directions.end());
   return answer;
 }
 

@@ -38,8 +38,7 @@ OracleAnswer width_oracle(std::span<const Point> body) {
     answer.directions.push_back(-u);
   }
   std::ranges::sort(answer.directions, lexicographically_less);
-  const auto repeated = std::ranges::unique(answer.directions);
-  answer.directions.erase(repeated.begin(), repeated.end());
+  answer.directions.erase(std::unique(answer.directions.begin(), answer.directions.end()), answer.directions.end());
   return answer;
 }
 

@@ -109,7 +109,7 @@ TEST(Validate, Polygons) {
   expect_all_found(square(), {
                                  {"has a lower index",
                                   [](Polytope& p) {
-                                    p.input_ids = {2, 3, 4, 5}, std::ranges::rotate(p.vertices, p.vertices.begin() + 1);
+                                    p.input_ids = {2, 3, 4, 5}, std::rotate(p.vertices.begin(), p.vertices.begin() + 1, p.vertices.end());
                                   }},
                                  {"not opposite", [](Polytope& p) { p.facets[1].normal = p.facets[0].normal; }},
                                  {"not, reversed", [](Polytope& p) { std::reverse(p.corners.begin() + 4, p.corners.end()); }},
@@ -219,7 +219,7 @@ TEST(Validate, AFacetThatWindsTwice) {
     const std::vector<std::string> faults = validate(polygon(corners), corners, false).faults;
     ASSERT_EQ(faults.size(), 2u);
     for (const std::string& fault : faults) EXPECT_NE(fault.find("is not a strictly convex"), std::string::npos) << fault;
-    std::ranges::rotate(corners, corners.begin() + 1);
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   }
 }
 
@@ -227,7 +227,7 @@ TEST(Validate, ADentedFacet) {
   Points corners{{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {4, 4, 0}, {0, 4, 0}};
   for (int start = 0; start < 5; ++start) {
     EXPECT_EQ(validate(polygon(corners), corners, false).faults.size(), 2u);
-    std::ranges::rotate(corners, corners.begin() + 1);
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   }
   corners[2] = {5, 1, 0};
   EXPECT_TRUE(validate(polygon(corners), corners).ok());

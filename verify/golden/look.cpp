@@ -8,8 +8,7 @@ namespace {
 
 void sort_uniquely(std::vector<Vector>& vectors) {
   std::ranges::sort(vectors, lexicographically_less);
-  const auto repeated = std::ranges::unique(vectors);
-  vectors.erase(repeated.begin(), repeated.end());
+  vectors.erase(std::unique(vectors.begin(), vectors.end()), vectors.end());
 }
 
 /// v or -v, whichever comes later in lexicographic order.

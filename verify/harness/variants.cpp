@@ -71,7 +71,7 @@ bool shuffle(std::vector<Point>& points, families::Random& random) {
   const std::vector<Point> original = points;
   for (std::size_t i = points.size(); i > 1; --i)
     std::swap(points[i - 1], points[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(i) - 1))]);
-  if (points == original) std::ranges::rotate(points, points.begin() + (points.size() > 1 ? 1 : 0));
+  if (points == original) std::rotate(points.begin(), points.begin() + (points.size() > 1 ? 1 : 0), points.end());
   return points != original;
 }
 

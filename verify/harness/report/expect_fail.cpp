@@ -139,11 +139,11 @@ ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcome
   Check result;
   for (auto& [key, met] : cases) {
     std::ranges::sort(met.got);  // failures first, so that a listed one is held against another failure before a pass
-    std::erase_if(met.listed, [&](const Entry& entry) {
-      const auto same = std::ranges::find(met.got, entry.verdict);
-      if (same == met.got.end()) return false;
+    std::erase_if(met.listed, [&result, &got = met.got](const Entry& entry) {
+      const auto same = std::ranges::find(got, entry.verdict);
+      if (same == got.end()) return false;
       result.allowed.insert(entry.text());
-      met.got.erase(same);
+      got.erase(same);
       return true;
     });
     settle(key, met.listed, met.got, result);

@@ -50,8 +50,7 @@ std::vector<mpq_class> values_on(const Case& pair, mpq_class Point::*axis) {
     const std::size_t left = cost(p), right = cost(q);
     return left != right ? left > right : p < q;
   });
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
