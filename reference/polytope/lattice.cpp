@@ -15,8 +15,8 @@ namespace {
 // A common denominator of so many bits never costs much; a longer one is compared with the coordinates.
 constexpr std::size_t short_enough = 4096;
 constexpr std::size_t times_the_widest = 8;
-// Of all coordinates together, where the denominator outgrows them: 512 MB.
-constexpr std::uint64_t most_bits = std::uint64_t{1} << 32;
+// Of all coordinates together, where the denominator outgrows them: 256 MB.
+constexpr std::uint64_t most_bits = std::uint64_t{1} << 31;
 
 std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
 

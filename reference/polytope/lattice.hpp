@@ -22,7 +22,7 @@ struct Lattice {
 /// The unit is never coarser than 1: a factor that all integers share stays. Indices are those of the input.
 /// Size: each integer has about as many bits as the common denominator of all points, times their extent.
 /// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a positive denominator, InputError when there is no slim lattice and all integers together would take more
-/// than 512 MB.
+/// than 256 MB.
 Lattice common_lattice(std::span<const Point> a, std::span<const Point> b);
 
 /// The same lattice, if the common denominator is in proportion to the points: it has at most 4096 bits, or eight times as many as the widest

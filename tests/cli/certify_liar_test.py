@@ -13,7 +13,7 @@ WAYS = {
     "crash": ("crash", "killed by signal 11 (Segmentation fault); last words: about to go"),
     "abort": ("crash", "killed by signal 6 (Aborted); last words: about to go"), "exit": ("crash", "ended with exit code 3"),
     "silent": ("silent", "ended with exit code 0"), "garbage": ("garbage", "expected a JSON object, found 'Segmentation fault?'"),
-    "empty-line": ("garbage", "expected a JSON object, found an empty line"), "noise": ("garbage", "expected a JSON object, found '\\x00"),
+    "empty-line": ("garbage", "expected a JSON object, found an empty line"), "noise": ("garbage", "expected a JSON object, found a null byte in '\\x00"),
     "no-fields": ("garbage", 'expected "overlap" in the reply, found none'), "wrong-types": ("garbage", 'expected a number for "depth"'),
     "array": ("garbage", "expected a JSON object"), "nested": ("garbage", "expected a JSON object, found '[[["),
     "huge-line": ("garbage", "a line of more than 16777216 bytes"), "half-line": ("garbage", "a line that was cut off: '{"),
@@ -25,7 +25,7 @@ WAYS = {
 }
 # Those where no answer can come.
 ENDLESS = {"no-newline": "no answer within 0.5 s; 100 bytes came, no end of line: '{\"type\": \"reply\", \"id\": \"2\"", "hang": "no answer within 0.5 s", "busy": "no answer within 0.5 s", "dribble-forever": "no answer within 0.5 s",
-           "flood": "no answer within 0.5 s; last words: "}
+           "flood": "no answer within 0.5 s; no byte came: does it flush its output?; last words: "}
 
 
 class Liars(CertifyTest):

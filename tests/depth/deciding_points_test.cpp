@@ -184,7 +184,7 @@ TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
   } catch (const InputError& error) {
     EXPECT_STREQ(
         error.what(),
-        "input: the denominators of the 18000 points share too little: over a common one all coordinates together would pass 512 MB");
+        "input: the denominators of the 18000 points share too little: over a common one all coordinates together would pass 256 MB");
   }
 }
 

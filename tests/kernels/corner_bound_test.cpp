@@ -27,7 +27,7 @@ bool exactly_beyond(const Line& p, const Line& q, const std::array<const Line*, 
 TEST(CornersBeyond, VerdictsAreThoseOfExactArithmetic) {
   Random random(8);
   std::size_t beyond = 0, within = 0, unsure = 0;
-  for (int repeat = 0; repeat < 60; ++repeat) {
+  for (int repeat = 0; repeat < 80; ++repeat) {
     for (const Scene& scene : adversarial_scenes(random, 6)) {
       const LineImages all = images(scene);
       const std::size_t n = scene.lines.size();

@@ -29,7 +29,7 @@ class Fields {
     if (!field) return std::nullopt;
     if (field->kind != Json::Kind::object) throw wrong("an object", key);
     const std::optional<std::string> text = Fields(*field, line_).text("squared");
-    if (!text) return std::nullopt;
+    if (!text) throw wrong("an object with a field 'squared'", key);
     const std::optional<mpq_class> value = rational(*text);
     if (!value) throw wrong("an integer or a fraction, in the notation of certificates, for 'squared'", key);
     return value;

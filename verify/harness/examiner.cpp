@@ -72,10 +72,11 @@ std::string Examiner::last_words() {
   return "; last words: " + printable(words, shown_bytes);
 }
 
-/// "; 7 bytes came, no end of line: '...'", if any came.
+/// "; 7 bytes came, no end of line: '...'"
 std::string Examiner::unfinished_line() {
   const std::string& line = process_->waiting();
-  return line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line));
+  return line.empty() ? "; no byte came: does it flush its output?"
+                      : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line));
 }
 
 void Examiner::start() {
