@@ -38,6 +38,7 @@ class Stream {
   ExitCode finish() {
     progress_.clear();
     if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
+    if (perhaps_inner_ > 0) talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
     return code_;
   }
 
@@ -49,7 +50,7 @@ class Stream {
     progress_.report("", -1);
     if (!item.ok()) return report(item, bad_input);
     try {
-      if (!hull_told_) tell_of_hull(item);
+      tell_of_hull(item);
       work_.answer(item.value(), progress_);
     } catch (const Interrupted&) {
       throw;
@@ -62,13 +63,17 @@ class Stream {
     }
   }
 
-  // Once: a stream of such cases would take a hull each to tell.
+  // A stream of such cases would take a hull each to tell exactly: after the first they are counted by what is seen without one.
   void tell_of_hull(const CaseItem& item) {
+    if (hull_told_) {
+      if (may_have_inner_points(item.value(), work_.one_body)) ++perhaps_inner_;
+      return;
+    }
     const std::optional<std::string> note = hull_note(item.value(), work_.one_body);
     if (!note) return;
     hull_told_ = true;
     progress_.clear();
-    talk(fmt::format("line {}: {}; later cases are not looked at for this", item.line, *note));
+    talk(fmt::format("{}:{}: {}; later cases are counted", name_, item.line, *note));
   }
 
   void report(const CaseItem& bad, ExitCode code) {
@@ -82,7 +87,7 @@ class Stream {
   std::string name_;  // of the input, for messages
   const StreamWork& work_;
   Progress progress_;
-  std::size_t cases_ = 0, failed_ = 0;
+  std::size_t cases_ = 0, failed_ = 0, perhaps_inner_ = 0;
   bool hull_told_ = false;
   ExitCode code_ = fine;
 };

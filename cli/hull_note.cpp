@@ -34,6 +34,10 @@ std::string note_on(char body, const std::vector<Point>& points) {
 
 }  // namespace
 
+bool may_have_inner_points(const Case& input, bool one_body) {
+  return !all_seen_extreme(input.a.points) || (!one_body && !all_seen_extreme(input.b.points));
+}
+
 std::optional<std::string> hull_note(const Case& input, bool one_body) {
   const std::vector<Point>&a = input.a.points, &b = input.b.points;
   std::vector<std::string> notes(2);

@@ -15,6 +15,9 @@ namespace fathom::cli {
 /// repeated may be extreme.
 std::optional<std::string> hull_note(const Case& input, bool one_body);
 
+/// Whether it may have something to say, by what is seen without a hull.
+bool may_have_inner_points(const Case& input, bool one_body);
+
 /// Says it on standard error.
 void tell_of_hulls(const Case& input, bool one_body, Progress& progress);
 

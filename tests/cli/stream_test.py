@@ -61,14 +61,15 @@ class Results(CliTest):
         square = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
         self.assertTrue(self.answer("depth", "-", stdin=case(square, box([-1, -1, -1], [2, 2, 1]))).endswith("; 2 ties; flat A\n"))
 
-    def test_hulls_are_told_once(self):
-        """With every method and status; by the first such case, for a stream of many would take a hull each to tell."""
+    def test_hulls_are_told_of(self):
+        """With every method and status; exactly of the first such case, for a stream of many would take a hull each to tell."""
         inner, far = UNIT + [[0.5, 0.5, 0.5]], box([5, 5, 5], [6, 6, 6])
-        said = "fathom: line 2: B: 1 of 9 points are not extreme; the convex hull is taken; later cases are not looked at for this\n"
+        said = ("fathom: <stdin>:2: B: 1 of 9 points are not extreme; the convex hull is taken; later cases are counted\n"
+                "fathom: later cases that may have points which are not extreme: 1\n")
         for command in (["depth"], ["depth", "--method=exact"], ["depth", "--method=naive"], ["depth", "--method=shallow"], ["approx"],
                         ["ray", "--direction=1,0,0"], ["metric", "--ball", self.file("ball.xyz", box([-1, -1, -1], [1, 1, 1]))], ["study"]):
             for a in (UNIT, far):
-                code, _, err = self.run_cli(*command, "-", stdin=GOOD + case(a, inner) + case(inner, UNIT))
+                code, _, err = self.run_cli(*command, "-", stdin=GOOD + case(a, inner) + GOOD + case(inner, UNIT))
                 self.assertEqual((code, err), (0, said), command)
         self.assertEqual(self.run_cli("width", "-", stdin=case(UNIT, inner))[2], "", "B is not looked at")
 

@@ -137,6 +137,15 @@ TEST(Replies, RefusesWhatIsNone) {
   EXPECT_THROW(read_reply(reply_with(R"("overlap":true)") + '\0' + "junk", Precision::binary64), ProtocolError);
 }
 
+TEST(Replies, NumbersAreToldOfAsTheyWereWritten) {
+  try {
+    read_reply(reply_with(R"("overlap":true,"direction":[1,2.50,{"x":1e-6},"3"])"), Precision::binary64);
+    FAIL() << "four components";
+  } catch (const ProtocolError& error) {
+    EXPECT_NE(std::string(error.what()).find(R"([1,2.50,{"x":1e-6},"3"])"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Replies, NoBytesDoHarm) {
   rc::check("any bytes are a reply or a ProtocolError", [](const std::string& bytes) {
     try {

@@ -28,16 +28,16 @@ Json number_as_written(const std::string& text) { return Json::binary({text.begi
 bool is_number(const Json& value) { return value.is_binary(); }
 std::string written(const Json& number) { return {number.get_binary().begin(), number.get_binary().end()}; }
 
-/// With texts for numbers, for people.
-Json readable(Json value) {
-  if (is_number(value)) return written(value);
-  if (value.is_structured())
-    for (Json& part : value) part = readable(std::move(part));
-  return value;
-}
-
+/// As JSON, but with numbers as they were written.
 std::string dumped(const Json& value) {
-  return is_number(value) ? written(value) : readable(value).dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (is_number(value)) return written(value);
+  if (!value.is_structured()) return value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string text;
+  for (const auto& [key, part] : value.items()) {
+    text += text.empty() ? "" : ",";
+    text += (value.is_object() ? Json(key).dump(-1, ' ', true, Json::error_handler_t::replace) + ':' : "") + dumped(part);
+  }
+  return value.is_object() ? '{' + text + '}' : '[' + text + ']';
 }
 
 std::string shown_json(const Json& value) { return '\'' + printable(dumped(value), shown_bytes) + '\''; }
