@@ -71,7 +71,7 @@ class Ray(CliTest):
         self.assertIn("A: 1 of 9 points are not extreme; the convex hull is taken",
                       self.run_cli("ray", "--direction", "1,0,0", path, CUBE)[2])
         stream = case(UNIT + [[0.5, 0.5, 0.5]], UNIT)
-        self.assertIn("line 1: A: 1 of 9 points are not extreme", self.run_cli("ray", "--direction", "1,0,0", "-", stdin=stream)[2])
+        self.assertIn("<stdin>:1: A: 1 of 9 points are not extreme", self.run_cli("ray", "--direction", "1,0,0", "-", stdin=stream)[2])
 
     def test_misuse(self):
         self.assertIn("ray expects --direction X,Y,Z", self.refused("ray", CUBE, CUBE))
