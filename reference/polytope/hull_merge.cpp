@@ -13,7 +13,7 @@ using Index = std::uint32_t;
 
 /// Half-edge 3 t + i runs from corner i of triangle t to the next one.
 struct Surface {
-  std::span<const Triangle> triangles;
+  std::span<const HullTriangle> triangles;
   std::vector<Vector> normals;  // of triangles, primitive
   std::vector<Index> twin;      // of half-edges
   std::vector<bool> border;     // of half-edges: whether the triangles on its two sides lie in different planes
@@ -44,7 +44,7 @@ std::vector<Index> twins(const Surface& s) {
   return twin;
 }
 
-Surface make_surface(std::span<const Vector> points, std::span<const Triangle> triangles) {
+Surface make_surface(std::span<const Vector> points, std::span<const HullTriangle> triangles) {
   Surface s;
   s.triangles = triangles;
   s.normals.reserve(triangles.size());
@@ -131,7 +131,7 @@ void append_facet(Polytope& polytope, Vector normal, std::span<const std::uint32
   polytope.facets.push_back({std::move(normal), begin, static_cast<Index>(polytope.corners.size())});
 }
 
-Polytope merge_coplanar(std::span<const Vector> points, std::span<const Triangle> triangles) {
+Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles) {
   Surface surface = make_surface(points, triangles);
   Polytope polytope;
   polytope.rank = 3;

@@ -13,7 +13,7 @@
 namespace fathom {
 
 /// The polytope of rank 3 whose boundary `triangles` cover as hull_triangles states. Exact, O(n log n).    [proofs/polytope.md]
-Polytope merge_coplanar(std::span<const Vector> points, std::span<const Triangle> triangles);
+Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles);
 
 /// Gives `polytope` the vertices points[id] for the ids marked in `extreme`, in ascending order. Returns the new index of each id.
 std::vector<std::uint32_t> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme);

@@ -145,23 +145,23 @@ Heart choose_heart(const BoxedPoints& points, std::vector<Index>& order) {
 }
 
 /// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns all.
-void orient_outward(const BoxedPoints& points, std::span<const Index> corners, std::vector<Triangle>& triangles) {
+void orient_outward(const BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
   const Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
   const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != 0; });
   if (plane.side(*off_plane) < 0) return;
-  for (Triangle& t : triangles) std::swap(t[0], t[1]);
+  for (HullTriangle& t : triangles) std::swap(t[0], t[1]);
 }
 
 }  // namespace
 
-std::vector<Triangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids) {
+std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids) {
   const BoxedPoints boxed(points);
   std::vector<Index> order(ids.begin(), ids.end()), corners;
-  std::vector<Triangle> triangles;
+  std::vector<HullTriangle> triangles;
   const SpatialTraits traits{&boxed, choose_heart(boxed, order)};
   // CGAL 5.5 has a template parameter here that it neither uses nor deduces.
   CGAL::convex_hull_3<std::vector<Index>::iterator, void>(order.begin(), order.end(), corners, triangles, traits);
-  for (Triangle& t : triangles) {
+  for (HullTriangle& t : triangles) {
     for (Index& v : t) v = corners[v];
   }
   orient_outward(boxed, corners, triangles);

@@ -12,12 +12,12 @@
 namespace fathom {
 
 /// Three indices of points, counter-clockwise seen from outside.
-using Triangle = std::array<std::uint32_t, 3>;
+using HullTriangle = std::array<std::uint32_t, 3>;
 
 /// Triangles that cover the boundary of the hull of points[id], id in `ids`, once. Exact for integers of any size. No triangle is
 /// degenerate; neighbours may be coplanar and corners may lie inside a facet or an edge.
 /// `ids` must be distinct points that affinely span space.
-std::vector<Triangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids);
+std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids);
 
 /// The corners of the hull of points[id], id in `ids`, in the projection that forgets coordinate `axis` (0, 1, 2 for x, y, z):
 /// extreme points only, counter-clockwise seen from the positive end of that axis. Exact.

@@ -51,7 +51,8 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTIL
 STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
 NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
 NAMESPACE_END = re.compile(r"\}  // namespace")
-TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum|enum class) (?:\[\[\w+\]\] )?(\w+)(?: final)?(?: : [^;]*)? \{")
+TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:])[^;]*(?:\{.*|$)"
+                  r"|(?:template <.*> )?using (\w+) = .*")
 ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
 
 
@@ -112,7 +113,7 @@ def source_breaches(root, path, text, listed):
 
 
 def type_names(text):
-    """The qualified names of the types defined in a source, those in unnamed namespaces and inside other types apart.
+    """The qualified names of the types and aliases defined in a source, those in unnamed namespaces and inside other types apart.
 
     It relies on the format: what stands in a namespace is not indented, and a comment ends each namespace.
     """
@@ -122,8 +123,8 @@ def type_names(text):
             inside.append(opened.group(1) or "")
         elif NAMESPACE_END.match(line) and inside:
             inside.pop()
-        elif "" not in inside and (found := TYPE.match(line)):
-            yield "::".join([*inside, found.group(1)])
+        elif "" not in inside and (found := TYPE.fullmatch(line)):
+            yield "::".join([*inside, found.group(1) or found.group(2)])
 
 
 def name_breaches(definitions):
