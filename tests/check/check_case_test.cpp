@@ -232,7 +232,7 @@ TEST(CheckResult, SaysWhatTheCertificateSays) {
   const Certificate c = certificate("a%20b", "1 0 0", "1 1 1");
   EXPECT_EQ(said("", c), "fine");
   EXPECT_EQ(said(R"(, "id": "a b", "status": "disjoint", "depth": {"squared": "-0/7"}, "bound": {"squared": "00"})", c), "fine");
-  EXPECT_EQ(said(R"(, "depth": {"value": 7, "rounded": null}, "other": "\u00e9", "witness": null)", c), "fine");
+  EXPECT_EQ(said(R"(, "depth": {"squared": "0", "value": 7, "rounded": null}, "other": "\u00e9", "witness": null)", c), "fine");
   for (const char* fields : {R"(, "id": "a%20b")", R"(, "id": "b")", R"(, "id": "")", R"(, "id": 7)", R"(, "status": "touching")",
                              R"(, "depth": {"squared": "1"})", R"(, "bound": {"squared": "1/9"})"})
     EXPECT_EQ(said(fields, c), "refused") << fields;
@@ -251,9 +251,9 @@ TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
   const Certificate c = certificate("", "1 0 0", "1 1 1");
   for (const std::string& fields :
        std::vector<std::string>{R"(, "id": true)", R"(, "id": null)", R"(, "status": null)", R"(, "status": 1)", R"(, "depth": "0")",
-                                R"(, "depth": null)", R"(, "depth": 0)", R"(, "depth": {"squared": 0})", R"(, "depth": {"squared": null})",
-                                R"(, "bound": "0")", R"(, "depth": {"squared": "0", "squared": "0"})", R"(, "certificate": "")",
-                                ", \"x\": \"\xff\"", ", \"\xc0\x80\": 1", ", \"x\": " + nested(64)})
+                                R"(, "depth": null)", R"(, "depth": 0)", R"(, "depth": {"value": 1})", R"(, "depth": {"squared": 0})",
+                                R"(, "depth": {"squared": null})", R"(, "bound": "0")", R"(, "depth": {"squared": "0", "squared": "0"})",
+                                R"(, "certificate": "")", ", \"x\": \"\xff\"", ", \"\xc0\x80\": 1", ", \"x\": " + nested(64)})
     EXPECT_EQ(said(fields, c), "malformed") << fields;
   EXPECT_EQ(said(", \"x\": " + nested(63), c), "fine");
   Result result;

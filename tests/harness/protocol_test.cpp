@@ -37,7 +37,7 @@ TEST(Hello, IsReadAndWrittenBack) {
   EXPECT_TRUE(info.wants_faces);
   EXPECT_EQ(info.library, "fcl");
   EXPECT_EQ(info.settings.at("eps"), "1e-4") << "as it was written";
-  EXPECT_EQ(info.settings.at("deep"), R"({"a":["1"]})");
+  EXPECT_EQ(info.settings.at("deep"), R"({"a":[1]})");
   EXPECT_EQ(info.settings.size(), 3U);
   EXPECT_EQ(info.promises, (std::set<std::string>{"depth", "witness"}));
   EXPECT_EQ(hello_text(read_hello(hello_text(info))), hello_text(info));
