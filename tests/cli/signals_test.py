@@ -27,7 +27,7 @@ def on_sphere(count, seed):
 
 
 # Far more than a second of work for the naive method, in little memory; a second or two; the former for the exact method.
-LONG = case(on_sphere(1000, 1), on_sphere(1000, 2))
+LONG = case(on_sphere(1800, 1), on_sphere(1800, 2))
 MIDDLE = case(on_sphere(400, 1), on_sphere(400, 2))
 
 
