@@ -4,11 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "cli/arguments.hpp"
-#include "cli/command.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/memory.hpp"
-#include "cli/output.hpp"
+#include "cli/args/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/memory.hpp"
+#include "cli/io/output.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace {

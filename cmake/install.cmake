@@ -13,7 +13,7 @@ target_sources(fathom_reference PUBLIC FILE_SET umbrella TYPE HEADERS BASE_DIRS 
 target_sources(fathom_judge PUBLIC FILE_SET c_interface TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
   FILES ${PROJECT_SOURCE_DIR}/verify/judge/judge.h)
 
-foreach(room kernels reference judge)
+foreach(room headers kernels reference judge)
   set_target_properties(fathom_${room} PROPERTIES EXPORT_NAME ${room})
   add_library(fathom::${room} ALIAS fathom_${room})
 endforeach()
@@ -21,6 +21,7 @@ endforeach()
 target_include_directories(fathom_kernels INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fathom>)
 
+install(TARGETS fathom_headers EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS fathom_kernels EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom)
 install(TARGETS fathom_reference EXPORT fathom
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fathom

@@ -26,4 +26,25 @@ PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more) {
   return sum;
 }
 
+Counters& operator+=(Counters& sum, const Counters& more) {
+  for (const auto field : {&Counters::vertices_a,      &Counters::vertices_b,
+                           &Counters::edges_a,         &Counters::edges_b,
+                           &Counters::facets_a,        &Counters::facets_b,
+                           &Counters::scans,           &Counters::expansions,
+                           &Counters::inner_facets,    &Counters::vertex_facet_pairs,
+                           &Counters::canonical_pairs, &Counters::sum_a,
+                           &Counters::sum_b,           &Counters::crossings,
+                           &Counters::pairs_evaluated, &Counters::pairs_exact,
+                           &Counters::grids_cut,       &Counters::cells,
+                           &Counters::block_tests,     &Counters::vertex_clears,
+                           &Counters::frame_tests,     &Counters::frame_clears,
+                           &Counters::quota_checks,    &Counters::quota_refinements,
+                           &Counters::few_cells,       &Counters::rays,
+                           &Counters::facets_visited}) {
+    sum.*field += more.*field;
+  }
+  sum.predicates += more.predicates;
+  return sum;
+}
+
 }  // namespace fathom

@@ -55,4 +55,7 @@ struct Counters {
   PredicateCounts predicates{};
 };
 
+/// Adds what was counted elsewhere; the seed stays.
+Counters& operator+=(Counters& sum, const Counters& more);
+
 }  // namespace fathom

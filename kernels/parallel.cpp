@@ -6,7 +6,7 @@
 #include <system_error>
 #include <thread>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 
 namespace fathom {
 namespace {

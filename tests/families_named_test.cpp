@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/naive_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

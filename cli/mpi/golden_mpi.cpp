@@ -18,12 +18,12 @@
 #include <thread>
 #include <vector>
 
-#include "cli/golden_arguments.hpp"
-#include "cli/memory.hpp"
-#include "cli/output.hpp"
+#include "cli/args/golden_arguments.hpp"
+#include "cli/io/memory.hpp"
+#include "cli/io/output.hpp"
 #include "kernels/float_environment.hpp"
-#include "verify/golden/file_error.hpp"
-#include "verify/golden/generate.hpp"
+#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/release/generate.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/depth/depth.hpp"

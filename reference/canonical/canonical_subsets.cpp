@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "kernels/filter.hpp"
-#include "kernels/images.hpp"
-#include "reference/canonical/filing.hpp"
+#include "kernels/filters/double_images.hpp"
+#include "kernels/predicates/filter.hpp"
+#include "reference/canonical/query_filing.hpp"
 
 namespace fathom {
 namespace {

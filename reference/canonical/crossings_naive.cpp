@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All pairs of arcs.
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/gaussian/crossing.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/chart/height_order.hpp"
 #include "reference/chart/locate.hpp"
 #include "reference/chart/walls.hpp"

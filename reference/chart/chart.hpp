@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/direction.hpp"
-#include "kernels/images.hpp"
+#include "kernels/filters/double_images.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "kernels/report.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 
 namespace fathom {
 namespace {

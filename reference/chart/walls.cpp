@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 
 namespace fathom {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 

@@ -3,7 +3,7 @@
 // Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.    [design, section 1]
 #pragma once
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "kernels/filter.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/parallel.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/depth/certified_depth.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/depth/deciding_points.hpp"

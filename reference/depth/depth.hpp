@@ -7,12 +7,12 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "fathom/monitor.hpp"
 #include "kernels/counters.hpp"
-#include "kernels/perturbation.hpp"
+#include "kernels/predicates/perturbation.hpp"
 #include "kernels/vector.hpp"
 #include "reference/expanding/inner_polytope.hpp"
 #include "reference/lines/engines.hpp"
@@ -76,11 +76,6 @@ struct Depth {
   Method method = Method::exact;               ///< the one that ran to the end
   std::optional<InnerPolytope> inner;          ///< method certificate, penetrating: the polytope that proves the depth
   Counters counters;
-};
-
-/// Thrown when the progress callback asked to stop.
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
 };
 
 struct Options {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/support.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

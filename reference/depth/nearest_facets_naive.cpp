@@ -2,7 +2,7 @@
 // The quadratic twins: all pairs, once in exact arithmetic only and once behind the double filter.
 #include <cmath>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "reference/lines/closest_lines.hpp"

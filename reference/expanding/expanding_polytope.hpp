@@ -10,9 +10,9 @@
 #include <limits>
 #include <optional>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
-#include "kernels/support.hpp"
 #include "reference/expanding/inner_polytope.hpp"
 
 namespace fathom {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "kernels/rounded_plane.hpp"
+#include "kernels/filters/rounded_plane.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/position_search.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gaussian/crossing.hpp"
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 
 namespace fathom {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernels/direction.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/polytope.hpp"
 

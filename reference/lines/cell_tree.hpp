@@ -7,8 +7,8 @@
 #include <numeric>
 #include <vector>
 
-#include "kernels/corner_bound.hpp"
-#include "kernels/line_frame.hpp"
+#include "kernels/filters/corner_bound.hpp"
+#include "kernels/filters/line_frame.hpp"
 
 namespace fathom {
 

@@ -5,8 +5,8 @@
 //         [design, section 5; proofs/cutting.md]
 #pragma once
 
-#include "kernels/corner_bound.hpp"
-#include "kernels/line_frame.hpp"
+#include "kernels/filters/corner_bound.hpp"
+#include "kernels/filters/line_frame.hpp"
 #include "reference/lines/grid.hpp"
 
 namespace fathom {

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "kernels/line_scan.hpp"
+#include "kernels/filters/line_scan.hpp"
+#include "kernels/filters/truncated_lines.hpp"
 #include "kernels/nearest.hpp"
-#include "kernels/truncated_lines.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {

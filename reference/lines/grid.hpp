@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "kernels/line_scan.hpp"
+#include "kernels/filters/line_scan.hpp"
 #include "kernels/report.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"

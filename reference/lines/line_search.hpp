@@ -6,8 +6,8 @@
 #include <optional>
 #include <random>
 
-#include "kernels/corner_bound.hpp"
 #include "kernels/counters.hpp"
+#include "kernels/filters/corner_bound.hpp"
 #include "reference/lines/grid.hpp"
 
 namespace fathom {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/report.hpp"
-#include "kernels/support.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/position.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/report.hpp"
-#include "kernels/support.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/hierarchy_build.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/planar_view.hpp"
+#include "kernels/filters/planar_view.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom {

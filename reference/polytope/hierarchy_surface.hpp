@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {

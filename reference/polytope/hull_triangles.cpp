@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's quickhull over indices of points. Its questions go to kernels/plane.hpp, so there is one path for small and for enormous
+// CGAL's quickhull over indices of points. Its questions go to kernels/filters/plane.hpp, so there is one path for small and for enormous
 // integers, and the triangles come back with the ids of the input.
 //
 // CGAL counts a facet as visible from the points of its plane, so a facet with k corners would be torn down and rebuilt k times. Here
@@ -18,7 +18,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernels/plane.hpp"
+#include "kernels/filters/plane.hpp"
 
 namespace fathom {
 namespace {

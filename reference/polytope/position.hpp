@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/report.hpp"
-#include "kernels/support.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {

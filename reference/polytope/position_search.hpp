@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/polytope/position_cone.hpp"
 
 namespace fathom {

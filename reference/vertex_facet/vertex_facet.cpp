@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 
 namespace fathom {
 std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/depth.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "reference/polytope/lattice.hpp"

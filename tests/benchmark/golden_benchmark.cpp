@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "verify/families/families.hpp"
-#include "verify/golden/prove.hpp"
-#include "verify/golden/record.hpp"
+#include "verify/golden/records/prove.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

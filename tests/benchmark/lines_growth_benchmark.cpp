@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/depth/depth.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/prepared.hpp"

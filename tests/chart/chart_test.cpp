@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 

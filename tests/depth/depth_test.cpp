@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "tests/oracles/brute_oracle.hpp"

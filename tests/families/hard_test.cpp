@@ -9,8 +9,8 @@
 #include <set>
 #include <type_traits>
 
+#include "kernels/filters/support.hpp"
 #include "kernels/number/rounding.hpp"
-#include "kernels/support.hpp"
 #include "reference/depth/gap.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {

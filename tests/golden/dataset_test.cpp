@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Law: the pages of a shard and of a release are read only in the one form in which they are written, field by field.
-#include "verify/golden/dataset.hpp"
+#include "verify/golden/release/dataset.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "verify/golden/plan.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {
 namespace {

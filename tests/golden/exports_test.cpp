@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exports say what the records say, as other programs read them: this one includes a C++ export as it was compiled in.
-#include "verify/golden/exports.hpp"
+#include "verify/golden/records/exports.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 #include "tests/golden/some_recipes.hpp"
-#include "verify/golden/record.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

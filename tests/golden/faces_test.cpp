@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces by their definition against the faces of convex hulls.
-#include "verify/golden/faces.hpp"
+#include "verify/golden/records/faces.hpp"
 
 #include <gtest/gtest.h>
 

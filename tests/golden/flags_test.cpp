@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each flag on a pair that has it, and none on a pair that has none; all of them are explained in the notes and known to the schema.
-#include "verify/golden/flags.hpp"
+#include "verify/golden/records/flags.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "kernels/number/parse.hpp"
-#include "verify/golden/notes.hpp"
-#include "verify/golden/record.hpp"
+#include "verify/golden/records/record.hpp"
+#include "verify/golden/release/embedded_pages.hpp"
 
 namespace fathom::golden {
 namespace {

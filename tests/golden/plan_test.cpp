@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/plan.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/real_cases.hpp"
+#include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records that are right are proved; whatever is changed in one, it is refused.
-#include "verify/golden/prove.hpp"
+#include "verify/golden/records/prove.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/golden/some_recipes.hpp"
-#include "verify/golden/record.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records against the naive method, the exact one, and the definitions of rounding.
-#include "verify/golden/record.hpp"
+#include "verify/golden/records/record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/names.hpp"
-#include "verify/golden/real_cases.hpp"
+#include "verify/golden/records/names.hpp"
+#include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "verify/golden/plan.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden::testing {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Law: a page of sums is read only in the one form in which it is written.
-#include "verify/golden/sums.hpp"
+#include "verify/golden/release/sums.hpp"
 
 #include <gtest/gtest.h>
 
-#include "verify/golden/sha256.hpp"
+#include "verify/golden/io/sha256.hpp"
 
 namespace fathom::golden {
 namespace {

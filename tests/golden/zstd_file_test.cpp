@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Law: what was written comes back line by line, whatever the sizes; and a file that is anything else than one whole frame is refused.
-#include "verify/golden/zstd_file.hpp"
+#include "verify/golden/io/zstd_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/golden/file_error.hpp"
+#include "verify/golden/io/file_error.hpp"
 
 namespace fathom::golden {
 namespace {

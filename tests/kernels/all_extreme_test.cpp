@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Its promise, that "true" is never said where the hull has fewer vertices, and that it is said where it should be, or it saves nothing.
-#include "kernels/all_extreme.hpp"
+#include "kernels/filters/all_extreme.hpp"
 
 #include <gtest/gtest.h>
 

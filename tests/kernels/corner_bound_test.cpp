@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The vertex test's filter against exact integers, on lines that are hard for it, in all rounding modes.
-#include "kernels/corner_bound.hpp"
+#include "kernels/filters/corner_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosures against exact rationals: they hold the value, and are as narrow as stated.
-#include "kernels/direction.hpp"
+#include "kernels/predicates/direction.hpp"
 
 #include <gtest/gtest.h>
 

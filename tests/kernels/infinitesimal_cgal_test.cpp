@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The infinitesimals as CGAL's number type: its traits, its constructions and predicates on vectors of that kernel, and this project's
 // predicates on the same vectors, against the plain path.
-#include "kernels/infinitesimal_cgal.hpp"
+#include "kernels/number/infinitesimal_cgal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <type_traits>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {

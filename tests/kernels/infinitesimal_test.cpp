@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The axioms of an ordered ring; arithmetic against a plain map of exponents; signs against honest small numbers; what is infinitely
 // smaller than what.
-#include "kernels/infinitesimal.hpp"
+#include "kernels/number/infinitesimal.hpp"
 
 #include <gtest/gtest.h>
 

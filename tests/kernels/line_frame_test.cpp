@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame test against exact distances, on smooth chains and on wild lines.
-#include "kernels/line_frame.hpp"
+#include "kernels/filters/line_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "kernels/corner_bound.hpp"
+#include "kernels/filters/corner_bound.hpp"
 #include "tests/support/line_scenes.hpp"
 
 namespace fathom {

@@ -2,7 +2,7 @@
 // The filter of the scan over pairs of arcs against exact signs: whatever it leaves out does not cross, or is strictly farther.
 #include <gtest/gtest.h>
 
-#include "kernels/line_scan.hpp"
+#include "kernels/filters/line_scan.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/line_scenes.hpp"
 

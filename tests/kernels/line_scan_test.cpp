@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The filter of the line scans against exact rationals: whatever it leaves out is strictly farther than the bound.
-#include "kernels/line_scan.hpp"
+#include "kernels/filters/line_scan.hpp"
 
 #include <gtest/gtest.h>
 

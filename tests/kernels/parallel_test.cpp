@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 
 namespace {
 std::atomic<std::thread::id> fed;  // if set, no other thread gets memory that it asks for gently

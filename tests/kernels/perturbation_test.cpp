@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How operands move; that no sign between different groups vanishes (claims 1 to 6 of proofs/perturbation.md); that signs are those of an
 // honest perturbation by small numbers; what is refused.
-#include "kernels/perturbation.hpp"
+#include "kernels/predicates/perturbation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 

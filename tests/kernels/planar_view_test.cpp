@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every answer against integers, above all on points that are level or parallel in the view, or nearly so.
-#include "kernels/planar_view.hpp"
+#include "kernels/filters/planar_view.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

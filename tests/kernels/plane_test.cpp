@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every answer against the determinant of the definition, on points of mixed scales that often are nearly or exactly coplanar.
-#include "kernels/plane.hpp"
+#include "kernels/filters/plane.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbered axioms of predicates.hpp; each sign against the plain integer formula and against the geometry that it stands for; and
 // which tier decided.
-#include "kernels/predicates.hpp"
+#include "kernels/predicates/predicates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the rounded plane says for certain, against exact arithmetic, in every rounding mode; and that it says so often enough.
-#include "kernels/rounded_plane.hpp"
+#include "kernels/filters/rounded_plane.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cmath>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {

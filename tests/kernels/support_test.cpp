@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The filtered scan against exact arithmetic, above all where values tie or differ by less than binary64 can see.
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

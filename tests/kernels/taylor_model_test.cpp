@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Taylor models against exact rationals: whatever two models hold, their product and sums hold.
-#include "kernels/taylor_model.hpp"
+#include "kernels/filters/taylor_model.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Against exact arithmetic: what is thrown out is farther, and little that is farther stays.
-#include "kernels/truncated_lines.hpp"
+#include "kernels/filters/truncated_lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 
 namespace fathom {
 namespace {

@@ -16,6 +16,7 @@ import sys
 
 # From left to right. Rooms on one line do not know each other.
 ORDER = [
+    ["include/fathom"],  # what users include, as "fathom/..."
     ["kernels"],
     ["reference/files"],
     ["reference/polytope"],
@@ -38,7 +39,7 @@ PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
 ALONE = ("verify/subjects", "verify/examples")  # programs of their own: they know other libraries, and nothing of ours
-DOORS = ("kernels/", "reference/", "verify/judge/")
+DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/")
 PROGRAMS = ("verify/subjects/", "verify/examples/", "tests/install/consumer/")  # linked with nothing of ours
 
@@ -69,6 +70,11 @@ def room_of(path):
     return next((room for room in PLACE if path == room or path.startswith(room + "/")), None)
 
 
+def path_of(target):
+    """The path from the root of what an include in quotes names."""
+    return f"include/{target}" if target.startswith("fathom/") else target
+
+
 def order_breach(room, target):
     if room == target:
         return None
@@ -96,9 +102,9 @@ def include_breaches(root, path, text, listed):
         elif room == CLOSED:  # the folder builds wherever it is copied
             if "/" in target or not (root / room / target).is_file():
                 yield "order", f'"{target}" is no file of {CLOSED}, by its name alone'
-        elif room_of(target) is None or not (root / target).is_file():
+        elif room_of(path_of(target)) is None or not (root / path_of(target)).is_file():
             yield "order", f'"{target}" is no file of a room, by its path from the root'
-        elif breach := order_breach(room, room_of(target)):
+        elif breach := order_breach(room, room_of(path_of(target))):
             yield "order", f'"{target}": {breach}'
 
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/families.hpp"

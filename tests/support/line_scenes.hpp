@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/line_scan.hpp"
+#include "kernels/filters/line_scan.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::testing {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {

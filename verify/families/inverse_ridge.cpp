@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/depth/gap.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/support.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/distance.hpp"

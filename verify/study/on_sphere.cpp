@@ -2,7 +2,7 @@
 // Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z = (0, 0, 1).
 #include <map>
 
-#include "kernels/filter.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "verify/study/findings.hpp"
 
 namespace fathom {

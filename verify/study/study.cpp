@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "kernels/filter.hpp"
+#include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/support.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of `approx`, `ray`, `metric` and `width --delta`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/args/request.hpp"
+
+namespace fathom::cli {
+
+void add_delta(CLI::App& app, Request& request, const std::string& meaning);
+void add_approx_options(CLI::App& app, Request& request);
+void add_ray_options(CLI::App& app, Request& request);
+void add_metric_options(CLI::App& app, Request& request);
+
+/// What is missing or does not go together, or nothing. `exact_options`: whether options of the exact methods were given. Sets
+/// what `approx` takes when nothing is said.
+std::string wrong_approximation(Request& request, bool exact_options);
+
+}  // namespace fathom::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the command line to a request, or to help, or to a sentence that says what is wrong with it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/args/request.hpp"
+#include "cli/io/exit_code.hpp"
+
+namespace fathom::cli {
+
+/// Either a request, or a text for the user and the exit code that goes with it: help and version (fine, for standard output), or a
+/// refusal (bad_input, for standard error).
+struct Arguments {
+  std::optional<Request> request;
+  std::string text;
+  ExitCode code = fine;
+};
+
+/// Never throws on anything a user can type.
+Arguments parse_arguments(int argc, const char* const* argv);
+
+}  // namespace fathom::cli

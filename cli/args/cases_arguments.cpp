@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/cases_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "reference/files/source.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::uint64_t most_count = 1'000'000'000, most_size = 1'000'000, most_seed = UINT64_MAX;
+
+/// An integer in plain digits.
+CLI::Validator integer(std::uint64_t low, std::uint64_t high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return "";
+    return fmt::format("expected an integer from {} to {}, found {}", low, high == most_seed ? "2^64 - 1" : std::to_string(high),
+                       shown(text));
+  };
+  return CLI::Validator(check, "", "");
+}
+
+bool given(const CLI::App& app, const char* option) { return app.count(option) > 0; }
+
+}  // namespace
+
+void add_cases_options(CLI::App& app, CasesRequest& cases) {
+  app.add_option("--family", cases.family, "cases of this family; all: of every family in turn")->type_name("NAME");
+  app.add_option("--count", cases.count, "so many, with successive seeds (1)")->check(integer(1, most_count))->type_name("N");
+  app.add_option("--seed", cases.seed, "the first seed (1)")->check(integer(0, most_seed))->type_name("N");
+  app.add_option("--size", cases.size, "about so many points a body (the family's usual size)")
+      ->check(integer(1, most_size))
+      ->type_name("N");
+  using Text = std::pair<const char*, std::string>;
+  for (const auto& [flag, meaning] :
+       {Text{"--catalogue", "all named degenerate pairs"}, Text{"--list", "the families, with a line on each"},
+        Text{"--from", "the meshes A and B as one case, vertices as read"}})
+    app.add_flag(flag, meaning);
+  app.add_option("--from-fcl", cases.fcl,
+                 "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input):\n"
+                 "boxes and Convex with their poses; the placed points are rounded once to binary64")
+      ->type_name("FILE");
+  const char* const pose = "how to place it: \"r11 r12 r13 t1; r21 r22 r23 t2; r31 r32 r33 t3\"\nor the same as a JSON array of rows";
+  app.add_option("--pose-a", cases.pose_a, pose)->type_name("POSE");
+  app.add_option("--pose-b", cases.pose_b, "the same for B")->type_name("POSE");
+}
+
+std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vector<std::string>& inputs) {
+  using What = CasesRequest::What;
+  constexpr std::pair<const char*, What> tasks[] = {{"--family", What::family},
+                                                    {"--catalogue", What::catalogue},
+                                                    {"--list", What::list},
+                                                    {"--from", What::from},
+                                                    {"--from-fcl", What::from_fcl}};
+  unsigned wanted = 0;
+  for (const auto& [option, what] : tasks)
+    if (given(app, option)) {
+      ++wanted;
+      cases.what = what;
+    }
+  if (wanted != 1)
+    return fmt::format("cases expects one of --family, --catalogue, --list, --from and --from-fcl, found {}",
+                       wanted == 0 ? "none" : "several");
+  for (const char* option : {"--count", "--seed", "--size"})
+    if (cases.what != What::family && given(app, option)) return fmt::format("{} goes with --family", option);
+  for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
+    if (cases.what != What::from && given(app, option)) return fmt::format("{} goes with --from", option);
+  const std::size_t meshes = cases.what == What::from ? 2 : 0;
+  if (inputs.size() == meshes) return "";
+  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs.size(),
+                     inputs.size() == 1 ? "" : "s");
+}
+
+}  // namespace fathom::cli

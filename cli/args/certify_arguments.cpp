@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/certify_arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rounding.hpp"
+#include "reference/files/source.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr unsigned most_jobs = 1024;
+
+/// What was typed by hand is meant as typed: decimals are exact.
+std::optional<mpq_class> typed_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
+
+template <class Count>
+std::optional<Count> typed_count(const std::string& text) {
+  Count count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(count) : std::nullopt;
+}
+
+CLI::Validator rule(bool (*holds)(const std::string&), std::string expected) {
+  return {[=](const std::string& text) { return holds(text) ? "" : fmt::format("expected {}, found {}", expected, shown(text)); }, "", ""};
+}
+
+bool is_jobs(const std::string& text) {
+  const auto jobs = typed_count<unsigned>(text);
+  return jobs && *jobs >= 1 && *jobs <= most_jobs;
+}
+bool is_time(const std::string& text) {
+  const auto time = typed_number(text);
+  return time && *time > 0;
+}
+bool is_tolerance(const std::string& text) {
+  const auto value = typed_number(text);
+  return value && *value >= 0;
+}
+bool is_count(const std::string& text) { return typed_count<std::size_t>(text).has_value(); }
+
+std::vector<std::string> words_of(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    words.push_back(list.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  return words;
+}
+
+std::vector<std::string> all_variants() {
+  const auto names = harness::variant_names();
+  return {names.begin(), names.end()};
+}
+
+/// Sets the variants; what is wrong with the list, or nothing.
+std::string wrong_variants(CertifyRequest& certify) {
+  if (certify.metamorphic.empty()) return "";
+  const std::vector<std::string> all = all_variants();
+  certify.variants = certify.metamorphic == "all" ? all : words_of(certify.metamorphic);
+  for (const std::string& word : certify.variants)
+    if (std::find(all.begin(), all.end(), word) == all.end())
+      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", shown(word), fmt::join(all, ", "));
+  return "";
+}
+
+void add_path(CLI::App& app, const char* name, std::string& path, const char* meaning, const char* type = "FILE") {
+  app.add_option(name, path, meaning)->type_name(type);
+}
+
+void add_subject(CLI::App& app, CertifyRequest& certify) {
+  add_path(app, "--subject", certify.subject, "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command", "COMMAND");
+  add_path(app, "--adapter", certify.adapter,
+           "a library by the name that --list-adapters shows; its settings may\nfollow: libccd-epa,epa_tolerance=1e-12", "NAME");
+  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line;\n- for standard input");
+  app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
+  app.add_option_function<std::string>(
+         "--jobs", [&certify](const std::string& text) { certify.jobs = typed_count<unsigned>(text); },
+         "subjects at once; as many as there are processors unless given")
+      ->check(rule(is_jobs, fmt::format("a number from 1 to {}", most_jobs)))
+      ->type_name("N");
+  app.add_option_function<std::string>(
+         "--time-out", [&certify](const std::string& text) { certify.time_out = round_binary64(*typed_number(text), Rounding::ru); },
+         "seconds that a case may take; 10 unless given")
+      ->check(rule(is_time, "a number of seconds above 0"))
+      ->type_name("S");
+}
+
+void add_tolerance(CLI::App& app, const char* name, mpq_class& value, const char* meaning) {
+  app.add_option_function<std::string>(
+         name, [&value](const std::string& text) { value = *typed_number(text); }, meaning)
+      ->check(rule(is_tolerance, "a number of at least 0, such as 1e-6 or 1/1000"))
+      ->type_name("Q");
+}
+
+template <class Count>
+void add_count(CLI::App& app, const char* name, Count& count, const char* meaning) {
+  app.add_option_function<std::string>(
+         name, [&count](const std::string& text) { count = *typed_count<std::size_t>(text); }, meaning)
+      ->check(rule(is_count, "a number of at least 0"))
+      ->type_name("N");
+}
+
+void add_reports(CLI::App& app, Request& request) {
+  CertifyRequest& certify = request.certify;
+  add_path(app, "--report", certify.report, "write each verdict as it is found, schema fathom/verdict/1");
+  app.add_flag("--resume", certify.resume, "go on with the report that is there: what it holds is not run again");
+  app.add_flag("--json", request.json, "the same lines on standard output, instead of the table");
+  app.add_flag("--metamorphic{all}", certify.metamorphic,
+               fmt::format("each case also under these symmetries: {},\nwhich is all that are meant without a list",
+                           fmt::join(all_variants(), ",")))
+      ->type_name("[=LIST]");
+  add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails");
+  add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list; comments of one that is there stay");
+  add_count(app, "--max-errors", certify.max_errors, "exit code 0 as long as no more cases fail");
+  add_path(app, "--junit", certify.junit, "write JUnit XML");
+  add_path(app, "--html", certify.html, "write one page with tables, histograms and pictures of failures");
+  add_path(app, "--certificates", certify.certificates, "write the proof of the truth about each failing case", "DIR");
+  add_path(app, "--shrink", certify.shrink, "reduce one failing case of each verdict to a small one", "DIR");
+}
+
+}  // namespace
+
+void add_certify_options(CLI::App& app, Request& request) {
+  CertifyRequest& certify = request.certify;
+  add_subject(app, certify);
+  add_tolerance(app, "--tol-rel", certify.tolerance.relative, "a depth may be wrong by Q times itself; 1/1000 unless given,");
+  add_tolerance(app, "--tol-abs", certify.tolerance.absolute, "or by Q times the longest side of the bodies; 1/1000000 unless given,");
+  add_count(app, "--tol-ulps", certify.tolerance.ulps, "or by N units in the last place; 0 unless given: the largest of the three");
+  add_reports(app, request);
+}
+
+std::string wrong_certify(CertifyRequest& certify, const std::vector<std::string>& inputs) {
+  const auto given = [](const std::string& text) { return text.empty() ? 0U : 1U; };
+  const std::size_t subjects = given(certify.subject) + given(certify.adapter) + given(certify.replay);
+  if (certify.list_adapters)
+    return subjects + inputs.size() == 0 ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
+  if (subjects != 1) return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
+  if (inputs.size() != 1)
+    return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
+                       inputs.size(), inputs.size() == 1 ? "" : "s");
+  if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
+  if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
+  if (certify.report == "-") return "--report writes a file; --json writes to standard output";
+  if (!certify.replay.empty() && !certify.metamorphic.empty())
+    return "--metamorphic puts new cases to a subject, and a replay answers none";
+  if (!certify.replay.empty() && !certify.shrink.empty()) return "--shrink puts new cases to a subject, and a replay answers none";
+  return wrong_variants(certify);
+}
+
+}  // namespace fathom::cli

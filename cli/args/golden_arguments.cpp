@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/golden_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <tuple>
+
+#include "cli/args/examples_first.hpp"
+#include "cli/args/golden_help.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::uint64_t most_jobs = 1024, most_parts = 1'000'000;
+
+/// An integer in plain digits.
+std::optional<std::uint64_t> integer(std::string_view text, std::uint64_t low, std::uint64_t high) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
+  return good ? std::optional(value) : std::nullopt;
+}
+
+CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    const std::string highest = high == UINT64_MAX ? "2^64 - 1" : std::to_string(high);
+    return integer(text, low, high) ? "" : fmt::format("expected an integer from {} to {}, found {}", low, highest, shown(text));
+  };
+  return CLI::Validator(check, "", "");
+}
+
+std::string check_level(const std::string& text) {
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1 or L2, found {}", shown(text));
+}
+
+/// "i/n".
+std::optional<std::pair<std::size_t, std::size_t>> part_of(std::string_view text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto parts = integer(text.substr(std::min(slash + 1, text.size())), 1, most_parts);
+  const auto part = parts ? integer(text.substr(0, slash), 1, *parts) : std::nullopt;
+  return part ? std::optional(std::pair<std::size_t, std::size_t>(*part, *parts)) : std::nullopt;
+}
+
+std::string check_part(const std::string& text) {
+  return part_of(text) ? "" : fmt::format("expected i/n with 1 <= i <= n, found {}", shown(text));
+}
+
+void add_jobs(CLI::App& app, GoldenRequest& request) {
+  app.add_option("--jobs", request.jobs, "threads; as many as there are cores unless given")
+      ->check(integer_from(1, most_jobs))
+      ->type_name("N");
+}
+
+void add_generate_options(CLI::App& app, GoldenRequest& request) {
+  app.add_option_function<std::string>(
+         "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
+         "L0, L1 or L2: hundreds, about ten thousand, over a hundred thousand\nrecords; each holds the shards of those below it")
+      ->check(check_level)
+      ->type_name("LEVEL")
+      ->required();
+  app.add_option_function<std::string>(
+         "--seed", [&request](const std::string& text) { request.seed = *integer(text, 0, UINT64_MAX); }, "of the families; 1 unless given")
+      ->check(integer_from(0, UINT64_MAX))
+      ->type_name("N");
+  app.add_option_function<std::string>(
+         "--out", [&request](const std::string& text) { request.folder = text; }, "the folder, made if need be")
+      ->type_name("DIR")
+      ->required();
+  app.add_option_function<std::string>(
+         "--shard",
+         [&request](const std::string& text) {
+           std::tie(request.part, request.parts) = *part_of(text);
+           request.is_part = true;
+         },
+         "make every n-th shard only, from the i-th on, and leave it to a last run\nwithout --shard to complete the release")
+      ->check(check_part)
+      ->type_name("I/N");
+  add_jobs(app, request);
+}
+
+CLI::App& add_command(CLI::App& app, std::string name, std::string description, std::string_view examples, std::string_view synopsis) {
+  CLI::App& command = *app.add_subcommand(std::move(name), std::move(description));
+  command.formatter(std::make_shared<ExamplesFirst>(examples, synopsis));
+  command.footer(std::string(golden_footer));
+  command.get_help_ptr()->description("this text");
+  return command;
+}
+
+GoldenArguments refusal(const std::string& sentence, const std::string& command = "") {
+  return {std::nullopt, fmt::format("{}\nTry: fathom golden {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
+}
+
+}  // namespace
+
+GoldenArguments parse_golden(const std::vector<std::string>& words) {
+  GoldenRequest request;
+  CLI::App app("Golden test data: make a release, or prove one.", "fathom golden");
+  app.formatter(std::make_shared<ExamplesFirst>(golden_examples, "fathom golden generate|verify [OPTIONS]"));
+  app.get_help_ptr()->description("this text");
+  app.footer(std::string(golden_footer));
+  app.require_subcommand(0, 1);
+  CLI::App& generate = add_command(app, "generate", "Make a release, or go on with one.", generate_examples,
+                                   "fathom golden generate --level LEVEL --out DIR [OPTIONS]");
+  CLI::App& verify = add_command(app, "verify", "Prove a release, or refuse it.", verify_examples, "fathom golden verify DIR [OPTIONS]");
+  add_generate_options(generate, request);
+  verify.add_option_function<std::string>("folder", [&](const std::string& path) { request.folder = path; });
+  add_jobs(verify, request);
+
+  const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
+  if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
+    return refusal(fmt::format("unknown task {} of golden (expected generate, verify)", shown(words[0])));
+  if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    return {std::nullopt, (asked() ? asked() : &app)->help(), fine};
+  } catch (const CLI::ParseError& error) {
+    return refusal(sentence(error), asked() ? asked()->get_name() : "");
+  }
+  if (!asked()) return refusal("golden expects a task: generate, verify");
+  if (request.folder.empty()) return refusal(generate.parsed() ? "--out expects a folder" : "verify expects a folder", asked()->get_name());
+  request.what = generate.parsed() ? GoldenRequest::What::generate : GoldenRequest::What::verify;
+  return {request, "", fine};
+}
+
+}  // namespace fathom::cli

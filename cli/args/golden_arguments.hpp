@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words behind `fathom golden`: to a request, or to help, or to a sentence that says what is wrong with them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/io/exit_code.hpp"
+#include "verify/golden/shards/plan.hpp"
+
+namespace fathom::cli {
+
+struct GoldenRequest {
+  enum class What { generate, verify };
+  What what = What::generate;
+  golden::Level level = golden::Level::L0;
+  std::uint64_t seed = 1;
+  std::string folder;
+  unsigned jobs = 0;                ///< 0: as many as there are cores
+  bool is_part = false;             ///< generate: only every `parts`-th shard
+  std::size_t part = 1, parts = 1;  ///< 1 <= part <= parts
+};
+
+/// As Arguments of the other commands.
+struct GoldenArguments {
+  std::optional<GoldenRequest> request;
+  std::string text;
+  ExitCode code = fine;
+};
+
+/// Never throws on anything a user can type.
+GoldenArguments parse_golden(const std::vector<std::string>& words);
+
+}  // namespace fathom::cli

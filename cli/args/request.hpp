@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the user asked for, once the command line has been understood.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/args/cases_request.hpp"
+#include "cli/args/certify_request.hpp"
+#include "kernels/number/parse.hpp"
+#include "reference/depth/depth.hpp"
+
+namespace fathom::cli {
+
+enum class Command { depth, width, approx, ray, metric, study, cases, certify };
+
+struct Request {
+  Command command = Command::depth;
+  std::vector<std::string>
+      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+  Method method = Method::exact;
+  ClosestLines closest_lines = ClosestLines::cutting;
+  std::uint64_t seed = 1;
+  std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
+  bool json = false;
+  bool csv = false;  ///< study: rows of counts
+  bool all = false;  ///< study: list every coincidence, not the first few of each kind
+  bool counters = false;
+  std::string certificate;         ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  bool embed_certificate = false;  ///< as a field of each JSON result
+  std::optional<mpq_class> delta;  ///< approx, width: the answer may be wrong by a factor of 1 + delta
+  std::optional<Point> direction;  ///< ray
+  std::string ball;                ///< metric: a mesh
+  CasesRequest cases;
+  CertifyRequest certify;
+  Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
+};
+
+}  // namespace fathom::cli

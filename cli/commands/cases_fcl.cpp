@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/cases_fcl.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <iterator>
+
+#include "cli/commands/cases_json.hpp"
+#include "cli/io/output.hpp"
+#include "reference/files/fcl_text.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom::cli {
+
+ExitCode print_fcl_cases(const std::string& path) {
+  const bool standard = path == "-";
+  const std::string name = standard ? "<stdin>" : path;
+  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
+  for (const FclFailure& failure : read_fcl_text(text, name)) {
+    CaseText line{fmt::format("{}:{}", name, failure.line),
+                  failure.first.body,
+                  failure.second.body,
+                  failure.first.pose,
+                  failure.second.pose,
+                  {},
+                  {{"fcl", name}},
+                  failure.message};
+    line.pose_rounding = true;
+    print(case_json(line));
+  }
+  return fine;
+}
+
+}  // namespace fathom::cli

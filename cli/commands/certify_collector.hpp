@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run of `fathom certify` finds, as it comes: journal, standard output, progress, and what the reports at its end need.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cli/args/request.hpp"
+#include "cli/io/progress.hpp"
+#include "verify/harness/journal.hpp"
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/report/summary.hpp"
+
+namespace fathom::cli {
+
+/// A failing case as the subject saw it.
+struct FailedCase {
+  std::size_t outcome;  ///< index into outcomes()
+  Case seen;
+  Case original;  ///< of a variant, the case that it is a variant of
+};
+
+class Collector {
+ public:
+  /// Starts the report, or goes on with the one that is there. `expected`: how many cases will come, if that is known.
+  Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
+
+  /// What the report held from an earlier run, or null. Any thread.
+  [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant, const std::string& digest) const;
+
+  /// Takes one outcome: written down before anything else is done. `known`: it is in the report already.
+  void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
+  /// Takes what is no case's fault, in the same way; `known`: it is in the report already.
+  void take(const harness::Unattributed& unattributed, bool known = false);
+  /// A sentence for the user, past the progress bar. The first few of a kind are printed, the others counted.
+  void tell(const std::string& kind, const std::string& sentence);
+  /// Says how often sentences were only counted; takes the bar away.
+  void close();
+  /// The last line of the report and of --json.
+  void complete();
+
+  [[nodiscard]] const std::vector<harness::Outcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const std::vector<FailedCase>& failed() const { return failed_; }
+  [[nodiscard]] const harness::Summary& summary() const { return summary_; }
+  [[nodiscard]] Progress& progress() { return progress_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show_progress();
+
+  const Request& request_;
+  std::optional<std::size_t> expected_;
+  std::optional<harness::Journal> journal_;
+  std::map<std::tuple<std::string, std::string, std::string>, harness::Outcome> known_;
+  std::vector<harness::Outcome> outcomes_;
+  std::vector<FailedCase> failed_;
+  harness::Summary summary_;
+  std::map<std::string, std::size_t> told_;
+  std::size_t cases_ = 0, run_ = 0;
+  double worst_ = 0;  ///< relative error
+  Clock::time_point begin_ = Clock::now();
+  Progress progress_;
+};
+
+}  // namespace fathom::cli

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/certify_shrink.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "verify/harness/report/markup.hpp"
+#include "verify/harness/shrink/shrink.hpp"
+#include "verify/harness/shrink/snippet.hpp"
+#include "verify/harness/shrink/write_shrunk.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using harness::Outcome;
+using harness::Shrunk;
+
+std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
+
+/// By verdict and variant, the failing case with the fewest points; of equals the one with the least id.
+std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
+  std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
+  for (const FailedCase& failed : found.failed()) {
+    const Outcome& outcome = found.outcomes()[failed.outcome];
+    const FailedCase*& so_far = best[{outcome.verdict, outcome.variant}];
+    const auto smaller = [&](const FailedCase& than) {
+      return std::pair(points_of(failed.seen), outcome.id) < std::pair(points_of(than.seen), found.outcomes()[than.outcome].id);
+    };
+    if (!so_far || smaller(*so_far)) so_far = &failed;
+  }
+  return best;
+}
+
+void report(const Request& request, const harness::SubjectInfo& info, const Shrunk& shrunk, const std::string& title,
+            const std::vector<std::string>& files) {
+  if (!shrunk.reproduced) return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
+  const std::string sentence = fmt::format("{}: {} points are left; {} of {} tries made it smaller; {}", title, points_of(shrunk.pair),
+                                           shrunk.kept, shrunk.tried, fmt::join(files, ", "));
+  if (request.json) return talk(sentence);
+  print('\n' + sentence);
+  std::string text = harness::case_line(shrunk.pair);
+  text += '\n' + harness::snippet(info, shrunk.pair, shrunk.outcome);
+  text.erase(text.find_last_not_of('\n') + 1);
+  print(text);
+}
+
+}  // namespace
+
+void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found) {
+  const harness::SubjectInfo& info = examiner.info();
+  for (const auto& [kind, failed] : starts(found)) {
+    const auto& [verdict, variant] = kind;
+    const Outcome& outcome = found.outcomes()[failed->outcome];
+    const std::string title = fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
+    harness::Examine examine = [&examiner](const Case& pair) { return examiner.examine(pair); };
+    // Only a comparison with the original needs both; a variant that fails by itself is a case like any other.
+    if (verdict == Verdict::not_invariant) examine = harness::examine_variant(examine, variant, info.precision, request.certify.tolerance);
+    std::vector<std::string> files;
+    const auto better = [&](const Shrunk& best) {
+      files = harness::write_shrunk(request.certify.shrink, best, info);
+      found.progress().report(fmt::format("shrinking {}: {} points", title, points_of(best.pair)), -1);
+    };
+    harness::ShrinkSettings settings;
+    settings.precision = info.precision;
+    const Case& begin = verdict == Verdict::not_invariant ? failed->original : failed->seen;
+    const Shrunk shrunk = harness::shrink(begin, verdict, examine, better, interrupt_requested, settings);
+    found.progress().clear();
+    if (interrupt_requested()) throw Interrupted();
+    report(request, info, shrunk, title, files);
+  }
+}
+
+}  // namespace fathom::cli

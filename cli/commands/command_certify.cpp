@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "cli/commands/adapters.hpp"
+#include "cli/commands/certify_cases.hpp"
+#include "cli/commands/certify_collector.hpp"
+#include "cli/commands/certify_reports.hpp"
+#include "cli/commands/certify_shrink.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "reference/files/source.hpp"
+#include "verify/harness/examiner.hpp"
+#include "verify/harness/replay.hpp"
+#include "verify/harness/runner.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using harness::Examiner;
+using harness::ExpectedFailures;
+using harness::Replay;
+
+ExitCode list_adapters() {
+  std::size_t column = 0;
+  for (const Adapter& adapter : adapters()) column = std::max(column, adapter.name.size());
+  for (const Adapter& adapter : adapters())
+    print(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, program_of(adapter).empty() ? "; not built" : ""));
+  return fine;
+}
+
+/// One run, from the hello to the exit code.
+class Certify {
+ public:
+  explicit Certify(const Request& request) : request_(request), certify_(request.certify) {
+    probe_reports(certify_);
+    if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
+    earlier_ = earlier_list(certify_);
+    cases_.emplace(request.inputs[0], [this](const std::string& fault) { tell("bad cases", fault); });
+    if (!certify_.replay.empty()) replay_ = Replay::read(certify_.replay);
+    else command_.shell = certify_.adapter.empty() ? certify_.subject : adapter_command(certify_.adapter);
+  }
+
+  ExitCode work() {
+    try {
+      if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
+      found_.emplace(request_, info(), cases_->expected());
+      examine();
+      return finish();
+    } catch (const harness::SubjectError& error) {
+      return cut_short(error.what());
+    } catch (const harness::JournalError& error) {
+      throw OutputError(error.what());
+    } catch (const Interrupted&) {
+      take_time_to_write();
+      if (found_) found_->close();
+      report_so_far("interrupted");
+      if (!certify_.report.empty()) talk(certify_.report + " holds every verdict so far; --resume goes on from there");
+      throw;
+    }
+  }
+
+ private:
+  [[nodiscard]] const harness::SubjectInfo& info() const { return replay_ ? replay_->info() : examiner_->info(); }
+
+  /// Of a kind of sentences, the first few: whichever thread they come from.
+  void tell(const std::string& kind, const std::string& sentence) {
+    const std::lock_guard lock(telling_);
+    if (found_) found_->tell(kind, sentence);
+    else talk(sentence);
+  }
+
+  /// What is no case's fault; once the report is complete, it is told only.
+  void take(const harness::Unattributed& thing) {
+    tell("notes on the subject",
+         "no case's fault: the subject, " + (thing.after ? "after case " + shown(*thing.after) : "before any case") + ": " + thing.detail);
+    const std::lock_guard lock(telling_);
+    if (found_ && !complete_) found_->take(thing);
+  }
+
+  harness::Settings settings() {
+    harness::Settings settings;
+    settings.time_out = certify_.time_out;
+    settings.tolerance = certify_.tolerance;
+    settings.stop = interrupt_requested;
+    settings.unattributed = [this](const harness::Unattributed& thing) { take(thing); };
+    return settings;
+  }
+
+  /// The subject has said its hello once: it gets a second chance.
+  std::shared_ptr<Examiner> one_more() {
+    try {
+      return std::make_shared<Examiner>(command_, settings());
+    } catch (const harness::SubjectError&) {
+      return std::make_shared<Examiner>(command_, settings());
+    }
+  }
+
+  /// What examines in one thread. The examiner that is there already serves the first.
+  harness::Worker make_worker() {
+    if (replay_) return {[this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); }, {}};
+    const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
+    if (hello_text(examiner->info()) != hello_text(info()))
+      throw harness::SubjectError("the subject says something else of itself each time that it is started");
+    return {[examiner](const Case& pair) { return examiner->examine(pair); }, [examiner] { examiner->finish(); }};
+  }
+
+  void examine() {
+    if (replay_)
+      for (const InputError& fault : replay_->faults()) tell("bad replies", fault.what());
+    harness::RunPlan plan;
+    plan.jobs = certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
+    plan.variants = certify_.variants;
+    plan.precision = info().precision;
+    plan.tolerance = certify_.tolerance;
+    plan.next = [this] { return next_case(); };
+    plan.worker = [this] { return make_worker(); };
+    plan.known = [this](const auto& id, const auto& variant, const auto& digest) { return found_->known(id, variant, digest); };
+    plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
+      const std::lock_guard lock(telling_);
+      found_->take(original, seen, outcome, known);
+      if (outcome.judgement && !outcome.detail.empty()) found_->tell("misspelt fields", outcome.id + ": " + outcome.detail);
+    };
+    plan.fault = [this](const Case& pair, const std::exception_ptr& error) { take_fault(pair, error); };
+    plan.left_out = [this](const Case& pair, const std::string& sentence) { tell("variants left out", pair.id + ": " + sentence); };
+    harness::run(plan);
+    found_->close();
+  }
+
+  std::optional<Case> next_case() {
+    while (true) {
+      if (interrupt_requested()) throw Interrupted();
+      try {
+        return cases_->next();
+      } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+        ++faults_;
+        tell("faults", cases_->place() + ": " + fault_text(error));
+      }
+    }
+  }
+
+  /// A case that has no verdict for a reason of its own; anything else ends the run.
+  void take_fault(const Case& pair, const std::exception_ptr& error) {
+    try {
+      std::rethrow_exception(error);
+    } catch (const harness::NoReply& missing) {
+      ++missing_;
+      tell("cases without a reply", missing.what());
+    } catch (const std::logic_error& fault) {
+      ++faults_;
+      tell("faults", pair.id + ": " + fault_text(fault));
+    } catch (const std::bad_alloc& fault) {
+      ++faults_;
+      tell("faults", pair.id + ": " + fault_text(fault));
+    }
+  }
+
+  ExitCode finish() {
+    const harness::SubjectInfo& subject = info();
+    if (replay_)
+      for (const std::string& id : replay_->unasked(cases_->ids()))
+        tell("replies to no case", "the reply to " + shown(id) + " is to no case");
+    std::optional<ExpectedFailures::Check> known;
+    if (expected_) known = expected_->check(found_->outcomes());
+    const bool whole = missing_ + faults_ == 0;
+    if (whole) found_->complete();
+    complete_ = true;
+    const CertificateNames certificates = write_certificates(certify_, *found_);
+    report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
+    write_list(certify_, subject, *found_, earlier_);
+    if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
+    ExitCode code = code_of(certify_, *found_, known);
+    if (cases_->bad() > 0 || (replay_ && !replay_->faults().empty())) code = std::max(code, bad_input);
+    if (faults_ > 0) code = std::max(code, internal_error);
+    if (missing_ > 0) code = std::max(code, incomplete);
+    return code;
+  }
+
+  /// All that tells people and CI systems how it went. Once.
+  void report(const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates, const std::string& cut_short) {
+    reported_ = true;
+    write_reports(certify_, info(), *found_, known, certificates, cut_short);
+    if (!request_.json) print_table();
+    if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty()) talk(warning);
+  }
+
+  /// The same of a run that ended before its time. Cases that the list names and that were not run are nobody's surprise.
+  void report_so_far(const std::string& why) {
+    if (!found_ || reported_ || found_->outcomes().empty()) return;
+    std::optional<ExpectedFailures::Check> known;
+    if (expected_) {
+      known = expected_->check(found_->outcomes());
+      known->unmet_lines.clear();
+    }
+    report(known, {}, why);
+  }
+
+  void print_table() {
+    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_));
+    if (!table.empty() && table.back() == '\n') table.pop_back();
+    print(table);
+  }
+
+  ExitCode cut_short(const std::string& why) {
+    if (found_) found_->close();
+    report_so_far("incomplete: " + why);
+    talk(why);
+    talk(found_ ? fmt::format("incomplete: the run ended after {} verdicts", found_->outcomes().size()) : "nothing was judged");
+    return incomplete;
+  }
+
+  const Request& request_;
+  const CertifyRequest& certify_;
+  harness::Command command_;
+  std::optional<ExpectedFailures> expected_;
+  ExpectedFailures earlier_;  // the list that a new one replaces
+  std::optional<CertifyCases> cases_;
+  std::optional<Replay> replay_;
+  std::shared_ptr<Examiner> examiner_;
+  std::optional<Collector> found_;
+  std::mutex telling_;  // of found_
+  bool first_is_taken_ = false, reported_ = false, complete_ = false;
+  std::size_t missing_ = 0;
+  std::atomic<std::size_t> faults_ = 0;  // found in reading and in judging
+};
+
+}  // namespace
+
+ExitCode run_certify(const Request& request) {
+  if (request.certify.list_adapters) return list_adapters();
+  std::ios::sync_with_stdio(false);
+  constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
+  const Working working(patience);
+  Certify certify(request);
+  return certify.work();
+}
+
+}  // namespace fathom::cli

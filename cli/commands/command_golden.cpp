@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom golden generate | verify
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/args/golden_arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/exec_program.hpp"
+#include "cli/io/golden_progress.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/release/generate.hpp"
+#include "verify/golden/release/verify.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr const char* mpi_program = "fathom-golden-mpi";
+constexpr ExitCode refused = static_cast<ExitCode>(1);
+
+/// Whether an MPI launcher started several of us.
+bool is_one_of_many() {
+  const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return size != nullptr && std::atoi(size) > 1;
+}
+
+ExitCode become_mpi(std::vector<std::string> words) {
+  words.erase(words.begin());  // "generate"
+  become(mpi_program, std::move(words));
+  talk(std::string(mpi_program) +
+       " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)");
+  return bad_input;
+}
+
+/// The shards of the request's part: i, i + n, i + 2 n, ...
+std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GoldenRequest& request) {
+  std::vector<std::size_t> ours;
+  for (const std::size_t shard : shards)
+    if (shard % request.parts == request.part - 1) ours.push_back(shard);
+  return ours;
+}
+
+/// Makes what is missing of the request's part. How many shards that were, and how many the release has.
+std::pair<std::size_t, std::size_t> make_shards(const GoldenRequest& request) {
+  GoldenProgress progress("cases");
+  golden::GenerateOptions options{request.level, request.seed, request.folder, request.jobs, {}, {}};
+  options.keep_going = [] { return !interrupt_requested(); };
+  options.report = [&](const golden::Done& done) { progress.report(done.recipes, done.of, done.shard); };
+  const golden::Generation generation(options);
+  const std::vector<std::size_t> wanted = in_part(generation.unfinished(), request);
+  generation.make(wanted);
+  if (!request.is_part) generation.close();
+  return {wanted.size(), generation.shards().size()};
+}
+
+ExitCode generate(const GoldenRequest& request) {
+  const Working working;
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
+  const auto [made, all] = make_shards(request);
+  print(fmt::format("{}: {} of {} shards made; {}", request.folder, made, all,
+                    request.is_part ? fmt::format("part {}/{} is there", request.part, request.parts) : "the release is complete"));
+  return fine;
+}
+
+ExitCode verify(const GoldenRequest& request) {
+  const Working working;
+  golden::Verified verified;
+  {
+    GoldenProgress progress("records");
+    golden::VerifyOptions options{request.jobs, {}, {}};
+    options.keep_going = [] { return !interrupt_requested(); };
+    options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
+    verified = golden::verify(request.folder, options);
+  }
+  for (const golden::Refusal& refusal : verified.refusals)
+    print(without_controls(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason)));
+  if (!verified.refusals.empty()) return refused;
+  print(fmt::format("s VERIFIED {} version={} seed={} shards={} records={} {}", name_of(verified.level), verified.version, verified.seed,
+                    verified.shards, verified.records, request.folder));
+  return fine;
+}
+
+}  // namespace
+
+ExitCode run_golden(const std::vector<std::string>& words) {
+  const GoldenArguments arguments = parse_golden(words);
+  if (!arguments.request) {
+    if (arguments.code == fine) {
+      print(arguments.text);
+    } else {
+      talk(arguments.text);
+    }
+    return arguments.code;
+  }
+  const bool generates = arguments.request->what == GoldenRequest::What::generate;
+  if (generates && is_one_of_many()) return become_mpi(words);
+  try {
+    return generates ? generate(*arguments.request) : verify(*arguments.request);
+  } catch (const golden::FolderError& error) {
+    talk(error.what());
+    return bad_input;
+  } catch (const golden::FileError& error) {
+    talk(error.what());
+    return generates ? internal_error : bad_input;
+  }
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/io/interruptible_input.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "cli/io/interrupt.hpp"
+#include "reference/depth/depth.hpp"
+#include "reference/files/body.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr int between_looks = 100;  // milliseconds
+
+}  // namespace
+
+InterruptibleInput::int_type InterruptibleInput::underflow() {
+  while (true) {
+    if (interrupt_requested()) throw Interrupted();
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (const int ready = ::poll(&input, 1, between_looks); ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    const ssize_t got = ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InputError("<stdin>", 0, std::string("cannot be read: ") + std::strerror(errno));
+    if (got == 0) return traits_type::eof();
+    setg(buffer_.data(), buffer_.data(), buffer_.data() + got);
+    return traits_type::to_int_type(buffer_[0]);
+  }
+}
+
+}  // namespace fathom::cli

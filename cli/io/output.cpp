@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/io/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+namespace fathom::cli {
+
+void hold_standard_streams() {
+  // From the lowest: open() takes the lowest number that is free.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+void print(std::string_view text) {
+  const std::string line = std::string(text) + '\n';
+  if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size() || std::fflush(stdout) != 0)
+    throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
+std::string without_controls(std::string_view text) {
+  std::string result;
+  bool behind_lead = false;  // of a character of two bytes, U+0080 to U+00BF
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool second = behind_lead && byte >= 0x80 && byte < 0xa0;
+    if (second) result.replace(result.size() - 1, 1, "\\xc2");
+    if (second || byte < 0x20 || byte == 0x7f) result += fmt::format("\\x{:02x}", byte);
+    else result += c;
+    behind_lead = byte == 0xc2;
+  }
+  return result;
+}
+
+void talk(std::string_view text) {
+  std::string line = "fathom: ";
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    line += without_controls(text.substr(begin, end - begin)) + '\n';
+    begin = end + 1;
+  }
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/hull_note.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <span>
+#include <vector>
+
+#include "cli/io/output.hpp"
+#include "kernels/filters/all_extreme.hpp"
+#include "kernels/parallel.hpp"
+#include "reference/polytope/hull_hash.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::size_t worth_a_thread = 2048;  // points
+
+/// What there is to say of the points of a body; empty if all are extreme.
+std::string note_on(char body, const std::vector<Point>& points) {
+  if (all_seen_extreme(points)) return "";
+  const std::optional<Lattice> lattice = slim_lattice(points, std::span(points).first(1));
+  if (!lattice) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  const Polytope hull = convex_hull(lattice->a);
+  DistinctPoints extreme = no_points_yet(lattice->a, hull.input_ids.size());
+  extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
+  std::size_t inner = 0;
+  for (std::uint32_t i = 0; i < lattice->a.size(); ++i) inner += !extreme.contains(i);
+  return inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, inner, points.size()) : "";
+}
+
+}  // namespace
+
+bool may_have_inner_points(const Case& input, bool one_body) {
+  return !all_seen_extreme(input.a.points) || (!one_body && !all_seen_extreme(input.b.points));
+}
+
+std::optional<std::string> hull_note(const Case& input, bool one_body) {
+  const std::vector<Point>&a = input.a.points, &b = input.b.points;
+  std::vector<std::string> notes(2);
+  run_both(
+      !one_body && a.size() + b.size() >= worth_a_thread, [&] { notes[0] = note_on('A', a); },
+      [&] { notes[1] = one_body ? "" : note_on('B', b); });
+  std::erase(notes, "");
+  if (notes.empty()) return std::nullopt;
+  return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
+}
+
+void tell_of_hulls(const Case& input, bool one_body, Progress& progress) {
+  progress.report("looking for dents", -1);
+  const std::optional<std::string> note = hull_note(input, one_body);
+  progress.clear();
+  if (note) talk(*note);
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/json_result.hpp"
+
+#include "cli/output/counts.hpp"
+#include "cli/output/json_values.hpp"
+#include "kernels/number/infinitesimal.hpp"
+#include "kernels/number/parse.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr const char* schema = "fathom/result/1";
+
+Json optima_array(const Depth& depth) {
+  Json result = Json::array();
+  for (const Optimum& optimum : depth.optima) {
+    result.push_back({{"direction", exact(optimum.direction)},
+                      {"translation", exact(optimum.translation)},
+                      {"contact", contact_object(optimum.contact)}});
+  }
+  return result;
+}
+
+Json distance_object(const Distance& distance, const std::optional<unsigned>& digits) {
+  Json result = length(distance.squared, digits);
+  result["direction"] = exact(distance.direction);
+  result["translation"] = exact(distance.translation);
+  result["witness"] = witness_object(distance.witness);
+  return result;
+}
+
+Json counters_object(const Counters& counters) {
+  Json result;
+  Json stages = Json::array();
+  for (const StageCounts& stage : counts_by_stage(counters)) {
+    if (stage.ran()) stages.push_back(stage.stage);
+    for (const Count& count : stage.counts) result[std::string(count.name)] = count.value;
+  }
+  result["stages"] = std::move(stages);
+  Json& predicates = result["predicates"] = Json::object();
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = counters.predicates[i];
+    Json decided = Json::object();
+    for (const auto& [packed, count] : tiers.decided) decided[Monomial::unpacked(packed).text()] = count;
+    predicates[std::string(predicate_names[i])] = {
+        {"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", std::move(decided)}};
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string json_result(const Answer& answer, const Request& request) {
+  const Depth& depth = answer.depth;
+  Json result = {{"schema", schema}, {"id", answer.id}, {"status", name(depth.status)}};
+  result["depth"] = length(depth.squared, request.digits);
+  result["translation"] = exact(depth.translation);
+  result["direction"] = depth.direction ? exact(*depth.direction) : Json();
+  result["contact"] = depth.contact ? contact_object(*depth.contact) : Json();
+  result["witness"] = depth.witness ? witness_object(*depth.witness) : Json();
+  result["optima"] = optima_array(depth);
+  if (depth.distance) result["distance"] = distance_object(*depth.distance, request.digits);
+  result["flat"] = flat_array(depth.flat_a, depth.flat_b);
+  result["method"] = answer.approximation ? "approx" : name(depth.method);
+  if (answer.approximation) {
+    result["delta"] = exact_text(answer.approximation->delta);
+    result["rays"] = answer.approximation->rays;
+    result["bound"] = length(answer.approximation->bound_squared, request.digits);
+  }
+  if (request.counters) result["counters"] = counters_object(depth.counters);
+  if (request.embed_certificate) result["certificate"] = answer.certificate;
+  if (request.command == Command::width) result["width"] = result["depth"];
+  return one_line(result);
+}
+
+std::string json_error(const std::string& id, std::size_t line, std::string_view error) { return error_object(schema, id, line, error); }
+
+}  // namespace fathom::cli

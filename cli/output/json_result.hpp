@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results as JSON: one object per line, fields as in schemas/result.schema.json and in its order.          [design section 9]
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cli/args/request.hpp"
+#include "cli/commands/answer.hpp"
+
+namespace fathom::cli {
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string json_result(const Answer& answer, const Request& request);
+
+/// What stands in a stream of results for a case that has none.
+std::string json_error(const std::string& id, std::size_t line, std::string_view error);
+
+}  // namespace fathom::cli

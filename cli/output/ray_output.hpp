@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Directional depths for people, and for programs (JSON, schemas/ray.schema.json).
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "cli/args/request.hpp"
+#include "reference/approximate/directional.hpp"
+
+namespace fathom::cli {
+
+/// Several lines, or one; without the last newline.
+std::string ray_block(const DirectionalDepth& depth, const Request& request);
+std::string ray_line(const std::string& id, const DirectionalDepth& depth);
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request);
+/// What stands in a stream for a case that has none.
+std::string ray_json_error(const std::string& id, std::size_t line, const std::string& error);
+
+}  // namespace fathom::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results for people: a block for a single case, a line for a case of a stream. For programs there is --json.
+#pragma once
+
+#include <string>
+
+#include "cli/args/request.hpp"
+#include "cli/commands/answer.hpp"
+
+namespace fathom::cli {
+
+/// Several lines, without the last newline.
+std::string text_block(const Answer& answer, const Request& request);
+
+/// One line, without its newline.
+std::string text_line(const Answer& answer, const Request& request);
+
+/// The id as it is, unless it would break the line or play tricks with a terminal.
+std::string safe_id(const std::string& id);
+
+}  // namespace fathom::cli

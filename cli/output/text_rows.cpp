@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/text_rows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cli/commands/answer.hpp"
+#include "cli/output/decimal.hpp"
+#include "kernels/number/enclosure.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::size_t most_indices = 12;
+
+/// Indices of the points that span a face; the first few of a large one.
+std::string indices_text(const std::vector<std::uint32_t>& indices) {
+  if (indices.size() <= most_indices) return fmt::format("{}", fmt::join(indices, " "));
+  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "), indices.size());
+}
+
+}  // namespace
+
+std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
+  std::size_t column = 0;
+  for (const Row& row : rows) column = std::max(column, row.first.size());
+  std::vector<std::string> lines;
+  if (!heading.empty()) lines.push_back(heading);
+  for (const auto& [label, text] : rows) lines.push_back(fmt::format("{:<{}}  {}", label, column, text));
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string contact_text(const Contact& contact, bool same_body) {
+  return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a), indices_text(contact.b),
+                     same_body ? "A" : "B");
+}
+
+Row witness_row(const Witness& witness, bool same_body) {
+  if (witness.a == witness.b) return {"common point", point_text(witness.a)};
+  return {"witness", fmt::format("{} of A, {} of {}", point_text(witness.a), point_text(witness.b), same_body ? "A" : "B")};
+}
+
+std::string flat_text(bool a, bool b) { return a && b ? "A and B" : a ? "A" : b ? "B" : ""; }
+
+Row flat_note() { return {"note", "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"}; }
+
+std::string enclosure_text(const mpq_class& squared, unsigned digits) {
+  const Enclosure enclosure = enclose_root(squared, digits);
+  return fmt::format("[{}, {}]", enclosure.low, enclosure.high);
+}
+
+}  // namespace fathom::cli

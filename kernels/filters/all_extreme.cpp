@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A direction u of doubles is an exact direction, so it proves that p is extreme if <u,p> is greater than <u,q> for every other q by more
+// than twice the error of the computed values.
+//
+// The error. Each coordinate axis is scaled by a power of two so that images lie in [-1, 1], and |u_i| <= 1. An image errs by 3 * 2^-52 at
+// most: numerator and denominator are truncated, and their quotient is rounded.
+//   images      |<u,p'> - <u,p>| <= 3 * 3 * 2^-52
+//   arithmetic  each operation errs by 2^-52 of its result at most, whatever the rounding mode; results below 1, 1, 1 (products), 2 and 3
+//               (sums):  8 * 2^-52
+// What underflows, to 0 even, adds less than 2^-100, and |u_i| may pass 1 by 2^-51. Together less than 2^-47, for both values than 2^-46.
+//
+// The search. In the metric in which the points spread alike in all directions, the way from their centre to p is a good guess for u.
+// While some q is farther, u is turned towards p - q.
+#include "kernels/filters/all_extreme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace fathom {
+namespace {
+
+using Triple = std::array<double, 3>;
+
+constexpr double error_of_both = 0x1p-46, least_size = 0x1p-900;
+constexpr double almost_nothing = 0x1p-50;  // keeps the metric of flat sets finite
+constexpr std::size_t leaf_size = 24;
+constexpr int turns = 20;
+
+double product(const Triple& u, const Triple& p) { return u[0] * p[0] + u[1] * p[1] + u[2] * p[2]; }
+Triple minus(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+double size_of(const Triple& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
+double quotient(const mpq_class& q) {
+  const double above = q.get_num().get_d(), below = q.get_den().get_d();
+  return std::isfinite(above) && std::isfinite(below) ? above / below : q.get_d();
+}
+
+struct Image {
+  Triple at;
+  const Point* exact;
+  [[nodiscard]] bool same_as(const Image& other) const { return exact == other.exact || (at == other.at && *exact == *other.exact); }
+};
+
+/// Scales one coordinate of all points. False if its numbers are too large or too small for doubles.
+bool scale(std::vector<Image>& points, int axis, mpq_class Point::*coordinate) {
+  double size = 0;
+  for (Image& p : points) {
+    p.at[axis] = quotient(p.exact->*coordinate);
+    size = std::max(size, std::abs(p.at[axis]));
+  }
+  if (!std::isfinite(size)) return false;
+  if (size < least_size) return std::ranges::all_of(points, [&](const Image& p) { return p.exact->*coordinate == 0; });
+  const int exponent = std::ilogb(size) + 1;
+  for (Image& p : points) p.at[axis] = std::ldexp(p.at[axis], -exponent);
+  return true;
+}
+
+/// Points in boxes within boxes. The computed value of a box's corner is no less than that of any point in it: rounding is monotone.
+class Boxes {
+ public:
+  /// Puts the points in another order: those of a box lie together.
+  explicit Boxes(std::vector<Image>& points) : points_(points) { split(0, points.size()); }
+
+  /// The farthest of the points that do not equal `self`; null if no value is greater than `least`.
+  [[nodiscard]] const Image* farthest_but(const Image& self, const Triple& u, double least) const {
+    Search search{self, u, least, nullptr};
+    look(0, search);
+    return search.found;
+  }
+
+ private:
+  struct Box {
+    Triple low, high;
+    std::size_t begin, end, second;  // second: the other half, the first follows the box itself; 0 if it is not split
+  };
+  struct Search {
+    const Image& self;
+    const Triple& u;
+    double value;
+    const Image* found;
+  };
+
+  std::size_t split(std::size_t begin, std::size_t end) {
+    const std::size_t at = boxes_.size();
+    Box box{points_[begin].at, points_[begin].at, begin, end, 0};
+    for (std::size_t i = begin; i < end; ++i) {
+      for (int c = 0; c < 3; ++c) {
+        box.low[c] = std::min(box.low[c], points_[i].at[c]);
+        box.high[c] = std::max(box.high[c], points_[i].at[c]);
+      }
+    }
+    boxes_.push_back(box);
+    if (end - begin <= leaf_size) return at;
+    const Triple extent = minus(box.high, box.low);
+    const auto axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto to = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(to(begin), to(middle), to(end), [&](const Image& p, const Image& q) { return p.at[axis] < q.at[axis]; });
+    split(begin, middle);
+    boxes_[at].second = split(middle, end);
+    return at;
+  }
+
+  static double bound(const Box& box, const Triple& u) {
+    return product(u, {u[0] < 0 ? box.low[0] : box.high[0], u[1] < 0 ? box.low[1] : box.high[1], u[2] < 0 ? box.low[2] : box.high[2]});
+  }
+
+  void look(std::size_t at, Search& search) const {
+    const Box& box = boxes_[at];
+    if (!(bound(box, search.u) > search.value)) return;
+    if (box.second != 0) {
+      look(at + 1, search);
+      look(box.second, search);
+      return;
+    }
+    for (std::size_t i = box.begin; i < box.end; ++i) {
+      const double value = product(search.u, points_[i].at);
+      if (!(value > search.value) || points_[i].same_as(search.self)) continue;
+      search.value = value;
+      search.found = &points_[i];
+    }
+  }
+
+  std::vector<Image>& points_;
+  std::vector<Box> boxes_;
+};
+
+/// The inverse of the points' covariance, which is kept away from singular: times(v) by its Cholesky factor.
+class Metric {
+ public:
+  Metric(const std::vector<Image>& points, const Triple& centre) {
+    for (const Image& p : points) {
+      const Triple d = minus(p.at, centre);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) factor_[i][j] += d[i] * d[j];
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double spread = factor_[i][i];
+      for (int j = 0; j <= i; ++j) {
+        for (int k = 0; k < j; ++k) factor_[i][j] -= factor_[i][k] * factor_[j][k];
+        if (j < i) factor_[i][j] *= factor_[j][j];
+      }
+      factor_[i][i] = spread > 0 ? 1 / std::sqrt(std::max(factor_[i][i], almost_nothing * spread)) : 1;
+    }
+  }
+
+  [[nodiscard]] Triple times(const Triple& v) const {
+    const auto& [x, y, z] = factor_;
+    Triple u{v[0] * x[0], 0, 0};
+    u[1] = (v[1] - y[0] * u[0]) * y[1];
+    u[2] = (v[2] - z[0] * u[0] - z[1] * u[1]) * z[2];
+    u[2] *= z[2];
+    u[1] = (u[1] - z[1] * u[2]) * y[1];
+    u[0] = (u[0] - y[0] * u[1] - z[0] * u[2]) * x[0];
+    return u;
+  }
+
+ private:
+  std::array<Triple, 3> factor_{};  // lower triangle; the inverses of the diagonal
+};
+
+bool seen_extreme(const Image& self, const Boxes& boxes, Triple u, const Metric& metric) {
+  for (int turn = 0; turn < turns; ++turn) {
+    const double size = size_of(u);
+    if (!(size > 0)) return false;
+    for (double& c : u) c *= 1 / size;
+    const double value = product(u, self.at);
+    if (!std::isfinite(value)) return false;
+    const Image* farther = boxes.farthest_but(self, u, value - error_of_both);
+    if (farther == nullptr) return true;
+    const Triple away = minus(self.at, farther->at), turned = metric.times(away);
+    const double lack = -product(u, away) / product(away, turned);
+    for (int c = 0; c < 3; ++c) u[c] += 2 * lack * turned[c];
+  }
+  return false;
+}
+
+}  // namespace
+
+bool all_seen_extreme(std::span<const Point> exact) {
+  std::vector<Image> points;
+  points.reserve(exact.size());
+  for (const Point& p : exact) points.push_back({{}, &p});
+  if (!scale(points, 0, &Point::x) || !scale(points, 1, &Point::y) || !scale(points, 2, &Point::z)) return false;
+  Triple centre{};
+  for (const Image& p : points)
+    for (int c = 0; c < 3; ++c) centre[c] += p.at[c] / static_cast<double>(points.size());
+  const Boxes boxes(points);
+  const Metric metric(points, centre);
+  return std::ranges::all_of(points, [&](const Image& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
+}
+
+}  // namespace fathom

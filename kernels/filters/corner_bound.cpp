@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/filters/corner_bound.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "kernels/filters/line_error.hpp"
+
+namespace fathom {
+namespace {
+
+using line_error::unit;
+
+struct Crossing {
+  double height, squared_length;
+};
+
+struct Three {
+  double x, y, z;
+};
+
+Crossing crossing(const Three& s, const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  const double wx = a.dy[i] * b.dz[j] - a.dz[i] * b.dy[j];
+  const double wy = a.dz[i] * b.dx[j] - a.dx[i] * b.dz[j];
+  const double wz = a.dx[i] * b.dy[j] - a.dy[i] * b.dx[j];
+  return {s.x * wx + s.y * wy + s.z * wz, wx * wx + wy * wy + wz * wz};
+}
+
+Three difference(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  return {b.px[j] - a.px[i], b.py[j] - a.py[i], b.pz[j] - a.pz[i]};
+}
+
+// The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from above, W - S the length from below.
+CornerVerdict verdict(const Crossing& c, const LineBound& bound) {
+  const double low = c.height - line_error::height;
+  if (low > 0 && low * low - bound.above * (1 + 16 * unit) * (c.squared_length + line_error::squared_length) > 0) {
+    return CornerVerdict::beyond;
+  }
+  const double high = c.height + line_error::height;
+  if (high <= 0) return CornerVerdict::within;
+  const double shortest = c.squared_length - line_error::squared_length;
+  if (shortest > 0 && bound.below * (1 - 16 * unit) * shortest - high * high > 0) return CornerVerdict::within;
+  return CornerVerdict::unsure;
+}
+
+}  // namespace
+
+LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+  LineBound bound{image_bound(numerator, denominator, exponent), 0};
+  // image_bound exceeds the value by less than a part in 2^48, unless it was raised to the least normal number or cut at infinity.
+  const bool raised = bound.above <= 2 * std::numeric_limits<double>::min();
+  if (std::isfinite(bound.above) && !raised) bound.below = bound.above * (1 - 0x1p-47);
+  return bound;
+}
+
+CornerVerdict corners_beyond(const LineImages& a, LineRun run_a, std::size_t of_a, const LineImages& b, LineRun run_b, std::size_t of_b,
+                             const LineBound& bound) {
+  const Three s = difference(a, of_a, b, of_b);
+  CornerVerdict worst = CornerVerdict::beyond;
+  for (const std::size_t i : {run_a.first, run_a.last - 1}) {
+    for (const std::size_t j : {run_b.first, run_b.last - 1}) {
+      const CornerVerdict corner = verdict(crossing(s, a, i, b, j), bound);
+      if (corner == CornerVerdict::within) return corner;
+      if (corner == CornerVerdict::unsure) worst = corner;
+    }
+  }
+  return worst;
+}
+
+double estimated_squared_distance(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  const Crossing c = crossing(difference(a, i, b, j), a, i, b, j);
+  return c.height * c.height / c.squared_length;
+}
+
+}  // namespace fathom

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/filters/line_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernels/filters/taylor_model.hpp"
+
+namespace fathom {
+namespace {
+
+using line_error::unit;
+using taylor::combination;
+using taylor::operator*;
+using Three = std::array<double, 3>;
+using Six = std::array<double, 6>;
+
+double dot3(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Three cross3(const Three& a, const Three& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
+
+double dot6(const Six& a, const Six& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// Turns lines into tuples: D = (<c,c>/<d,c>) d and Q = p - t D with <Q - o, c> near 0, for the run's middle line (o, c).
+class Normaliser {
+ public:
+  Normaliser(const LineImages& lines, std::size_t middle)
+      : lines_(lines), c_{lines.dx[middle], lines.dy[middle], lines.dz[middle]}, o_{point(middle)}, cc_(dot3(c_, c_)) {}
+
+  // Whether line i has a tuple; `error` bounds each coordinate's distance from a true one.
+  bool tuple(std::size_t i, Six& result, double& error) const {
+    const Three d{lines_.dx[i], lines_.dy[i], lines_.dz[i]}, p = point(i);
+    const double along = dot3(d, c_);
+    if (!(along > cc_ / 4)) return false;
+    const double scale = cc_ / along;
+    const double t = ((p[0] - o_[0]) * c_[0] + (p[1] - o_[1]) * c_[1] + (p[2] - o_[2]) * c_[2]) / cc_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      result[k] = d[k] * scale;
+      result[k + 3] = p[k] - t * result[k];
+    }
+    error = unit * (16 + 32 * std::fabs(t));
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Three point(std::size_t i) const { return {lines_.px[i], lines_.py[i], lines_.pz[i]}; }
+
+  const LineImages& lines_;
+  Three c_, o_;
+  double cc_;
+};
+
+struct Chord {
+  Six m{}, e{};
+  double ee = 0;
+
+  [[nodiscard]] double parameter(const Six& x) const {
+    if (!(ee > 0)) return 0;
+    Six y;
+    for (std::size_t i = 0; i < 6; ++i) y[i] = x[i] - m[i];
+    return std::clamp(dot6(y, e) / ee, -1.0, 1.0);
+  }
+};
+
+// The parabola through the tuples of the first, the middle and the last line.
+LineFrame parabola(const Chord& chord, const Six& middle) {
+  LineFrame frame;
+  frame.m = chord.m;
+  frame.e = chord.e;
+  const double s = chord.parameter(middle), bulge = 1 - s * s;
+  if (bulge < 0.25) return frame;
+  for (std::size_t i = 0; i < 6; ++i) {
+    frame.k[i] = (chord.m[i] + chord.e[i] * s - middle[i]) / bulge;
+    frame.m[i] -= frame.k[i];
+  }
+  return frame;
+}
+
+TaylorModel model(const LineFrame& f, std::size_t i, bool in_t) {
+  TaylorModel m;
+  m.c[0] = f.m[i];
+  m.c[in_t ? 2 : 1] = f.e[i];
+  m.c[in_t ? 5 : 3] = f.k[i];
+  m.radius = f.r[i];
+  return m;
+}
+
+using Models = std::array<TaylorModel, 3>;
+
+Models cross(const Models& d, const Models& e) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return combination(1, d[i] * e[j], -1, d[j] * e[i]); };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+TaylorModel dot(const Models& f, const Models& g) { return combination(1, combination(1, f[0] * g[0], 1, f[1] * g[1]), 1, f[2] * g[2]); }
+
+TaylorModel along(const Models& w, const Three& g) { return combination(1, combination(g[0], w[0], g[1], w[1]), g[2], w[2]); }
+
+// Three directions, the first along w. Orthonormal up to 16u in each product, or else there is none.
+bool orthonormal(const Three& w, std::array<Three, 3>& basis) {
+  const auto normalised = [](Three v) {
+    const double length = std::sqrt(dot3(v, v));
+    return Three{v[0] / length, v[1] / length, v[2] / length};
+  };
+  if (!(dot3(w, w) > 0x1p-900)) return false;
+  basis[0] = normalised(w);
+  const Three size{std::fabs(w[0]), std::fabs(w[1]), std::fabs(w[2])};
+  Three axis{};
+  axis[static_cast<std::size_t>(std::ranges::min_element(size) - size.begin())] = 1;
+  basis[1] = normalised(cross3(basis[0], axis));
+  basis[2] = normalised(cross3(basis[0], basis[1]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      if (!(std::fabs(dot3(basis[i], basis[j]) - (i == j)) <= 16 * unit)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+LineFrame line_frame(const LineImages& lines, std::span<const std::uint32_t> run) {
+  const Normaliser normaliser(lines, run[run.size() / 2]);
+  Six first, middle, last;
+  double error = 0;
+  if (!normaliser.tuple(run.front(), first, error) || !normaliser.tuple(run.back(), last, error) ||
+      !normaliser.tuple(run[run.size() / 2], middle, error)) {
+    return {};
+  }
+  Chord chord;
+  for (std::size_t i = 0; i < 6; ++i) {
+    chord.m[i] = (first[i] + last[i]) / 2;
+    chord.e[i] = (last[i] - first[i]) / 2;
+  }
+  chord.ee = dot6(chord.e, chord.e);
+  LineFrame frame = parabola(chord, middle);
+  for (const std::uint32_t line : run) {
+    Six x;
+    if (!normaliser.tuple(line, x, error)) return {};
+    const double s = chord.parameter(x);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double fitted = frame.m[i] + (frame.e[i] + frame.k[i] * s) * s;
+      const double size = std::fabs(frame.m[i]) + std::fabs(frame.e[i]) + std::fabs(frame.k[i]) + std::fabs(x[i]);
+      frame.r[i] = std::max(frame.r[i], taylor::rounded_up(std::fabs(x[i] - fitted) + error + 8 * unit * size));
+    }
+  }
+  frame.valid = true;
+  return frame;
+}
+
+// |w| <= (1 + 2^-44) (y0 + (y1^2 + y2^2) / (2 y0)) for the components y of w in the basis, if y0 > 0.
+bool frames_beyond(const LineFrame& a, const LineFrame& b, double bound) {
+  if (!a.valid || !b.valid || !std::isfinite(bound)) return false;
+  Models d, e, s;
+  for (std::size_t i = 0; i < 3; ++i) {
+    d[i] = model(a, i, false);
+    e[i] = model(b, i, true);
+    s[i] = combination(1, model(b, i + 3, true), -1, model(a, i + 3, false));
+  }
+  const Models w = cross(d, e);
+  std::array<Three, 3> basis;
+  if (!orthonormal({w[0].c[0], w[1].c[0], w[2].c[0]}, basis)) return false;
+  const TaylorModel y0 = along(w, basis[0]), y1 = along(w, basis[1]), y2 = along(w, basis[2]);
+  const double shortest = taylor::least(y0);
+  if (!(shortest > 0)) return false;
+  const TaylorModel length = combination(1, y0, 1 / (2 * shortest) * (1 + 8 * unit), combination(1, y1 * y1, 1, y2 * y2));
+  const double rho = std::sqrt(bound) * (1 + 0x1p-43);
+  return taylor::least(combination(1, dot(s, w), -rho, length)) > 0;
+}
+
+}  // namespace fathom

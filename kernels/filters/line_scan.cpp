@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/filters/line_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "kernels/filters/line_error.hpp"
+#include "kernels/predicates/direction.hpp"
+
+namespace fathom {
+namespace {
+
+// Each step below is justified in proofs/closest_lines.md.
+using line_error::unit;
+
+double middle(const DoubleInterval& e) { return e.low / 2 + e.high / 2; }
+
+double image(const mpz_class& c, long exponent) {
+  long own = 0;
+  const double mantissa = mpz_get_d_2exp(&own, c.get_mpz_t());
+  return std::ldexp(mantissa, static_cast<int>(std::max<long>(own - exponent, -4000)));
+}
+
+struct Three {
+  double x, y, z;
+};
+
+Three image(const Vector& direction) {
+  const Vec3<DoubleInterval> e = enclose(direction);
+  return {middle(e.x), middle(e.y), middle(e.z)};
+}
+
+// Two neighbours at a time, or one. A vector type of the compiler, since -O2 alone would not vectorise these loops.
+typedef double Lanes __attribute__((vector_size(16)));
+constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
+
+template <class Lane>
+Lane load(const std::vector<double>& from, std::size_t j) {
+  Lane lane;
+  std::memcpy(&lane, from.data() + j, sizeof(Lane));
+  return lane;
+}
+
+template <class Lane>
+Lane larger(Lane a, Lane b) {
+  return a > b ? a : b;
+}
+
+template <class Lane>
+Lane smaller(Lane a, Lane b) {
+  return a < b ? a : b;
+}
+
+// Positive only if line j is strictly farther from the line (p, d) than the bound.
+struct Farther {
+  Three p, d;
+  double bound;
+
+  Farther(const LineImages& lines, std::size_t i, double squared_bound)
+      : p{lines.px[i], lines.py[i], lines.pz[i]}, d{lines.dx[i], lines.dy[i], lines.dz[i]}, bound(squared_bound * (1 + 16 * unit)) {}
+
+  template <class Lane>
+  Lane margin(const LineImages& many, std::size_t j) const {
+    const Lane ex = load<Lane>(many.dx, j), ey = load<Lane>(many.dy, j), ez = load<Lane>(many.dz, j);
+    const Lane wx = d.y * ez - d.z * ey;
+    const Lane wy = d.z * ex - d.x * ez;
+    const Lane wz = d.x * ey - d.y * ex;
+    const Lane height = (p.x - load<Lane>(many.px, j)) * wx + (p.y - load<Lane>(many.py, j)) * wy + (p.z - load<Lane>(many.pz, j)) * wz;
+    const Lane least = larger<Lane>(larger<Lane>(height, -height) - line_error::height, Lane{});
+    return least * least - bound * (wx * wx + wy * wy + wz * wz + line_error::squared_length);
+  }
+};
+
+// Positive only if both ends of arc j lie strictly on one side of the great circle d.
+struct OnOneSide {
+  Three d;
+
+  template <class Lane>
+  Lane margin(const ArcImages& many, std::size_t j) const {
+    const Lane from = d.x * load<Lane>(many.fx, j) + d.y * load<Lane>(many.fy, j) + d.z * load<Lane>(many.fz, j);
+    const Lane to = d.x * load<Lane>(many.tx, j) + d.y * load<Lane>(many.ty, j) + d.z * load<Lane>(many.tz, j);
+    return larger<Lane>(smaller<Lane>(from, to), smaller<Lane>(-from, -to)) - line_error::side;
+  }
+};
+
+// Positive only if the arcs one and j do not cross. They cross when <f,e>, -<t,e>, -<f',d> and <t',d> have one sign, for the ends
+// f, t of the one and f', t' of the other, on the circles d and e.
+double not_crossing(const LineImages& lines, const ArcImages& arcs, std::size_t one, const LineImages& many, const ArcImages& many_arcs,
+                    std::size_t j) {
+  const auto side = [](const ArcImages& a, std::size_t i, const LineImages& l, std::size_t k) {
+    return std::pair(a.fx[i] * l.dx[k] + a.fy[i] * l.dy[k] + a.fz[i] * l.dz[k], a.tx[i] * l.dx[k] + a.ty[i] * l.dy[k] + a.tz[i] * l.dz[k]);
+  };
+  const auto [from, to] = side(arcs, one, many, j);
+  const auto [many_from, many_to] = side(many_arcs, j, lines, one);
+  const double least = smaller(smaller(from, -to), smaller(-many_from, many_to));
+  const double most = larger(larger(from, -to), larger(-many_from, many_to));
+  return smaller(most, -least) - line_error::side;
+}
+
+// Replaces `unsure` by the indices j in [first, last) whose margin is not positive. Most blocks have none, and end with one comparison.
+template <class Test, class Many>
+void collect(const Test& test, const Many& many, std::size_t first, std::size_t last, std::vector<std::uint32_t>& unsure) {
+  constexpr std::size_t block = 64;
+  unsure.clear();
+  double margin[block];
+  std::uint32_t found[block];
+  for (std::size_t begin = first; begin < last; begin += block) {
+    const std::size_t n = std::min(block, last - begin);
+    Lanes least = {1, 1};
+    std::size_t k = 0;
+    for (; k + lanes <= n; k += lanes) {
+      const Lanes m = test.template margin<Lanes>(many, begin + k);
+      std::memcpy(margin + k, &m, sizeof m);
+      least = smaller<Lanes>(m, least);
+    }
+    if (k < n) {  // the last of an odd number
+      margin[k] = test.template margin<double>(many, begin + k);
+      least[0] = std::min(margin[k], least[0]);
+    }
+    if (least[0] > 0 && least[1] > 0) continue;
+    std::size_t size = 0;
+    for (k = 0; k < n; ++k) {
+      found[size] = static_cast<std::uint32_t>(begin + k);
+      size += !(margin[k] > 0);
+    }
+    unsure.insert(unsure.end(), found, found + size);
+  }
+}
+
+}  // namespace
+
+void LineImages::push_back(const Vector& point, const Vector& direction) {
+  px.push_back(image(point.x, exponent_));
+  py.push_back(image(point.y, exponent_));
+  pz.push_back(image(point.z, exponent_));
+  const Three d = image(direction);
+  dx.push_back(d.x);
+  dy.push_back(d.y);
+  dz.push_back(d.z);
+}
+
+void LineImages::reverse(std::size_t i) {
+  dx[i] = -dx[i];
+  dy[i] = -dy[i];
+  dz[i] = -dz[i];
+}
+
+void LineImages::gather(const LineImages& all, std::span<const std::uint32_t> chosen) {
+  exponent_ = all.exponent_;
+  const auto pick = [&](const std::vector<double>& from, std::vector<double>& to) {
+    to.resize(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) to[i] = from[chosen[i]];
+  };
+  pick(all.px, px);
+  pick(all.py, py);
+  pick(all.pz, pz);
+  pick(all.dx, dx);
+  pick(all.dy, dy);
+  pick(all.dz, dz);
+}
+
+double image_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+  long n_exponent = 0, d_exponent = 0;
+  const double n = mpz_get_d_2exp(&n_exponent, numerator.get_mpz_t());
+  const double d = mpz_get_d_2exp(&d_exponent, denominator.get_mpz_t());
+  const long shift = n_exponent - d_exponent - 2 * exponent;
+  if (shift > 1000 && n > 0) return std::numeric_limits<double>::infinity();
+  // Truncation makes n too small by less than one unit, and d no larger; quotient and product round by one unit each: 8 are enough.
+  return std::max(std::ldexp(n / d * (1 + 8 * unit), static_cast<int>(std::max(shift, -4000L))), std::numeric_limits<double>::min());
+}
+
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure) {
+  not_farther(lines, one, many, 0, many.size(), bound, unsure);
+}
+
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, std::size_t first, std::size_t last, double bound,
+                 std::vector<std::uint32_t>& unsure) {
+  collect(Farther(lines, one, bound), many, first, last, unsure);
+}
+
+void ArcImages::push_back(const Vector& from, const Vector& to) {
+  const Three f = image(from), t = image(to);
+  fx.push_back(f.x);
+  fy.push_back(f.y);
+  fz.push_back(f.z);
+  tx.push_back(t.x);
+  ty.push_back(t.y);
+  tz.push_back(t.z);
+}
+
+void crossing_and_not_farther(const LineImages& lines, const ArcImages& arcs, std::size_t one, const LineImages& many,
+                              const ArcImages& many_arcs, double bound, std::vector<std::uint32_t>& unsure) {
+  const Farther farther(lines, one, bound);
+  // Short arcs seldom meet the great circle: this test comes first, over all, and the two that cost more over the rest.
+  collect(OnOneSide{farther.d}, many_arcs, 0, many.size(), unsure);
+  std::erase_if(unsure, [&](std::uint32_t j) {
+    return farther.margin<double>(many, j) > 0 || not_crossing(lines, arcs, one, many, many_arcs, j) > 0;
+  });
+}
+
+}  // namespace fathom

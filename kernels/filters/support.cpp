@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The support function of a finite point set: a filter in binary64 over all points, exact arithmetic for the few it leaves undecided.
+//
+// The filter's error. Let s be a point with s_i = 2^-e_i p_i, for the axis exponents e_i, |s_i| <= 1, and v a direction with v_i = 2^(e_i - f) u_i,
+// |v_i| <= 1: <v,s> = 2^-f <u,p>. Images s', v' are truncated to 53 bits (error below 2^-53), and to 0 below 2^-500, so |s'_i|, |v'_i| <= 1,
+// |s'_i - s_i| <= 2^-53 and |v'_i - v_i| <= 2^-53, and no product of images underflows.
+//   images      |<v',s'> - <v,s>| <= 3 * (2^-53 + 2^-53)          =  6 * 2^-53
+//   arithmetic  each operation errs by 2^-52 of its result at most, whatever the rounding mode; results below 1, 1, 1 (products),
+//               2 and 3 (sums), up to terms in 2^-104:  8 * 2^-52 = 16 * 2^-53
+// Together less than E = 2^-48 = 32 * 2^-53. So a point is beyond another for sure when its computed value is by more than 2E greater, and the
+// greatest is among those within 2E of the greatest computed value. Adding 2E to a value below 4 errs by 2^-51 at most: E has room for it.
+// When f + 2 <= 53, images are exact (but for axes with u_i = 0) and all products and sums are multiples of 2^-f below 4: E = 0.
+#include "kernels/filters/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "kernels/float_environment.hpp"
+
+namespace fathom {
+namespace {
+
+constexpr long negligible = -500;
+constexpr double twice_the_error = 0x1p-47;
+constexpr std::size_t block_size = 128;  // of points: small enough that a second look is cheap, large enough to skip well
+
+double image(const mpz_class& c, long exponent) {
+  if (c == 0) return 0;
+  long e = 0;
+  const double d = mpz_get_d_2exp(&e, c.get_mpz_t());
+  return e - exponent < negligible ? 0 : std::ldexp(d, static_cast<int>(e - exponent));
+}
+
+struct DirectionImage {
+  double x, y, z;
+  double slack;  // 2E
+};
+
+// The least e >= 0 with |c| <= 2^e.
+long exponent_of(const mpz_class& c) {
+  if (c == 0) return 0;
+  const auto bits = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));
+  const bool power_of_two = static_cast<long>(mpz_scan1(c.get_mpz_t(), 0)) == bits - 1;
+  return power_of_two ? bits - 1 : bits;
+}
+
+Vec3<long> exponents_of(std::span<const Vector> points) {
+  Vec3<long> e{0, 0, 0};
+  const auto cover = [](long& exponent, const mpz_class& c) {
+    if (mpz_sizeinbase(c.get_mpz_t(), 2) > static_cast<std::size_t>(exponent)) exponent = std::max(exponent, exponent_of(c));
+  };
+  for (const Vector& p : points) {
+    cover(e.x, p.x);
+    cover(e.y, p.y);
+    cover(e.z, p.z);
+  }
+  return e;
+}
+
+DirectionImage image(const Vector& u, const PointCloud& cloud) {
+  const Vec3<long>& e = cloud.axis_exponents();
+  const auto stretched = [](const mpz_class& c, long axis) { return c == 0 ? 0 : exponent_of(c) + axis; };
+  const long f = std::max({stretched(u.x, e.x), stretched(u.y, e.y), stretched(u.z, e.z)});
+  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), f + 2 <= 53 ? 0 : twice_the_error};
+}
+
+// The one place that computes the filter's value of points; two lanes at a time, or one.
+template <class Lane>
+struct Values {
+  Lane x, y, z;
+  Lane operator()(const PointCloud& cloud, std::size_t i) const {
+    Lane px, py, pz;
+    std::memcpy(&px, cloud.xs().data() + i, sizeof(Lane));
+    std::memcpy(&py, cloud.ys().data() + i, sizeof(Lane));
+    std::memcpy(&pz, cloud.zs().data() + i, sizeof(Lane));
+    return x * px + y * py + z * pz;
+  }
+};
+
+// A vector type of the compiler, since the order of the maxima is ours to choose and -O2 would not choose it.
+typedef double Lanes __attribute__((vector_size(16)));
+
+double greatest(const PointCloud& cloud, const DirectionImage& u, std::size_t begin, std::size_t end) {
+  constexpr double lowest = -std::numeric_limits<double>::infinity();
+  const Values<Lanes> values{{u.x, u.x}, {u.y, u.y}, {u.z, u.z}};
+  Lanes m[4] = {{lowest, lowest}, {lowest, lowest}, {lowest, lowest}, {lowest, lowest}};
+  std::size_t i = begin;
+  for (; i + 8 <= end; i += 8) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Lanes v = values(cloud, i + 2 * k);
+      m[k] = v > m[k] ? v : m[k];
+    }
+  }
+  double best = lowest;
+  for (const Lanes& lanes : m) best = std::max({best, lanes[0], lanes[1]});
+  for (const Values<double> value{u.x, u.y, u.z}; i < end; ++i) best = std::max(best, value(cloud, i));
+  return best;
+}
+
+std::vector<double> greatest_of_blocks(const PointCloud& cloud, const DirectionImage& u) {
+  std::vector<double> maxima;
+  maxima.reserve(cloud.size() / block_size + 1);
+  for (std::size_t begin = 0; begin < cloud.size(); begin += block_size)
+    maxima.push_back(greatest(cloud, u, begin, std::min(begin + block_size, cloud.size())));
+  return maxima;
+}
+
+// Calls visit(index, value) for every point whose computed value is at least `level`, in order.
+template <class Visit>
+void visit_from(const PointCloud& cloud, const DirectionImage& u, const std::vector<double>& maxima, double level, Visit visit) {
+  const Values<double> value{u.x, u.y, u.z};
+  for (std::size_t block = 0; block < maxima.size(); ++block) {
+    if (maxima[block] < level) continue;
+    const std::size_t end = std::min((block + 1) * block_size, cloud.size());
+    for (std::size_t i = block * block_size; i < end; ++i)
+      if (const double v = value(cloud, i); v >= level) visit(static_cast<std::uint32_t>(i), v);
+  }
+}
+
+// r = <u, p>, without a temporary.
+void set_dot(mpz_class& r, const Vector& u, const Vector& p) {
+  mpz_mul(r.get_mpz_t(), u.x.get_mpz_t(), p.x.get_mpz_t());
+  mpz_addmul(r.get_mpz_t(), u.y.get_mpz_t(), p.y.get_mpz_t());
+  mpz_addmul(r.get_mpz_t(), u.z.get_mpz_t(), p.z.get_mpz_t());
+}
+
+std::vector<std::uint32_t> all_indices(std::size_t n) {
+  std::vector<std::uint32_t> all(n);
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+// Of the listed points, those that maximise <u, p>.
+std::vector<std::uint32_t> extreme_among(std::span<const Vector> points, const Vector& u, const std::vector<std::uint32_t>& listed) {
+  std::vector<std::uint32_t> extreme;
+  mpz_class best, value;
+  for (const std::uint32_t i : listed) {
+    set_dot(value, u, points[i]);
+    const int order = extreme.empty() ? 1 : cmp(value, best);
+    if (order < 0) continue;
+    if (order > 0) {
+      extreme.clear();
+      swap(best, value);
+    }
+    extreme.push_back(i);
+  }
+  return extreme;
+}
+
+}  // namespace
+
+PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
+  if (exponent < binary_exponent(points_)) throw std::invalid_argument("the exponent of a point cloud is below that of its points");
+  make_images({exponent, exponent, exponent});
+}
+
+PointCloud::PointCloud(std::vector<Vector> points) : points_(std::move(points)) {
+  const Vec3<long> axes = exponents_of(points_);
+  exponent_ = std::max({axes.x, axes.y, axes.z});
+  make_images(axes);
+}
+
+void PointCloud::make_images(const Vec3<long>& axes) {
+  axis_exponents_ = axes;
+  const DefaultFloatEnvironment environment;
+  x_.reserve(size());
+  y_.reserve(size());
+  z_.reserve(size());
+  for (const Vector& p : points_) {
+    x_.push_back(image(p.x, axes.x));
+    y_.push_back(image(p.y, axes.y));
+    z_.push_back(image(p.z, axes.z));
+  }
+}
+
+long binary_exponent(std::span<const Vector> points) {
+  const Vec3<long> e = exponents_of(points);
+  return std::max({e.x, e.y, e.z});
+}
+
+std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u) {
+  if (cloud.size() == 0 || is_zero(u)) return all_indices(cloud.size());
+  const DirectionImage v = image(u, cloud);
+  const std::vector<double> maxima = greatest_of_blocks(cloud, v);
+  std::vector<std::uint32_t> near;
+  visit_from(cloud, v, maxima, *std::max_element(maxima.begin(), maxima.end()) - v.slack,
+             [&near](std::uint32_t i, double) { near.push_back(i); });
+  return near.size() == 1 || v.slack == 0 ? near : extreme_among(cloud.points(), u, near);
+}
+
+std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {
+  if (is_zero(u)) return {};
+  const DirectionImage v = image(u, cloud);
+  const double level = Values<double>{v.x, v.y, v.z}(cloud, k);
+  mpz_class bar, value;
+  set_dot(bar, u, cloud[k]);
+  std::vector<std::uint32_t> beyond;
+  visit_from(cloud, v, greatest_of_blocks(cloud, v), level - v.slack, [&](std::uint32_t i, double computed) {
+    if (computed <= level + v.slack) {
+      if (v.slack == 0) return;
+      set_dot(value, u, cloud[i]);
+      if (value <= bar) return;
+    }
+    beyond.push_back(i);
+  });
+  return beyond;
+}
+
+std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u) {
+  const Vec3<long>& e = cloud.axis_exponents();
+  const auto image = [&](double c, long axis) { return std::ldexp(c, static_cast<int>(std::max(axis - cloud.exponent(), -4000L))); };
+  const DirectionImage v{image(u.x, e.x), image(u.y, e.y), image(u.z, e.z), 0};
+  std::size_t begin = 0;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cloud.size(); i += block_size) {
+    const double value = greatest(cloud, v, i, std::min(i + block_size, cloud.size()));
+    if (value > best) {
+      best = value;
+      begin = i;
+    }
+  }
+  const Values<double> value{v.x, v.y, v.z};
+  const std::size_t end = std::min(begin + block_size, cloud.size());
+  for (std::size_t i = begin; i < end; ++i)
+    if (value(cloud, i) >= best) return static_cast<std::uint32_t>(i);
+  return static_cast<std::uint32_t>(begin);
+}
+
+std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u) {
+  std::vector<std::uint32_t> extreme;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const mpz_class ahead = extreme.empty() ? mpz_class(1) : mpz_class(dot(u, points[i]) - dot(u, points[extreme.front()]));
+    if (ahead > 0) extreme.clear();
+    if (ahead >= 0) extreme.push_back(i);
+  }
+  return extreme;
+}
+
+std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k) {
+  const mpz_class bar = dot(u, points[k]);
+  std::vector<std::uint32_t> beyond;
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    if (dot(u, points[i]) > bar) beyond.push_back(i);
+  return beyond;
+}
+
+}  // namespace fathom

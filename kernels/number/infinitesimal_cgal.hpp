@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's traits of the ring of infinitesimals: an integral domain without division, ordered like the reals. With them
+// CGAL::Simple_cartesian<Infinitesimal> is a kernel for every construction and predicate that does not divide.      [design, section 3]
+#pragma once
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Real_embeddable_traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/mpz_class.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "kernels/number/infinitesimal.hpp"
+#include "kernels/vector.hpp"
+
+namespace CGAL {
+
+template <>
+class Algebraic_structure_traits<fathom::Infinitesimal>
+    : public Algebraic_structure_traits_base<fathom::Infinitesimal, Integral_domain_without_division_tag> {
+ public:
+  using Is_exact = Tag_true;
+  using Is_numerical_sensitive = Tag_false;
+};
+
+template <>
+class Real_embeddable_traits<fathom::Infinitesimal> : public INTERN_RET::Real_embeddable_traits_base<fathom::Infinitesimal, Tag_true> {
+ public:
+  struct Sgn : cpp98::unary_function<Type, ::CGAL::Sign> {
+    ::CGAL::Sign operator()(const Type& s) const { return CGAL::sign(sgn(s)); }
+  };
+
+  struct Compare : cpp98::binary_function<Type, Type, ::CGAL::Comparison_result> {
+    ::CGAL::Comparison_result operator()(const Type& s, const Type& t) const { return Sgn{}(s - t); }
+    CGAL_IMPLICIT_INTEROPERABLE_BINARY_OPERATOR_WITH_RT(Type, ::CGAL::Comparison_result)
+  };
+
+  /// Of the limit, where all infinitesimals are 0: near enough for drawing and talking.
+  struct To_double : cpp98::unary_function<Type, double> {
+    double operator()(const Type& s) const { return CGAL::to_double(limit(s)); }
+  };
+
+  /// Encloses the limit and, if the number differs from it, a neighbourhood.
+  struct To_interval : cpp98::unary_function<Type, std::pair<double, double>> {
+    std::pair<double, double> operator()(const Type& s) const {
+      const auto [low, high] = CGAL::to_interval(limit(s));
+      if (s == Type(limit(s))) return {low, high};
+      constexpr double inf = std::numeric_limits<double>::infinity();
+      return {std::nextafter(low, -inf), std::nextafter(high, inf)};
+    }
+  };
+
+ private:
+  static mpz_class limit(const Type& s) {
+    return s.leading() == fathom::Monomial() && !s.terms().empty() ? s.terms().front().second : mpz_class();
+  }
+};
+
+}  // namespace CGAL
+
+namespace fathom {
+
+/// The symbolic tier as a CGAL kernel. Without division: no intersections, no circumcentres.
+using InfinitesimalKernel = CGAL::Simple_cartesian<Infinitesimal>;
+
+/// The operands of predicates.hpp, as vectors of a CGAL kernel and back.
+template <class Kernel>
+typename Kernel::Vector_3 to_cgal(const Vec3<typename Kernel::FT>& v) {
+  return {v.x, v.y, v.z};
+}
+
+template <class Vector_3>
+auto from_cgal(const Vector_3& v) {
+  return Vec3<typename Vector_3::R::FT>{v.x(), v.y(), v.z()};
+}
+
+}  // namespace fathom

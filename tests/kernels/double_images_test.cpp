@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sign that is sure is right, in every rounding mode; and in general position it is sure.
+#include "kernels/filters/double_images.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <functional>
+
+#include "kernels/predicates/filter.hpp"
+#include "tests/support/vectors.hpp"
+
+namespace fathom {
+namespace {
+
+using namespace fathom::testing;
+
+constexpr int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+struct Tally {
+  int sure = 0, unsure = 0;
+};
+
+void expect_right(Tally& tally, int exact, const std::function<int()>& approximate) {
+  for (const int mode : rounding_modes) {
+    std::fesetround(mode);
+    const int sign = approximate();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_TRUE(sign == 0 || sign == exact) << sign << " for " << exact;
+    ++(sign != 0 ? tally.sure : tally.unsure);
+  }
+}
+
+Vector add(const Vector& v, const Vector& step) { return v + step; }
+
+// Normal to d but for a multiple of some power of two: values on both sides of the error bound.
+TEST(Images, SureSidesAreRight) {
+  std::mt19937_64 random(3);
+  Tally near, far;
+  for (int i = 0; i < 4000; ++i) {
+    const unsigned long bits = 20 + random() % 200;
+    const Vector d = random_direction(random, bits), e = random_direction(random, bits);
+    const Vector n = add(cross(d, e), random_vector(random, 1 + random() % (2 * bits)));
+    if (is_zero(n)) continue;
+    const Direction of_n(n), of_d(d), of_e(e);
+    expect_right(near, sgn(dot(n, d)), [&] { return sure_side_of_arc(image(of_n), image(of_d)); });
+    expect_right(near, -sgn(dot(n, d)), [&] { return sure_side_of_arc(image(of_n), -image(of_d)); });
+    expect_right(far, sgn(dot(e, d)), [&] { return sure_side_of_arc(image(of_e), image(of_d)); });
+  }
+  EXPECT_GT(near.sure, 1000);
+  EXPECT_GT(near.unsure, 1000);
+  EXPECT_LT(1000 * far.unsure, far.sure);
+}
+
+// d2 differs little from d1, or its circle nearly passes d1's point on the vertical.
+TEST(Images, SureOrdersOnAVerticalAreRight) {
+  std::mt19937_64 random(4);
+  Tally near, far;
+  for (int i = 0; i < 4000; ++i) {
+    const unsigned long bits = 20 + random() % 100;
+    const Vector d1 = random_direction(random, bits), n = random_direction(random, bits), v = random_direction(random, bits);
+    const Vector step = random_vector(random, 1 + random() % (3 * bits)), e = random_direction(random, bits);
+    const Vector c = mpz_class(dot(d1, v)) * n - mpz_class(dot(d1, n)) * v;
+    const Vector close = random() & 1 ? add(mpz_class(power_of_two(2 * bits)) * d1, step) : add(cross(c, e), step);
+    if (is_zero(close)) continue;
+    const auto check = [&](Tally& tally, const Vector& d2) {
+      const int exact = order_on_vertical(Direction(d1), Direction(d2), Direction(n), Direction(v));
+      EXPECT_EQ(exact, sgn(dot(c, d2)));
+      expect_right(tally, exact, [&] {
+        return VerticalProbe(image(Direction(d1)), image(Direction(n)), image(Direction(v))).sign(image(Direction(d2)));
+      });
+    };
+    check(near, close);
+    check(far, e);
+  }
+  EXPECT_GT(near.sure, 1000);
+  EXPECT_GT(near.unsure, 1000);
+  EXPECT_LT(1000 * far.unsure, far.sure);
+}
+
+}  // namespace
+}  // namespace fathom

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/golden/io/new_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <utility>
+
+#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/input_file.hpp"
+
+namespace fathom::golden {
+namespace {
+
+/// Opens the hidden file and locks it, so that no two processes write it at once; the lock ends with the process, however that ends.
+int open_locked(const std::filesystem::path& path, const std::filesystem::path& final_path) {
+  for (;;) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor < 0) throw FileError("write", final_path, errno);
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor);
+      throw FileError("cannot write " + final_path.string() + ": another process is writing it");
+    }
+    struct stat ours = {}, named = {};  // the one who held the lock before may have renamed or removed the file
+    const bool same = ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
+    if (same && ::ftruncate(descriptor, 0) == 0) return descriptor;
+    const int code = errno;
+    ::close(descriptor);
+    if (same) throw FileError("write", final_path, code);
+  }
+}
+
+}  // namespace
+
+NewFile::NewFile(std::filesystem::path folder, std::string name)
+    : hidden_(folder / (std::string(hidden_prefix) + name)),
+      final_(folder / name),
+      name_(std::move(name)),
+      descriptor_(open_locked(hidden_, final_)) {}
+
+NewFile::~NewFile() {
+  if (!committed_) ::unlink(hidden_.c_str());  // under the lock
+  ::close(descriptor_);
+}
+
+void NewFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw FileError("write", final_, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void NewFile::sync() {
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) throw FileError("write", final_, errno);
+}
+
+void NewFile::commit() {
+  if (std::rename(hidden_.c_str(), final_.c_str()) != 0) throw FileError("write", final_, errno);
+  committed_ = true;
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY);
+  if (descriptor < 0) throw FileError("open", folder, errno);
+  const int code = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (code != 0 && code != EINVAL) throw FileError("write", folder, code);
+}
+
+void put_file(const std::filesystem::path& folder, const std::string& name, std::string_view content) {
+  if (std::filesystem::is_regular_file(folder / name) && std::filesystem::file_size(folder / name) == content.size() &&
+      read_small_file(folder / name) == content)
+    return;
+  NewFile file(folder, name);
+  file.write(content);
+  file.sync();
+  file.commit();
+  sync_folder(folder);
+}
+
+}  // namespace fathom::golden

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words that stand for values in a record, beside those of every answer.
+#pragma once
+
+#include <string_view>
+
+#include "reference/depth/names.hpp"
+#include "verify/golden/records/recipe.hpp"
+
+namespace fathom::golden {
+
+constexpr std::string_view name_of(Form form) {
+  switch (form) {
+    case Form::given: return "given";
+    case Form::binary64: return "binary64";
+    case Form::binary32: break;
+  }
+  return "binary32";
+}
+
+}  // namespace fathom::golden

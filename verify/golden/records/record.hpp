@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a recipe.
+// Output  one to three records: the base case as it is, and as a program sees it that rounds coordinates to binary64 or to binary32.
+//         Each is one line of JSON with the truth about exactly the points in it, and the certificate that proves it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "verify/golden/records/recipe.hpp"
+
+namespace fathom::golden {
+
+struct Record {
+  std::string id;
+  std::string line;                               ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
+  std::string certificate;                        ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
+  bool in_binary64 = false, in_binary32 = false;  ///< whether every coordinate is one of that format
+};
+
+/// The records of a base case, the exact one first, then ".b64" where rounding to binary64 moves a point, then ".b32" where rounding to
+/// binary32 yields yet other points. No rounded record where a coordinate would overflow, or the points of a body all become one point
+/// that were not. `keep_going` is asked now and then: false ends the work with Interrupted. Throws std::logic_error if the certificate
+/// is not accepted, or proves anything else than the record says.
+std::vector<Record> records_of(const Recipe& recipe, const std::function<bool()>& keep_going = {});
+
+/// The record of the base case in one form.
+Record record_of(const Recipe& recipe, Form form, const Case& points, const std::function<bool()>& keep_going = {});
+
+}  // namespace fathom::golden

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/golden/records/record_line.hpp"
+
+#include <array>
+
+#include "kernels/number/rounding.hpp"
+#include "verify/golden/records/json_text.hpp"
+#include "verify/golden/records/names.hpp"
+#include "verify/golden/records/rounded.hpp"
+
+namespace fathom::golden {
+namespace {
+
+constexpr std::array<std::string_view, 3> mode_names{"rn", "rd", "ru"};
+
+/// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}; put(out, values of one format, mode) writes a value.
+template <class Put>
+void in_both_formats(JsonText& out, Put put) {
+  const auto in_every_mode = [&](std::string_view name, std::array<double, 3> Rounded::*format) {
+    out.key(name).open('{');
+    for (std::size_t mode = 0; mode < mode_names.size(); ++mode) {
+      out.key(mode_names[mode]);
+      put(format, mode);
+    }
+    out.close('}');
+  };
+  in_every_mode("f64", &Rounded::binary64);
+  in_every_mode("f32", &Rounded::binary32);
+}
+
+void write(JsonText& out, std::string_view key, const RoundedVector& vector) {
+  out.key(key).open('{');
+  in_both_formats(out, [&](auto format, std::size_t mode) {
+    out.open('[');
+    for (const Rounded& component : vector) out.hex((component.*format)[mode]);
+    out.close(']');
+  });
+  out.close('}');
+}
+
+/// The members of an object that tells a length.
+void write_length(JsonText& out, const mpq_class& squared) {
+  out.key("squared").exact(squared);
+  const Rounded root = rounded_root(squared);
+  in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((root.*format)[mode]); });
+}
+
+void write_indices(JsonText& out, std::string_view key, const std::vector<std::uint32_t>& indices) {
+  out.key(key).open('[');
+  for (const std::uint32_t i : indices) out.number(i);
+  out.close(']');
+}
+
+void write_direction(JsonText& out, const Vector& n) {
+  out.key("direction").exact(n);
+  write(out, "unit", rounded_unit(n));
+}
+
+void write_translation(JsonText& out, const Point& t) {
+  out.key("translation").exact(t);
+  write(out, "rounded", rounded_point(t));
+}
+
+void write_witness(JsonText& out, const Witness& witness) {
+  out.key("witness").open('{').key("a").exact(witness.a).key("b").exact(witness.b).close('}');
+}
+
+void write_optimum(JsonText& out, const Optimum& optimum) {
+  out.open('{');
+  write_direction(out, optimum.direction);
+  write_translation(out, optimum.translation);
+  out.key("contact").open('{').key("kind").text(name(optimum.contact.kind));
+  write_indices(out, "a", optimum.contact.a);
+  write_indices(out, "b", optimum.contact.b);
+  out.close('}').close('}');
+}
+
+void write_gap(JsonText& out, const Facts& facts) {
+  out.key("gap");
+  if (!facts.gap) {
+    out.null();
+    return;
+  }
+  const mpq_class relative = *facts.gap / facts.squared - 1;
+  out.open('{').key("squared").exact(*facts.gap).key("relative").hex(round_binary64(relative, Rounding::rn)).close('}');
+}
+
+void write_distance(JsonText& out, const Distance& distance) {
+  out.key("distance").open('{');
+  write_length(out, distance.squared);
+  write_translation(out, distance.translation);
+  write_witness(out, distance.witness);
+  out.close('}');
+}
+
+void write_expected(JsonText& out, const Facts& facts) {
+  out.key("expected").open('{').key("status").text(name(facts.status));
+  out.key("depth").open('{');
+  write_length(out, facts.squared);
+  out.close('}').key("flat").open('[');
+  if (facts.flat_a) out.text("a");
+  if (facts.flat_b) out.text("b");
+  out.close(']').key("optima").open('[');
+  for (const Optimum& optimum : facts.optima) write_optimum(out, optimum);
+  out.close(']');
+  if (facts.status == Status::penetrating) write_gap(out, facts);
+  if (facts.status != Status::penetrating) write_direction(out, facts.direction);
+  if (facts.witness) write_witness(out, *facts.witness);
+  if (facts.distance) write_distance(out, *facts.distance);
+  out.close('}');
+}
+
+void write_source(JsonText& out, const Facts& facts) {
+  const Recipe& recipe = facts.recipe;
+  out.key("source").open('{').key("kind").text(name_of(recipe.source)).key("name").text(recipe.name);
+  if (recipe.source == Source::family) out.key("size").number(recipe.size).key("seed").text(std::to_string(recipe.seed));
+  out.key("form").text(name_of(facts.form)).close('}');
+}
+
+void write_body(JsonText& out, std::string_view key, const Body& body, bool hexadecimal) {
+  const auto write = [&](const mpq_class& c) { hexadecimal ? out.hex(round_binary64(c, Rounding::rn)) : out.exact(c); };
+  out.key(key).open('{').key("vertices").open('[');
+  for (const Point& p : body.points) {
+    out.open('[');
+    write(p.x);
+    write(p.y);
+    write(p.z);
+    out.close(']');
+  }
+  out.close(']').close('}');
+}
+
+}  // namespace
+
+std::string line_of(const Facts& facts) {
+  JsonText out;
+  out.open('{').key("schema").text("fathom/case/1").key("golden").text("fathom/golden/1").key("id").text(facts.points.id);
+  write_source(out, facts);
+  out.key("formats").open('[').text("exact");
+  if (facts.in_binary64) out.text("binary64");
+  if (facts.in_binary32) out.text("binary32");
+  out.close(']').key("flags").open('[');
+  for (const std::string_view flag : facts.flags) out.text(flag);
+  out.close(']');
+  write_body(out, "a", facts.points.a, facts.in_binary64);
+  write_body(out, "b", facts.points.b, facts.in_binary64);
+  write_expected(out, facts);
+  out.key("certificate").open('{').key("sha256").text(facts.certificate_sha256).close('}');
+  out.close('}');
+  return out.take();
+}
+
+}  // namespace fathom::golden

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/golden/records/record_reader.hpp"
+
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "kernels/number/parse.hpp"
+#include "verify/golden/records/names.hpp"
+#include "verify/golden/records/prove.hpp"
+
+namespace fathom::golden {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string& text(const Json& value, const char* what) {
+  if (!value.is_string()) throw NotARecord(std::string("expected ") + what + " as text, found " + value.type_name());
+  return value.get_ref<const std::string&>();
+}
+
+mpq_class number(const Json& value) {
+  ParsedNumber parsed = parse_number(text(value, "an exact number"), Decimals::exact);
+  if (!parsed.value) throw NotARecord(parsed.error);
+  return *std::move(parsed.value);
+}
+
+Point point(const Json& value) {
+  if (!value.is_array() || value.size() != 3) throw NotARecord("expected three coordinates, found something else");
+  return {number(value[0]), number(value[1]), number(value[2])};
+}
+
+Body body(const Json& value) {
+  const Json& vertices = value.at("vertices");
+  if (!vertices.is_array() || vertices.empty()) throw NotARecord("expected at least one point, found none");
+  Body result;
+  for (const Json& vertex : vertices) result.points.push_back(point(vertex));
+  return result;
+}
+
+template <class Unsigned>
+Unsigned unsigned_number(const std::string& digits) {
+  Unsigned value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) throw NotARecord("expected a natural number, found '" + digits + "'");
+  return value;
+}
+
+template <class Value, std::size_t N>
+Value named(const std::array<Value, N>& values, const std::string& name) {
+  for (const Value value : values) {
+    if (name_of(value) == name) return value;
+  }
+  throw NotARecord("expected a word of the schema, found '" + name + "'");
+}
+
+void read_source(const Json& source, Claimed& claimed) {
+  Recipe& recipe = claimed.recipe;
+  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real}, text(source.at("kind"), "a kind"));
+  recipe.name = text(source.at("name"), "a name");
+  if (recipe.source == Source::family) {
+    recipe.size = unsigned_number<unsigned>(source.at("size").dump());
+    recipe.seed = unsigned_number<std::uint64_t>(text(source.at("seed"), "a seed"));
+  }
+  claimed.form = named(std::array{Form::given, Form::binary64, Form::binary32}, text(source.at("form"), "a form"));
+}
+
+std::optional<Witness> read_witness(const Json& expected) {
+  const Json& holder = expected.contains("distance") ? expected.at("distance") : expected;
+  if (!holder.contains("witness")) return std::nullopt;
+  const Json& witness = holder.at("witness");
+  return Witness{point(witness.at("a")), point(witness.at("b"))};
+}
+
+std::string path_in_words(const std::string& pointer) {
+  std::string result;
+  for (const char c : pointer) {
+    if (c != '/') result += c;
+    else if (!result.empty()) result += '.';
+  }
+  return result.empty() ? "the line" : result;
+}
+
+std::string shortened(const std::string& value) {
+  constexpr std::size_t most = 80;
+  return value.size() <= most ? value : value.substr(0, most) + "...";
+}
+
+}  // namespace
+
+Claimed read_record(std::string_view line) {
+  try {
+    const Json record = Json::parse(line);
+    Claimed claimed;
+    read_source(record.at("source"), claimed);
+    claimed.points = {text(record.at("id"), "an id"), body(record.at("a")), body(record.at("b"))};
+    claimed.witness = read_witness(record.at("expected"));
+    return claimed;
+  } catch (const Json::exception& error) {
+    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
+  }
+}
+
+std::string first_difference(std::string_view expected, std::string_view found) {
+  const Json right = Json::parse(expected, nullptr, false), given = Json::parse(found, nullptr, false);
+  const Json steps = Json::diff(right, given);
+  if (steps.empty()) return "expected each field once, in the order and form in which records are written, found another text";
+  const std::string pointer = steps[0].at("path").get<std::string>();
+  const Json::json_pointer at(pointer);
+  const auto shown = [&at](const Json& record) { return record.contains(at) ? shortened(record.at(at).dump()) : std::string("nothing"); };
+  return path_in_words(pointer) + ": expected " + shown(right) + ", found " + shown(given);
+}
+
+std::string id_in(std::string_view line) {
+  const Json record = Json::parse(line, nullptr, false);
+  return record.is_object() && record.contains("id") && record.at("id").is_string() ? record.at("id").get<std::string>() : "";
+}
+
+}  // namespace fathom::golden

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a record's line that cannot be computed from others: they are read, and nothing is believed yet.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "verify/golden/records/record_facts.hpp"
+
+namespace fathom::golden {
+
+/// Why a text is no record, as one sentence.
+struct NotARecord : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Claimed {
+  Recipe recipe;
+  Form form = Form::given;
+  Case points;
+  std::optional<Witness> witness;  ///< of the answer, or of the distance
+};
+
+/// Throws NotARecord.
+Claimed read_record(std::string_view line);
+
+/// Where the two lines first say different things, as one sentence: "expected.depth.f64.rn: expected .., found ..".
+std::string first_difference(std::string_view expected, std::string_view found);
+
+}  // namespace fathom::golden

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages that go with every release, part of the program: embedded.cmake puts them there.
+#pragma once
+
+#include <string_view>
+
+namespace fathom::golden {
+
+/// NOTES.md of this folder: fields and flags explained, and the policy on versions. Markdown, ends with a line feed.
+std::string_view notes();
+
+/// schemas/golden.schema.json: of one record.
+std::string_view record_schema();
+
+/// LICENSES/CC0-1.0.txt.
+std::string_view licence();
+
+/// schemas/dataset.schema.json: of dataset.json.
+std::string_view dataset_schema();
+
+/// schemas/shard.schema.json: of the page of each shard.
+std::string_view shard_schema();
+
+}  // namespace fathom::golden

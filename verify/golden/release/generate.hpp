@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a level, a seed, a folder.
+// Output  the release in that folder, or the part of its shards that was asked for. Every shard that lies there whole is kept, so a run
+//         that was interrupted or killed goes on where it stopped. The bytes do not depend on the number of threads or processes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "verify/golden/shards/plan.hpp"
+
+namespace fathom::golden {
+
+/// How far the work is, in base cases.
+struct Done {
+  std::size_t recipes = 0, of = 0;
+  std::string shard;  ///< the one being written
+};
+
+struct GenerateOptions {
+  Level level = Level::L0;
+  std::uint64_t seed = 1;
+  std::filesystem::path folder;
+  unsigned jobs = 0;                        ///< threads; 0: as many as there are cores
+  std::function<bool()> keep_going;         ///< asked from all threads; false ends the work with Interrupted
+  std::function<void(const Done&)> report;  ///< called from one thread at a time
+};
+
+class Generation {
+ public:
+  /// Looks into the folder, and makes it if need be. Throws FolderError where it holds anything else than this release, FileError.
+  explicit Generation(GenerateOptions options);
+
+  [[nodiscard]] const std::vector<ShardPlan>& shards() const { return shards_; }
+  /// The numbers of the shards that are absent or damaged, ascending. Reads what is there. Throws as the constructor does.
+  [[nodiscard]] std::vector<std::size_t> unfinished() const;
+  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record does not hold against its proof. The
+  /// shards that were finished before stay, of the others nothing.
+  void make(std::span<const std::size_t> numbers) const;
+  /// Writes the pages that complete the release. Throws FolderError where a shard is missing, FileError.
+  void close() const;
+
+ private:
+  GenerateOptions options_;
+  std::vector<ShardPlan> shards_;
+};
+
+}  // namespace fathom::golden

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   the folder of a release, not believed.
+// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "verify/golden/shards/plan.hpp"
+#include "verify/golden/shards/verify_shard.hpp"
+
+namespace fathom::golden {
+
+struct VerifyOptions {
+  unsigned jobs = 0;                                                ///< threads; 0: as many as there are cores
+  std::function<bool()> keep_going;                                 ///< asked from all threads; false ends the work with Interrupted
+  std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
+};
+
+struct Verified {
+  Level level = Level::L0;
+  std::string version;
+  std::uint64_t seed = 0;
+  std::size_t shards = 0, records = 0;
+  std::vector<Refusal> refusals;  ///< none: the release is accepted. Names, sums and pages: all that are wrong; then the first record
+};
+
+/// Throws FileError where the folder itself cannot be read, Interrupted.
+Verified verify(const std::filesystem::path& folder, const VerifyOptions& options = {});
+
+}  // namespace fathom::golden

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a shard consists of: the page golden-L0-0000.json beside it, and its entry in dataset.json. A shard is there when its page is,
+// and the page is written last.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "verify/golden/io/sha256.hpp"
+#include "verify/golden/shards/plan.hpp"
+
+namespace fathom::golden {
+
+/// The files of a shard, by the ends of their names: records, certificates one after another, and both exports.
+inline constexpr std::array<std::string_view, 4> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst", ".inc.zst"};
+inline constexpr std::string_view manifest_suffix = ".json";
+
+struct ShardFile {
+  std::string name;
+  Digest file;     ///< as it lies there
+  Digest content;  ///< decompressed: the same for every version of libzstd
+  friend bool operator==(const ShardFile&, const ShardFile&) = default;
+};
+
+struct Manifest {
+  std::string name;
+  Level level = Level::L0;
+  std::string version;  ///< of the data
+  std::uint64_t seed = 0;
+  std::size_t recipes = 0, records = 0;
+  std::string zstd;  ///< the version of libzstd that compressed it
+  std::array<ShardFile, shard_suffixes.size()> files;
+  friend bool operator==(const Manifest&, const Manifest&) = default;
+};
+
+/// JSON, schemas/golden_shard.schema.json; ends with a line feed.
+std::string manifest_text(const Manifest& manifest);
+
+/// Nothing unless `text` is, byte for byte, what manifest_text makes of it.
+std::optional<Manifest> parse_manifest(std::string_view text);
+
+/// What keeps `manifest` from being about the shard of the plan, made from `seed` by this version: a sentence, or nothing.
+std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan& shard, std::uint64_t seed);
+
+enum class ShardState { absent, damaged, finished };
+
+/// Whether the shard lies in the folder with its page, and the files are those that the page describes. Throws FolderError where the page
+/// is about another seed or version, FileError.
+ShardState state_of(const std::filesystem::path& folder, const ShardPlan& shard, std::uint64_t seed);
+
+}  // namespace fathom::golden

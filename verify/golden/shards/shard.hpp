@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the files of one shard as its records arrive, in their order.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "verify/golden/io/zstd_file.hpp"
+#include "verify/golden/records/record.hpp"
+#include "verify/golden/shards/manifest.hpp"
+
+namespace fathom::golden {
+
+/// A record with its rows in the exports, each empty where it has none.
+struct Entry {
+  Record record;
+  std::string csv, include;
+};
+
+/// The records of a recipe with their exports. Exceptions as records_of.
+std::vector<Entry> entries_of(const Recipe& recipe, const std::function<bool()>& keep_going);
+
+class ShardWriter {
+ public:
+  /// Removes the shard's old page, if there is one: from here on the shard is unfinished. Throws FileError, here and below.
+  ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed);
+
+  void add(const Entry& entry);
+
+  /// Everything to the disk, then the names, then the page. Until the page is there, nothing of the shard counts.
+  void finish();
+
+ private:
+  void rename_all();
+
+  std::filesystem::path folder_;
+  Manifest manifest_;
+  std::vector<std::unique_ptr<ZstdWriter>> writers_;  // in the order of shard_suffixes
+};
+
+}  // namespace fathom::golden

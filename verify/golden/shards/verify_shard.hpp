@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One shard of a release, read as four streams in step and proved record by record, on all threads of the caller's arena.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "verify/golden/shards/manifest.hpp"
+
+namespace fathom::golden {
+
+/// Why a release is not accepted, and where.
+struct Refusal {
+  std::string place;  ///< a file's name, with ":" and a line where there is one
+  std::string reason;
+};
+
+/// The first thing that keeps the shard from being accepted, in the order of the records; nothing if every record is proved and stands
+/// where the plan says, the certificates and both exports belong to exactly these records, and counts and sums are those of the page.
+/// Memory is bounded by a few dozen records for each thread. `keep_going` is asked from all threads, `proved` called after each record
+/// from one at a time; either may be empty. Throws Interrupted.
+std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
+                                        const std::function<bool()>& keep_going, const std::function<void()>& proved);
+
+}  // namespace fathom::golden
