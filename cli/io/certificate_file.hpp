@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where certificates go: a file, or for a stream a folder with one file per case.                                    [design section 9]
+// Where certificates go: a file, or for a stream a folder with one file per case.                                [docs/certificates.md]
 #pragma once
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results as JSON: one object per line, fields as in schemas/result.schema.json and in its order.          [design section 9]
+// Results as JSON: one object per line, fields as in schemas/result.schema.json and in its order.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame test: lines of a run lie near a parabola in their parameter space. A Taylor model of N - rho |w| over two such frames bounds
-// all pairs of the runs at once, to third order in the runs' extent.                           [design, section 5; proofs/cutting.md]
+// all pairs of the runs at once, to third order in the runs' extent.                                              [proofs/cutting.md]
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The square root of a rational to any number of decimal digits, enclosed from both sides.     [design section 1; proofs/number.md]
+// The square root of a rational to any number of decimal digits, enclosed from both sides.                       [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>

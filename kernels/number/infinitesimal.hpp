@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ordered ring Z[e1, ..., ek] of infinitesimals: 1 >> e1 >> e2 >> ..., each positive and smaller than any positive power of the one
-// before.                                                                                       [design, section 3]
+// before.                                                                                  [proofs/perturbation.md]
 #pragma once
 
 #include <gmpxx.h>

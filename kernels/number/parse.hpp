@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as people and programs write them, read exactly. Independent of the locale and of the floating-point environment.
-//                                                                                       [design section 8; proofs/number.md]
+//                                                                                                         [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>

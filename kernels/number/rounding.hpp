@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Correct rounding of exact values to binary64 and binary32. Decided by integer arithmetic alone: the floating-point environment
-// has no say, whatever rounding mode a filter has set.                                  [design section 1; proofs/number.md]
+// has no say, whatever rounding mode a filter has set.                                                    [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>

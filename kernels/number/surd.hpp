@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums of a rational and square roots: their exact sign, and their correctly rounded value. What it takes to say by how much a claimed
-// number misses a depth, which is a root.                                                       [design section 8; proofs/judge.md]
+// number misses a depth, which is a root.                                                                         [proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the tiers meet: doubles with a proved bound on the error, then intervals; exact integers when the interval holds zero;
-// infinitesimals only when the exact sign is zero.                                               [design, section 3; proofs/kernels.md]
+// infinitesimals only when the exact sign is zero.                                                                  [proofs/kernels.md]
 #pragma once
 
 #include "kernels/counters.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole policy of symbolic perturbation: which operand moves how. B stays. -A is mapped by a linear map close to the identity, and
-// the chart's frame is tilted. Topology is decided on the moved operands, values never are.     [design, section 3; proofs/perturbation.md]
+// the chart's frame is tilted. Topology is decided on the moved operands, values never are.                        [proofs/perturbation.md]
 #pragma once
 
 #include <array>

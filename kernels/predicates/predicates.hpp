@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The predicates of the Gaussian diagrams and their charts, each written once over a number type NT (a ring).        [design, section 3]
+// The predicates of the Gaussian diagrams and their charts, each written once over a number type NT (a ring).        [proofs/kernels.md]
 //
 // A chart has a frame (v, z) with <v,z> = 0: the hemisphere <n,z> > 0 is projected centrally to the plane <n,z> = 1, v points upward
 // there and v x z to the right. n is a node (a facet normal); d is the normal of an arc's great circle (an edge's direction), so no

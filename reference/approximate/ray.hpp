@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   hierarchies of two convex polytopes A and B; a direction, not zero; a point in place of O.
 // Output  where the ray from that point leaves P = B (+) (-A), as an exact factor of the direction, and a facet of P that it leaves
-//         through. P is never built.                                                       [AGHRS, section 3; design, section 6]
+//         through. P is never built.                                                                          [AGHRS, section 3]
 // Time    O(log^2 (m + n)) steps a ray, whatever the shapes, where m and n count vertices; as a rule some 10 to 30 support queries of P,
 //         each O(log m + log n).                                                                            [proofs/ray.md]
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and an answer.
-// Output  a proof of it, for a reader who trusts nobody: an inner polytope and a supporting direction, as exact text.  [design, section 7]
+// Output  its proof as exact text: an inner polytope and a supporting direction.                                [proofs/certificate.md]
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a direction in which a facet of P lies.
-// Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.    [design, section 1]
+// Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.      [proofs/depth.md]
 #pragma once
 
 #include "kernels/filters/support.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How clear an answer is: the facet of P that comes next after the nearest ones.
 // Input   two point sets that penetrate, and their depth.
-// Output  the squared distance from O of the next nearest facet plane of P. P is never built.       [design, section 8; proofs/gap.md]
+// Output  the squared distance from O of the next nearest facet plane of P. P is never built.                          [proofs/gap.md]
 #pragma once
 
 #include <gmpxx.h>

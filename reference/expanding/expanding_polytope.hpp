@@ -2,7 +2,7 @@
 // Input   two point clouds.
 // Output  the facets of P nearest to O, found and proved by a polytope Q that grows inside P towards them; no hull, no decomposition.
 //         In engines this search is known as EPA, the expanding polytope algorithm (van den Bergen 2001); here binary64 guesses which
-//         point comes next and integers decide.                                                   [design, section 7; proofs/expanding.md]
+//         point comes next and integers decide.                                                                      [proofs/expanding.md]
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A polytope Q inside P: the form in which an expansion proves how far O is from the boundary of P.                    [design, section 7]
+// A polytope Q inside P: the form in which an expansion proves how far O is from the boundary of P.                [proofs/certificate.md]
 #pragma once
 
 #include <cstdint>

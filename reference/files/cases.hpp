@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases as JSON, schema fathom/case/1 (schemas/case.schema.json): one per line, or one pretty-printed.      [design section 8]
+// Cases as JSON, schema fathom/case/1 (schemas/case.schema.json): one per line, or one pretty-printed.
 //
 // A JSON number means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is an error.
 // A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as an affine map. "pose_rounding": "binary64",

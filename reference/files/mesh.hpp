@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files as exact points: OFF, OBJ, PLY, STL and plain x y z lines.                        [design sections 8 and 9]
+// Mesh files as exact points: OFF, OBJ, PLY, STL and plain x y z lines.                           [docs/command_line.md]
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placing a body: an exact affine map, and the one rounding that a program in doubles would add.          [design section 8]
+// Placing a body: an exact affine map, and the one rounding that a program in doubles would add.      [docs/command_line.md]
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // Input   a grid, and the nearest planes so far.
 // Output  for a block of rows and columns: is every pair of it strictly farther than those? Two tests, either of which clears:
 //         the vertex test (one vertex of P, the four corner crossings; exact) and the frame test (Taylor models of parabolic frames).
-//         [design, section 5; proofs/cutting.md]
+//         [proofs/cutting.md]
 #pragma once
 
 #include "kernels/filters/corner_bound.hpp"

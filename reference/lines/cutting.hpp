@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a grid, and the nearest planes so far.
-// Output  those planes and all of the grid's that are as near or nearer.                                        [design, section 5]
+// Output  those planes and all of the grid's that are as near or nearer.                                        [proofs/cutting.md]
 // How     a cutting of one chain: runs of it (cells), each with the runs of the other chain that it may approach (its conflict list), at
 //         most a share 1/r of what there was; then each conflicting run is cut against the cell, with the roles swapped; a naive scan
 //         ends it. Cells follow the order of the grid, and a block is dropped only if it is strictly farther than the best so far.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a canonical pair and the charts it comes from.
 // Output  its grid: A's edges as rows and B's as columns, each a chain in the order in which it meets the other, and all directions
-//         oriented so that d x d' is the outward normal of P's facet wherever row d crosses column d'.            [design, section 5]
+//         oriented so that d x d' is the outward normal of P's facet wherever row d crosses column d'.  [proofs/canonical_subsets.md]
 // Why     the stored arcs span a strip and do not cross; each query crosses all of them, from below to above or the other way round, and
 //         queries do not cross each other. So the lowest and the highest stored arc meet the queries in one order, as all others do.
 #pragma once

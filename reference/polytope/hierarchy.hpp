@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a convex polytope of any rank.
 // Output  its Dobkin-Kirkpatrick hierarchy: ever coarser polytopes, each the hull of the vertices left when an independent set of
-//         vertices of bounded degree is removed; extreme vertices in any direction.                   [AGHRS, section 3; design, section 6]
+//         vertices of bounded degree is removed; extreme vertices in any direction.                                      [AGHRS, section 3]
 // Size    linear; O(log n) levels; O(log n) steps a query.                                             [proofs/hierarchy.md]
 #pragma once
 

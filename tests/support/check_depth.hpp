@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every result must satisfy, recomputed from the input points by the definitions of design section 1 alone.
+// What every result must satisfy, recomputed from the input points by the definitions of docs/algorithm.md alone.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Almost degenerate pairs: a degenerate one that is left behind at the distance 2^-k.                            [design, section 8]
+// Almost degenerate pairs: a degenerate one that is left behind at the distance 2^-k.                               [docs/golden.md]
 #pragma once
 
 #include <cstdint>

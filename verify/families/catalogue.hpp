@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Named degenerate pairs, fixed and small enough to be drawn by hand: one for each way in which bodies break general position, and one for
-// each way in which they meet. What is known of the answer by looking at the pair stands beside it.           [design, sections 8 and 10]
+// each way in which they meet. What is known of the answer by looking at the pair stands beside it.                      [docs/golden.md]
 #pragma once
 
 #include <optional>

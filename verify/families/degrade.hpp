@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // General position broken on purpose, in one named way at a time: any pair of bodies becomes a degenerate one that still looks like it.
-// Features are made to coincide by exact linear maps that stay as close to the identity as the bodies allow.      [design, section 8]
+// Features are made to coincide by exact linear maps that stay as close to the identity as the bodies allow.         [docs/golden.md]
 #pragma once
 
 #include <cstdint>

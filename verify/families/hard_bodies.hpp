@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extremes of depth, of shape and of nearness to a degenerate pair.                                          [design, section 8]
+// Extremes of depth, of shape and of nearness to a degenerate pair.                                             [docs/golden.md]
 #pragma once
 
 #include "verify/families/placement.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Near ties by inverse construction: the kind of the nearest facet, its direction and the gap to the next one are chosen, then the bodies
-// are built around them. The next facet is of a random kind.                                                 [design, section 8]
+// are built around them. The next facet is of a random kind.                                                    [docs/golden.md]
 #pragma once
 
 #include "verify/families/contacts.hpp"

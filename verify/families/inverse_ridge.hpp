@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Near ties of facets that share an edge: O is placed close to an edge of P, between its two facets.          [design, section 8]
+// Near ties of facets that share an edge: O is placed close to an edge of P, between its two facets.             [docs/golden.md]
 #pragma once
 
 #include "verify/families/placement.hpp"

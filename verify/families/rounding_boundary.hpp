@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Depths that are hard to round: within 2^-k ulp of a point where the correctly rounded value changes, or exactly on it.
-//                                                                                                            [design, section 8]
+//                                                                                                     [docs/golden.md]
 #pragma once
 
 #include "verify/families/placement.hpp"

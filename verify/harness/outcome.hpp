@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of one case in the hands of one subject.                                                [design section 8]
+// What became of one case in the hands of one subject.                                                 [docs/certify.md]
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many cases through several examiners at once.                                                       [design section 8]
+// Many cases through several examiners at once.                                                        [docs/certify.md]
 #pragma once
 
 #include <exception>

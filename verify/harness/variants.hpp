@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a case as a subject sees it.
-// Output  the same case put through a symmetry of the depth, exactly; and whether the subject answered both alike.     [design section 8]
+// Output  the same case put through a symmetry of the depth, exactly; and whether the subject answered both alike.      [docs/certify.md]
 #pragma once
 
 #include <map>

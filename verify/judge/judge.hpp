@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and what an implementation answered about them.
-// Output  the verdict, with its residuals: exact squares, and differences correctly rounded.                     [design section 8]
+// Output  the verdict, with its residuals: exact squares, and differences correctly rounded.             [verify/judge/VERDICTS.md]
 #pragma once
 
 #include <gmpxx.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an implementation answers about two bodies, in its own numbers, and the conventions it declares.        [design section 8]
+// What an implementation answers about two bodies, in its own numbers, and the conventions it declares.      [verify/PROTOCOL.md]
 #pragma once
 
 #include <array>

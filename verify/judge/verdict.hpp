@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of everything that can be said of an answer.                                              [design section 8]
+// The names of everything that can be said of an answer.                                      [verify/judge/VERDICTS.md]
 #pragma once
 
 #include <optional>

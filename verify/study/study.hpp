@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two finite point sets with rational coordinates; each stands for its convex hull.
 // Output  what is degenerate about the pair: where the predicates of the exact method met an exact zero, what decided them then, and
-//         the coincidences of the bodies by name, with the features involved.                     [design, section 8]
+//         the coincidences of the bodies by name, with the features involved.                  [docs/command_line.md]
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run as one page that needs nothing else: no script, no font, no picture from elsewhere. The table, error histograms, and of each
-// failure the pair, the claim and the truth.                                                                     [design section 8]
+// failure the pair, the claim and the truth.                                                                      [docs/certify.md]
 #pragma once
 
 #include <cstddef>

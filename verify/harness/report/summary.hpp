@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table that ends a run: what became of the cases of each family, and how large the errors were.             [design section 8]
+// The table that ends a run: what became of the cases of each family, and how large the errors were.              [docs/certify.md]
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outcomes counted: by family and verdict, with the worst and the median error. What the tables of a run show.   [design section 8]
+// Outcomes counted: by family and verdict, with the worst and the median error. What the tables of a run show.    [docs/certify.md]
 #pragma once
 
 #include <array>

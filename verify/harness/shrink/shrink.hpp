@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a case that a subject fails, and the verdict.
-// Output  a smaller case with the same verdict: fewer points first, then fewer bits in their coordinates.              [design section 8]
+// Output  a smaller case with the same verdict: fewer points first, then fewer bits in their coordinates.               [docs/certify.md]
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A failing case as a program to paste into a bug report or a test.                                                 [design section 8]
+// A failing case as a program to paste into a bug report or a test.                                                  [docs/certify.md]
 #pragma once
 
 #include <string>

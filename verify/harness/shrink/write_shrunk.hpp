@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The best case so far, on disk.                                                                                    [design section 8]
+// The best case so far, on disk.                                                                                     [docs/certify.md]
 #pragma once
 
 #include <string>
