@@ -50,9 +50,9 @@ class Mpi(GoldenTest):
             self.assertEqual((code, out), (0, expected), err)
             self.same_as_release(folder)
 
-    def test_the_line_in_the_readme(self):
+    def test_the_line_in_the_docs(self):
         """As it is written there, from a folder like the project's, but of the level that is quick to make."""
-        lines = [line.strip() for line in (ROOT / "README.md").read_text().splitlines() if line.strip().startswith("mpirun ")]
+        lines = [line[2:] for line in (ROOT / "docs" / "golden.md").read_text().splitlines() if line.startswith("$ mpirun ")]
         self.assertEqual(len(lines), 1)
         self.assertIn("--level L1 --seed 1 --out golden", lines[0])
         (self.folder / "build").mkdir()

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages tell the truth: their commands run and print what is shown, their links lead somewhere, their C++ is that of an example.
+
+A block of ```console holds commands ("$ ", continued by "> ") and their output. Each is run by bash from a copy of the root; it must exit
+with 0 and, where output is shown, print that: "..." stands for any text in a line, and alone for any lines. A comment before the block
+says that it is run otherwise:
+    <!-- heavy -->            with FATHOM_HEAVY=1 only
+    <!-- needs PROGRAM -->    only where this program has been built, by its path in the build folder
+    <!-- run by TEST -->      by another test, the path of which this is
+    <!-- run by hand -->      by nobody: it measures, or it changes the machine
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXECUTABLE = pathlib.Path(os.environ["FATHOM_EXECUTABLE"])
+ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+HEAVY = os.environ.get("FATHOM_HEAVY") == "1"
+PATIENCE = 1800  # seconds until a hung process is given up; no test depends on how long anything takes
+COLUMNS = 100
+FRONT = 120  # lines of README.md
+
+BLOCK = re.compile(r"(?:<!-- ([^>]*) -->\n+)?^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+LOOSE_COMMAND = re.compile(r"^(?:    |\$ )(?:\./(?:fathom|check)|build/|cmake |ctest )")
+
+
+def pages():
+    """The pages that users read first."""
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def all_pages():
+    folders = [folder for folder in sorted(ROOT.iterdir()) if folder.is_dir() and not folder.name.startswith((".", "build"))]
+    return sorted(ROOT.glob("*.md")) + [page for folder in folders for page in sorted(folder.rglob("*.md"))]
+
+
+def name(page):
+    return page.relative_to(ROOT).as_posix()
+
+
+def blocks(text):
+    """Each fenced block: (the comment before it or "", its language, its lines)."""
+    return [(match[1] or "", match[2], match[3].splitlines()) for match in BLOCK.finditer(text)]
+
+
+def commands(lines):
+    """Each command of a console block, with the lines of output that are shown."""
+    found = []
+    for line in lines:
+        if line.startswith("$ "):
+            found.append((line[2:], []))
+        elif line.startswith("> ") and not found[-1][1]:
+            found[-1] = (found[-1][0] + "\n" + line[2:], [])
+        else:
+            found[-1][1].append(line)
+    return found
+
+
+def agrees(shown, printed):
+    pattern = "".join(r"(?:.*\n)*" if line == "..." else ".*".join(map(re.escape, line.split("..."))) + r"\n" for line in shown)
+    return re.fullmatch(pattern, "".join(line + "\n" for line in printed.splitlines())) is not None
+
+
+def anchor(heading):
+    """The anchor that GitHub gives to a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def anchors(page):
+    return {anchor(line.lstrip("#")) for line in re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.MULTILINE | re.DOTALL).splitlines()
+            if line.startswith("#")}
+
+
+class Scratch:
+    """A folder like the root, in which commands may write."""
+    def __enter__(self):
+        self.folder = tempfile.TemporaryDirectory()
+        path = pathlib.Path(self.folder.name)
+        for copied in ("tests/data", "verify"):  # what commands read
+            shutil.copytree(ROOT / copied, path / copied)
+        (path / "fathom").symlink_to(EXECUTABLE)
+        (path / "build").mkdir()
+        (path / "build" / "release").symlink_to(EXECUTABLE.parent)
+        return path
+
+    def __exit__(self, *_):
+        self.folder.cleanup()
+
+
+def unmet(comment):
+    """Whether a block is not for this run."""
+    if comment == "heavy":
+        return not HEAVY
+    if comment.startswith("needs "):
+        return not (EXECUTABLE.parent / comment.removeprefix("needs ")).exists()
+    return comment.startswith("run by ")
+
+
+class Docs(unittest.TestCase):
+    maxDiff = None
+
+    def test_commands(self):
+        for page in pages():
+            with Scratch() as folder:
+                for comment, language, lines in blocks(page.read_text()):
+                    if language != "console" or unmet(comment):
+                        continue
+                    for command, shown in commands(lines):
+                        with self.subTest(page=name(page), command=command):
+                            done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, timeout=PATIENCE,
+                                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                            printed = done.stdout.decode()
+                            self.assertEqual(done.returncode, 0, printed)
+                            if shown and not agrees(shown, printed):
+                                self.assertEqual("\n".join(shown), printed)
+
+    def test_every_command_is_in_a_block(self):
+        """Law: a command of the project outside of a console block would not be run."""
+        for page in pages():
+            text = page.read_text()
+            self.assertEqual([], [line for line in BLOCK.sub("", text).splitlines() if LOOSE_COMMAND.match(line)], name(page))
+            self.assertEqual([], [language for _, language, _ in blocks(text) if language in ("", "sh", "bash")], name(page))
+
+    def test_comments_before_blocks(self):
+        for page in pages():
+            for comment, language, _ in blocks(page.read_text()):
+                if language == "console" and comment not in ("", "heavy", "run by hand"):
+                    kind, _, path = comment.rpartition(" ")
+                    self.assertIn(kind, ("needs", "run by"), name(page))
+                    self.assertTrue(kind == "needs" or (ROOT / path).exists(), f"{name(page)}: {comment}")
+
+    def test_links(self):
+        for page in all_pages():
+            for target in LINK.findall(re.sub(r"`[^`\n]*`", "", BLOCK.sub("", page.read_text()))):
+                if re.match(r"[a-z]+:", target):
+                    continue
+                path, _, place = target.partition("#")
+                file = page.parent / path if path else page
+                self.assertTrue(file.exists(), f"{name(page)}: {target} is not there")
+                if place:
+                    self.assertIn(place, anchors(file), f"{name(page)}: {target}")
+
+    def test_width(self):
+        """Law: lines of the pages have at most 100 columns; elsewhere tables and blocks may be wider."""
+        for page in pages():
+            self.assertEqual([], [line for line in page.read_text().splitlines() if len(line) > COLUMNS], name(page))
+        made = {ROOT / "verify/survey/RESULTS.md", ROOT / "verify/golden/NOTES.md", ROOT / "tests/data/golden/NOTES.md"}
+        for page in set(all_pages()) - made:
+            prose = [line for line in BLOCK.sub("", page.read_text()).splitlines() if not line.lstrip().startswith("|") and line[:4] != "    "]
+            self.assertEqual([], [line for line in prose if len(line) > COLUMNS], name(page))
+        self.assertLessEqual(len((ROOT / "README.md").read_text().splitlines()), FRONT)
+
+    def test_cpp(self):
+        """Law: each paragraph of a block of C++ stands in one example, which a test compiles and runs."""
+        stripped = lambda lines: "\n".join(line.strip() for line in lines)
+        examples = [stripped(path.read_text().splitlines()) for folder in ("examples", "verify/examples", "tests/install")
+                    for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".cpp", ".c", ".txt")]
+        for page in pages():
+            for _, language, lines in blocks(page.read_text()):
+                if language in ("cpp", "c", "cmake"):
+                    paragraphs = stripped(lines).split("\n\n")
+                    self.assertTrue(any(all(part in example for part in paragraphs) for example in examples), f"{name(page)}: {lines}")
+
+    def test_every_page_is_linked(self):
+        front = (ROOT / "README.md").read_text() + (ROOT / "docs" / "architecture.md").read_text()
+        for page in pages()[1:]:
+            self.assertIn(page.name, front)
+
+    def test_pictures(self):
+        """Law: a picture is what its script draws with this fathom's answers."""
+        for script in sorted((ROOT / "docs" / "pictures").glob("*.py")):
+            drawn = subprocess.run([sys.executable, "-B", script, EXECUTABLE], capture_output=True, text=True, check=True, timeout=PATIENCE)
+            self.assertEqual(script.with_suffix(".svg").read_text(), drawn.stdout, name(script))
+
+
+if __name__ == "__main__":
+    unittest.main()
