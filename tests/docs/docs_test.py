@@ -147,6 +147,14 @@ class Docs(unittest.TestCase):
                 if place:
                     self.assertIn(place, anchors(file), f"{name(page)}: {target}")
 
+    def test_paths(self):
+        """Law: a file or folder of the project that a page names is there."""
+        tops = [entry.name for entry in ROOT.iterdir() if entry.is_dir() and not entry.name.startswith((".", "build"))]
+        for page in [*pages(), ROOT / "CONTRIBUTING.md"]:
+            for word in re.findall(r"`([\w.*/-]+/[\w.*/-]*)`", BLOCK.sub("", page.read_text())):
+                if word.split("/")[0] in tops:
+                    self.assertTrue(list(ROOT.glob(word.rstrip("/"))), f"{name(page)}: {word} is not there")
+
     def test_width(self):
         """Law: lines of the pages have at most 100 columns; elsewhere tables and blocks may be wider."""
         for page in pages():
