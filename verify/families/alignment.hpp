@@ -10,7 +10,7 @@
 
 namespace fathom::families {
 
-/// Edge directions, and outward facet normals. A polygon has both of its normals; which edge or facet stands where is no matter here.
+/// Edges and facets in no particular order. A polygon has two facets, one with each of its normals.
 struct Features {
   std::vector<Point> vertices;
   std::vector<std::pair<Point, Point>> edges;  ///< ends
@@ -40,7 +40,7 @@ Point along(const Point& p, const Point& direction);
 /// How well two directions agree: cos^2 of their angle with the sign of the cosine. Neither may be 0.
 mpq_class agreement(const Point& p, const Point& q);
 
-/// Where the agreement of a member of the one list and one of the other is largest; nothing if a list is empty or no agreement is positive.
+/// Returns the indices of the pair, one of each list, that agrees best; nullopt if a list is empty or no agreement is positive.
 std::optional<std::pair<std::size_t, std::size_t>> best_agreement(const std::vector<Point>& p, const std::vector<Point>& q);
 
 }  // namespace fathom::families

@@ -10,10 +10,10 @@ namespace fathom::families {
 /// An entry of the catalogue; the size is ignored.
 Bodies from_catalogue(Random& random, unsigned n);
 
-/// An entry of the catalogue with at most 16 points a body, left behind at a distance 2^-k, 4 <= k <= 200; the size is ignored.
+/// An entry of the catalogue with at most 16 points a body, each point moved by at most 2^-k, 4 <= k <= 200; the size is ignored.
 Bodies approaching_catalogue(Random& random, unsigned n);
 
-/// random_sphere with at least 4 points, broken in that way.
+/// random_sphere with at least 4 points, degraded in this way.
 Bodies degraded(Degradation way, Random& random, unsigned n);
 
 }  // namespace fathom::families

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Named degenerate pairs, fixed and small enough to be drawn by hand: one for each way in which bodies break general position, and one for
-// each way in which they meet. What is known of the answer by looking at the pair stands beside it.                      [docs/golden.md]
+// each way in which they meet. Each states what one can see of its answer by looking at the pair.                        [docs/golden.md]
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ struct CatalogueEntry {
   std::string_view description;  ///< one line
   Status status;
   std::size_t optima;               ///< how many directions attain the depth; 0 unless penetrating
-  std::optional<ContactKind> kind;  ///< of every optimum; none where they differ or there is none
+  std::optional<ContactKind> kind;  ///< of every optimum; nullopt if they differ or there is none
   Case pair;
 };
 
 /// All entries, in groups: touching, contact kinds, shared features, the sphere of directions, input points, flat bodies, nearly degenerate.
 std::span<const CatalogueEntry> catalogue();
 
-/// Null when there is none of that name.
+/// Returns null if no entry has that name.
 const CatalogueEntry* find_catalogue_entry(std::string_view name);
 
 }  // namespace fathom::families

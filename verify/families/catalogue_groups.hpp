@@ -9,7 +9,7 @@
 
 namespace fathom::families {
 
-/// What is known of the answer: penetrating with so many optima, all of one kind or not; or no optimum.
+/// What is known of the answer: its status, the number of optima, and their kind if they have one in common.
 struct Known {
   Status status = Status::penetrating;
   std::size_t optima = 0;

@@ -12,7 +12,7 @@ struct CirclePoint {
   std::int64_t cosine, sine;
 };
 
-/// The grid point nearest (up to one unit) to 2^bits (cos t, sin t) for t = 2 pi k / n. Exactly symmetric under quarter turns and
+/// Returns a grid point within about one unit of 2^bits (cos t, sin t) for t = 2 pi k / n. Exactly symmetric under quarter turns and
 /// reflections wherever n allows it. 0 < n <= 2^30, 0 <= k < n, bits <= 52.
 CirclePoint circle_point(std::uint64_t k, std::uint64_t n, unsigned bits);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs made backwards from their contact: first the two features and the gap, then the bodies around them.
+// Pairs constructed from their contact: first the two features and the gap are chosen, then the bodies are built around them.
 // Both features lie in parallel planes with normal +z (then the pair is turned): A's is A's lowest face, B's is B's highest, and
 // each body widens away from it. With overlap g, h(z) = g. The features' projections along z meet.
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// General position broken on purpose, in one named way at a time: any pair of bodies becomes a degenerate one that still looks like it.
-// Features are made to coincide by exact linear maps that stay as close to the identity as the bodies allow.         [docs/golden.md]
+// Breaks general position on purpose, in one named way at a time: makes any pair of bodies degenerate and keeps its looks.
+// Features are made to coincide by exact linear maps, as close to the identity as possible.                          [docs/golden.md]
 #pragma once
 
 #include <cstdint>
@@ -44,11 +44,11 @@ struct DegradationName {
 /// All ways, in the order of the enumeration.
 std::span<const DegradationName> degradations();
 
-/// Null when there is none of that name.
+/// Returns null if no way has that name.
 const DegradationName* find_degradation(std::string_view name);
 
-/// `generic` broken in that way: the same on every machine. Which features coincide depends on the seed where there is a choice. The id is
-/// "<id>-<name>". A body that lacks the feature in question, a point without an edge say, stays as it is. Empty bodies are not allowed.
+/// Returns `generic`, degraded in this way, with the id "<id>-<name>". The result is the same on every machine. If there is a choice of
+/// features to coincide, the seed makes it. A body that lacks the feature (a point has no edge) stays as it is. Bodies must not be empty.
 Case degrade(const Case& generic, Degradation way, std::uint64_t seed);
 
 }  // namespace fathom::families

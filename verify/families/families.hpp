@@ -13,7 +13,7 @@ namespace fathom::families {
 struct Family {
   std::string_view name;         ///< letters, digits and underscores
   std::string_view description;  ///< one line
-  unsigned usual_size;           ///< when the user has no wish of his own
+  unsigned usual_size;           ///< the default
   Bodies (*build)(Random& random, unsigned size);
 
   /// The case "<name>-n<size>-s<seed>". `size` is about the number of points of each body; families of fixed shape ignore it, and
@@ -24,7 +24,7 @@ struct Family {
 /// Sorted into groups, not by name. Names are unique.
 std::span<const Family> families();
 
-/// Null when there is none of that name.
+/// Returns null if no family has that name.
 const Family* find_family(std::string_view name);
 
 }  // namespace fathom::families

@@ -36,9 +36,9 @@ struct Outline {
 std::vector<mpz_class> spread_slopes(Random& random, unsigned count, const mpq_class& width);
 inline constexpr long slope_bits = 60;
 
-/// The chain of the tangents with the negatives of these slopes, as spread_slopes makes them for this width, at least two. It is cut off at
-/// the abscissae -reach and reach. As many edges as slopes, each on its tangent but for rounding to a grid that is fine enough for strict
-/// convexity if the outline bends about as a unit circle does: multiples of 2^-50 as long as (count / width)^2 < 2^48.
+/// Returns the chain of the outline's tangents with the negatives of these slopes, cut off at the abscissae -reach and reach. `slopes` has
+/// at least two elements, made by spread_slopes for this width. There is one edge for each slope. Corners are rounded to a grid that keeps
+/// the chain strictly convex if the outline bends about as a unit circle does: multiples of 2^-50 if (count / width)^2 < 2^48.
 Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach);
 
 }  // namespace fathom::families

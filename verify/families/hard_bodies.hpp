@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extremes of depth, of shape and of nearness to a degenerate pair.                                             [docs/golden.md]
+// Extremes of depth and of shape, and pairs that are almost degenerate.                                            [docs/golden.md]
 #pragma once
 
 #include "verify/families/placement.hpp"
@@ -20,7 +20,7 @@ Bodies hair_gap(Random& random, unsigned n);
 /// then turned.
 Bodies stretched(Random& random, unsigned n);
 
-/// A pair of spheres of points, broken in a random way [degrade.hpp], and left behind at a distance 2^-k, 4 <= k <= 200.
+/// A pair of spheres of points, degraded in a random way [degrade.hpp], then each point moved by at most 2^-k, 4 <= k <= 200.
 Bodies approaching_degraded(Random& random, unsigned n);
 
 }  // namespace fathom::families

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies made backwards from their answer: flat lenses, one in the other, that can part in two opposite directions only. The features
-// that meet there and the distances are chosen first.                                                           [docs/golden.md]
+// Two bodies constructed from their answer: flat lenses, one in the other, that come apart soonest in two opposite directions. The
+// features that meet there and the distances are chosen first.                                                           [docs/golden.md]
 #pragma once
 
 #include "verify/families/contacts.hpp"

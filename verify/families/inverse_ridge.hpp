@@ -7,8 +7,8 @@
 namespace fathom::families {
 
 /// Two spheres of points, B moved so that the two facets of P at an edge are the nearest ones, mostly of kind edge-edge. The distance of
-/// the second is larger by the factor 1 + 2^-k (to within 2^-k-16), 8 <= k <= 200. Where no such place is found next to a few edges, nearer
-/// and nearer, the spheres stay where they are; no seed is known to do so.
+/// the second is larger by the factor 1 + 2^-k (to within 2^-k-16), 8 <= k <= 200. If no such place is found near
+/// a few edges, the spheres are not moved; no seed is known for which this happens.
 Bodies inverse_ridge(Random& random, unsigned n);
 
 }  // namespace fathom::families

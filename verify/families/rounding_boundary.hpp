@@ -16,8 +16,8 @@ inline constexpr FloatFormat binary64{53, -1022, 1023};
 
 /// Lenses whose depth lies near a number of the format (where rd and ru change) or a point halfway between two neighbours (where rn does):
 /// 2^-k ulp above or below it, or on it. Half of the cases lie along a coordinate axis, and 1 <= k <= 50: their coordinates are binary64
-/// numbers, unless the depth is at the end of the format's range, as in one case of eight: subnormal, or about to overflow. In the other
-/// half the direction is any and 1 <= k <= 200; the depth is irrational as a rule, and 2^-k ulp stands for 3/4 of that, nearly.
+/// numbers, except in one case of eight, where the depth is at the end of the format's range (subnormal, or about to overflow). In the
+/// other half the direction is random and 1 <= k <= 200; there the depth is usually irrational, and its distance about 3/4 of 2^-k ulp.
 Bodies rounding_boundary(const FloatFormat& format, Random& random, unsigned n);
 
 }  // namespace fathom::families

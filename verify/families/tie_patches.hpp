@@ -6,7 +6,7 @@
 // one at random in each of n equal parts. Their distance is (1 + g(x) + g(y)) / sqrt(1 + x^2 + y^2). A fan's support function g can depend
 // on one variable only, so x^2 y^2 / 4 cannot be matched; g = (1 - w^2/4) x^2 / 2 - x^4 / 8 comes nearest and leaves, up to terms of
 // sixth order, the saddle (x^2 - w^2/2) (y^2 - w^2/2) / 4: a spread of w^4 / 8, with maxima at the centre and in the four corners, and
-// four minima, at (+-w, 0) and (0, +-w). Beyond the patch both chains run straight on, so that nothing else of P comes so close to O.
+// four minima, at (+-w, 0) and (0, +-w). Beyond the patch both chains run straight on, so no other part of P is as near to O.
 // No arc is upright or level in the chart of (0, 0, 1), and no two ties are exact by symmetry.
 #pragma once
 
