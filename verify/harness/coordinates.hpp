@@ -21,7 +21,7 @@ long exponent_of(const mpq_class& value);
 /// The largest e for which value is a multiple of 2^e; the value must be a binary fraction, and not 0.
 long lowest_bit(const mpq_class& value);
 
-/// `value` to nearest in the precision. Nothing if it overflows.
+/// Rounds `value` to the nearest number of the precision; returns nullopt if it overflows.
 std::optional<mpq_class> rounded(const mpq_class& value, Precision precision);
 
 /// Whether `value` is a finite number of the precision.

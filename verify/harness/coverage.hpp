@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run judged at all: a subject that leaves its depths out, or misspells them, passes whatever they are.
+// Counts what a run could judge. A subject whose answers have no depth, or misspell it, passes everything: coverage shows that.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace fathom::harness {
 /// How many answers held each field and were judged by it.
 struct Coverage {
   std::size_t cases = 0;                              ///< outcomes of any kind
-  std::size_t overlap = 0;                            ///< of them: with an answer, whose classification was judged
-  std::size_t overlapping = 0;                        ///< of those: answers that say that the bodies overlap; of these alone more is read
-  std::size_t depth = 0, direction = 0, witness = 0;  ///< direction and both witness points are judged beside a depth alone
+  std::size_t overlap = 0;                            ///< cases with an answer, whose classification was judged
+  std::size_t overlapping = 0;                        ///< answers that say that the bodies overlap; only these are read further
+  std::size_t depth = 0, direction = 0, witness = 0;  ///< answers with the field; without a depth the other two are not judged
   std::size_t without_depth = 0;                      ///< answers whose direction or witness points came without one
 
   void add(const Outcome& outcome);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One subject: its process is started, asked, judged, and started again when it has crashed, hung or babbled. [verify/PROTOCOL.md]
+// One subject: starts its process, asks it, judges its answers, and starts it again after a crash, a hang or a stray line.
+//                                                                                                     [verify/PROTOCOL.md]
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace fathom::harness {
 
-/// What is handed to /bin/sh -c.
+/// A command line for /bin/sh -c.
 struct Command {
   std::string shell;
 };
@@ -25,16 +26,16 @@ struct Settings {
   double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};                               ///< of the verdicts
   std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
-  std::function<void(const Unattributed&)> unattributed;  ///< told what the subject does that is no case's fault; any thread
+  std::function<void(const Unattributed&)> unattributed;  ///< hears what no case is to blame for; called from any thread
 };
 
-/// The subject cannot be started, or does not say who it is. Nothing can be blamed on a case.
+/// The subject cannot be started, or its hello is missing or wrong. No case is to blame.
 struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// For one thread, which must be the one that made it. What goes wrong is a case's fault if it goes wrong again when a fresh process gets
-/// the case, and else nobody's: settings.unattributed hears of it.
+/// For the thread that made it. A failure is blamed on a case only if a fresh process fails on the same case again; otherwise
+/// settings.unattributed hears of it.
 class Examiner {
  public:
   /// Starts the subject and hears its hello. Throws SubjectError, Interrupted.
@@ -47,22 +48,22 @@ class Examiner {
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, rounded to the subject's precision, and judges the answer. Throws SubjectError when a subject that ended cannot be
-  /// started again, ends each time before it reads the case, or says something else of itself then; Interrupted.
+  /// Puts the case, rounded to the subject's precision, and judges the answer. Throws Interrupted, and SubjectError if a subject that
+  /// ended cannot be started again, ends each time before it reads the case, or sends a different hello.
   Outcome examine(const Case& pair);
 
-  /// Tells the process to stop, and settings.unattributed if it does not end in good order. A case may still follow: it gets a fresh one.
+  /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that follows gets a fresh process.
   void finish();
 
  private:
-  /// What came in place of an answer.
+  /// What the process did instead of answering.
   struct Fault {
     Verdict verdict;
     std::string seen;    ///< "killed by signal 11 (Segmentation fault)", "wrote 'oops'"
-    std::string reason;  ///< why that is no answer; empty where that is plain
-    std::string words;   ///< the last ones of the process
+    std::string reason;  ///< why that is no answer; empty if it is obvious
+    std::string words;   ///< the last words on its standard error
     std::optional<std::string> after;
-    bool unread;  ///< whether nothing of the case was read
+    bool unread;  ///< whether the process read no byte of the case
   };
 
   void start();
@@ -83,7 +84,7 @@ class Examiner {
   std::unique_ptr<Process> process_;
   std::optional<std::string> answered_;     // the last case that this process answered
   std::uint64_t starts_ = 0, tickets_ = 0;  // tickets: of this process
-  int unread_ = 0;                          // so many processes in a row ended before they read anything
+  int unread_ = 0;                          // number of processes in a row that ended before they read anything
 };
 
 }  // namespace fathom::harness

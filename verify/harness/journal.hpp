@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outcomes on disk as they come: one line each, written whole, so that a run that was cut short can go on.
+// Outcomes on disk, each written as one whole line as soon as it is found, so that a run that was cut short can go on.
 //                                                                             [schemas/verdict.schema.json; verify/PROTOCOL.md]
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace fathom::harness {
 
-/// One line, without the newline, of schema fathom/verdict/1; and back. What can be read gives the same outcome; anything else, nothing.
+/// An outcome as one line of schema fathom/verdict/1, without the newline. read_outcome is its inverse, and returns nullopt for other text.
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
 std::string unattributed_line(const Unattributed& unattributed);
@@ -25,27 +25,27 @@ std::optional<Unattributed> read_unattributed(std::string_view line);
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
 /// Whether two headers say the same but for the command.
 bool same_run(std::string_view header, std::string_view other);
-/// The last line of a run that met every case.
+/// The last line of a complete run.
 struct Totals {
   std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0, unattributed = 0;
   Coverage judged = {};
 };
 std::string summary_line(const Totals& totals);
 
-/// A journal could not be written: full disk, for one.
+/// A journal could not be written, for example because the disk is full.
 struct JournalError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A journal on disk. Each line is one write(2) to the end of the file: whatever kills the process, lines written before are whole. A
-/// second process that opens it meanwhile is refused with an InputError.
+/// A journal on disk. Each line is one write(2) to the end of the file, so lines stay whole even if the process is killed. Throws an
+/// InputError if another process has it open.
 class Journal {
  public:
-  /// Starts a new one. InputError if the file exists and is not empty, or cannot be made.
+  /// Starts a new one. Throws InputError if the file exists and is not empty, or cannot be made.
   static Journal create(const std::string& path, const std::string& header);
-  /// Goes on with the one that is there, if it is there: calls `known` for each outcome in it and `unattributed` for what was no case's
-  /// fault, then cuts off a summary and a torn last line. InputError, naming the line, if its header is not that of the same run, or a
-  /// line is none of ours.
+  /// Goes on with an existing journal, or starts one: calls `known` for each outcome in it and `unattributed` for what no case was to
+  /// blame for, then cuts off a summary and an incomplete last line. Throws InputError, naming the line, if its header is that of another
+  /// run or a line cannot be read.
   static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
                         const std::function<void(Unattributed)>& unattributed);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A field that nobody reads, and that looks as if it were meant to be read: "depht".
+// Finds misspelt fields: unknown ones that look like a known one, such as "depht".
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,14 @@
 
 namespace fathom::harness {
 
-/// The least number of slips of the pen between two words: a letter left out, put in, or wrong, or two neighbours swapped. Upper and lower
-/// case are the same.
+/// The edit distance of two words: letters missing, inserted or wrong, or two neighbours swapped. Case does not matter.
 std::size_t slips(std::string_view s, std::string_view t);
 
-/// Whether `text` is meant to be the word: at most one slip for every three letters of the word.
+/// Whether `text` is probably the word: its edit distance is at most a third of the word's length.
 bool is_near(std::string_view text, std::string_view word);
 
-/// For each word of `known` that is not among the fields, the first of them that is near it and no known word: "the field 'depht' is not
-/// read: is 'depth' meant?", with "; " between several. Empty if there is none.
+/// For each known word that is missing, names the first unknown field near it: "the field 'depht' is not read: is 'depth' meant?".
+/// Several are joined by "; ". Empty if there is none.
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known);
 
 }  // namespace fathom::harness

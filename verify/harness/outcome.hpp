@@ -16,12 +16,12 @@ namespace fathom::harness {
 /// What a subject says of itself in its hello.
 struct SubjectInfo {
   std::string name, version;  ///< "libccd-epa", "2.1"
-  std::string library;        ///< which snippet a failing case is printed as: "libccd", "fcl", "bullet", "ode"; may be empty
+  std::string library;        ///< whose calls a snippet makes: "libccd", "fcl", "bullet", "ode"; may be empty
   Precision precision = Precision::binary64;
   Conventions conventions;
-  bool wants_faces = false;                     ///< the facets of the hulls come with each case, as polygons of point indices
+  bool wants_faces = false;                     ///< each case comes with the facets of the hulls, as polygons of point indices
   std::set<std::string> promises;               ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
-  std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: told, never read
+  std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
 };
 
 struct Outcome {
@@ -35,14 +35,14 @@ struct Outcome {
   double seconds = 0;                  ///< wall time until the answer
 };
 
-/// What a subject did that is no case's fault: it ended, wrote something or went deaf after a good answer, and on the case that it had then
-/// a fresh process did no such thing; or it ended badly after it was told to stop.
+/// A failure that no case is to blame for: after a good answer the process ended, wrote something or stopped reading, and a fresh process
+/// had no such trouble with the next case; or it did not exit with 0 after it was told to stop.
 struct Unattributed {
-  std::optional<std::string> after;  ///< the id of the last case that the process had answered; nothing: it had answered none
+  std::optional<std::string> after;  ///< the id of the last case that the process had answered; nullopt if none
   std::string detail;                ///< "killed by signal 11 (Segmentation fault)"
 };
 
-/// The family that an id names: what stands before "::", or before "-n<size>-s<seed>"; else empty.
+/// The family that an id names: the part before "::", or before "-n<size>-s<seed>"; empty if it has neither.
 std::string family_of(const std::string& id);
 
 /// Puts one case to the subject and judges what comes back. Never throws for anything that a subject does.

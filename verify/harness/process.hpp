@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One child process behind three pipes: lines go in, lines come out, and nothing that it does can block or end its parent.
+// One child process behind three pipes: lines go in, lines come out. Whatever the child does, its parent neither blocks nor ends.
 //                                                                                                     [verify/PROTOCOL.md]
 #pragma once
 
@@ -38,30 +38,31 @@ class Process {
     stopped    ///< as asked for by `stop`
   };
 
-  /// Runs `/bin/sh -c command`, without the shell where it is a simple one. `stop` is asked now and then while waiting. Throws std::system_error when the system gives no process.
+  /// Runs `/bin/sh -c command`, or the program itself if the command is a simple one. Asks `stop` now and then while waiting. Throws
+  /// std::system_error if no process can be started.
   explicit Process(const std::string& command, std::function<bool()> stop = {});
-  /// Kills the whole group, whatever is left of it.
+  /// Kills what is left of the process group.
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Takes the line, and writes as much as the pipe holds. The rest goes out while reading.
+  /// Queues the line and writes as much as the pipe takes. The rest is written while reading.
   void send(std::string_view line);
-  /// Whether the process, alive or dead, has read nothing of the line that was sent last.
+  /// Whether the process has read no byte of the line that was sent last. It may have ended.
   [[nodiscard]] bool last_is_unread() const;
-  /// Bytes of what was sent that the process has not taken out of our hands.
+  /// Bytes that were sent but not yet written to the pipe.
   [[nodiscard]] std::size_t unsent() const { return outgoing_.size() - sent_; }
 
-  /// The next line of its output, without the newline. After `end`, `line` holds what stood behind the last newline.
+  /// Reads the next line of its output, without the newline. After `end`, `line` holds what followed the last newline.
   Got read_line(std::string& line, Clock::time_point deadline);
-  /// What it has written that was not read as a line, so far as it is there at this moment.
+  /// The output that has arrived so far and has not been read as a line.
   const std::string& waiting();
   /// Whether it has ended, or closed its output, by now.
   [[nodiscard]] bool gone() const { return output_ < 0 || dead(); }
 
-  /// Waits until it has ended; nothing if it still lives at the deadline.
+  /// Waits until it has ended; returns nullopt if it is still alive at the deadline.
   std::optional<Ending> ending(Clock::time_point deadline);
-  /// Says that no more will be sent: the end of its input.
+  /// Closes its input.
   void close_input();
 
   /// The last bytes that it wrote to standard error.

@@ -16,14 +16,14 @@ namespace fathom::harness {
 
 inline constexpr std::string_view protocol_name = "fathom/subject/1";
 
-/// A line is not what the protocol wants; what() says what was expected and what was found.
+/// A line breaks the protocol; what() says what was expected and what was found.
 struct ProtocolError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The facets of a hull, as cycles of point indices.
 using Faces = std::vector<std::vector<std::uint32_t>>;
-/// Of the convex hull of the points: coplanar facets merged, corners counter-clockwise seen from outside. None if it is flat.
+/// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
 
 /// What fathom sends, without the newline. Coordinates are the shortest decimals that read back as the same number of the precision;
@@ -47,15 +47,15 @@ struct Failed {
 struct Answer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
-  std::string remark;  ///< of a reply: fields that nobody reads and that look misspelt; see near_misses
+  std::string remark;  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
 /// Numbers are rounded to the precision. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
-/// spellings. Known fields must be of their type, whatever `overlap` says; null is of none. Unknown fields are passed over, with a remark
-/// where they look misspelt. Throws ProtocolError.
+/// spellings. Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are skipped, with a remark if
+/// they look misspelt. Throws ProtocolError.
 Answer read_reply(std::string_view line, Precision precision);
 
-/// Whether the line is a hello, of whatever content: how a replay knows its first line.
+/// Whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);
 
 }  // namespace fathom::harness

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replies that a subject gave some other time, from a file: an optional hello, then replies in any order. [verify/PROTOCOL.md]
+// Replies that a subject gave earlier, from a file: an optional hello, then replies in any order. [verify/PROTOCOL.md]
 #pragma once
 
 #include <map>
@@ -22,15 +22,15 @@ struct NoReply : std::runtime_error {
 /// Replies by the ids of their cases.
 class Replay {
  public:
-  /// "-" is standard input. Without a hello, the replies are those of a subject "replay" in binary64, with the usual conventions. InputError if the file cannot
-  /// be read, its hello is wrong, or it holds no reply.
+  /// Reads a file; "-" is standard input. Without a hello the subject is "replay" in binary64, with the default conventions. Throws
+  /// InputError if the file cannot be read, its hello is wrong, or it holds no reply.
   static Replay read(const std::string& given);
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
-  /// Lines that are no replies: each a sentence with file and line. They stand for no case.
+  /// A sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case; several replies to one case are garbage. Throws NoReply; Interrupted. Any number of threads.
+  /// Judges the reply to the case; several replies to one case are garbage. Throws NoReply and Interrupted. Any thread may call it.
   [[nodiscard]] Outcome examine(const Case& pair, const Tolerance& tolerance, const std::function<bool()>& stop = {}) const;
 
   /// The ids of replies to none of these cases, sorted.

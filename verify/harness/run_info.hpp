@@ -8,7 +8,7 @@
 
 namespace fathom::harness {
 
-/// What happened that is no case's fault, by its wording, and how often.
+/// Failures that no case is to blame for, by their wording, with their number.
 using UnattributedCounts = std::map<std::string, std::size_t>;
 
 inline std::size_t sum(const UnattributedCounts& counts) {

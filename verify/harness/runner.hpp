@@ -18,28 +18,28 @@ struct Worker {
   std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
 };
 
-/// What a run takes its work from and gives its results to. None of these is called by two threads at once, but what `worker`
-/// gives, each of which stays in one thread, and `known`.
+/// Where a run gets its work and where its results go. No two threads call these at once, except `known`, and the workers, each of which
+/// stays in one thread.
 struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
   Precision precision = Precision::binary64;
   Tolerance tolerance = {};
 
-  std::function<std::optional<Case>()> next;  ///< nothing: no more
+  std::function<std::optional<Case>()> next;  ///< returns nullopt after the last one
   std::function<Worker()> worker;             ///< called once in each thread
   /// The outcome that an earlier run found, or null.
   std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
   /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the case.
   std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
-  /// A case without an outcome: what an examiner threw that concerns this case alone. Throws it again to end the run.
+  /// Hears of a case without an outcome, and of what its examiner threw. Rethrows that to end the run.
   std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
   /// A variant that has no exact form.
   std::function<void(const Case& pair, const std::string& sentence)> left_out;
 };
 
 /// Works until there is no next case; the calling thread is one of the workers. The first exception of any callback ends all workers
-/// after the cases at hand, and is thrown again.
+/// once they have finished their cases, and is rethrown.
 void run(const RunPlan& plan);
 
 }  // namespace fathom::harness

@@ -10,10 +10,10 @@
 
 namespace fathom::harness {
 
-/// The case with its points rounded to the precision; nothing if a coordinate overflows it.
+/// Returns the case with its points rounded to the precision; nullopt if a coordinate overflows it.
 std::optional<Case> as_seen(const Case& pair, Precision precision);
 
-/// 16 hexadecimal digits that differ for different points, or nearly surely so: FNV-1a over their exact text.
+/// A hash of the points in 16 hexadecimal digits: FNV-1a over their exact text.
 std::string digest_of(const Case& pair);
 
 /// An outcome without a verdict, for the case as it is seen.
@@ -21,7 +21,7 @@ Outcome outcome_for(const Case& seen);
 /// The outcome of a case that the subject's precision cannot hold.
 Outcome overflowed(const Case& pair, Precision precision);
 
-/// Fills in verdict, detail, reply and judgement: solves the case, exactly. `stop` ends it with Interrupted.
+/// Solves the case exactly and fills in verdict, detail, reply and judgement. `stop` ends it with Interrupted.
 void judge_answer(Outcome& outcome, const Case& seen, const Answer& answer, const SubjectInfo& info, const Tolerance& tolerance,
                   const std::function<bool()>& stop);
 

@@ -14,12 +14,12 @@ struct Spawned {
   int inlet = -1;                            ///< its own end of the input, to see how much of it is unread; closed on exec
 };
 
-/// The same command with "exec" before it where it is a simple one, of a program that is there: one without lists, pipelines and
-/// substitutions. No shell stands between then: it would hold the streams open that the program closes.
+/// Puts "exec" before a simple command (no lists, pipelines or substitutions) whose program exists. Then no shell stays behind, which
+/// would hold the streams open that the program closes.
 std::string without_shell(const std::string& command);
 
-/// Runs `/bin/sh -c command`, or the program itself as `without_shell` says, in a process group of its own, with default signal actions, an empty mask, and no other open file; the kernel
-/// kills it should the calling thread end first. Throws std::system_error.
+/// Runs `/bin/sh -c without_shell(command)` in a process group of its own, with default signal actions, an empty signal mask, and no other
+/// open file. The kernel kills it if the calling thread ends first. Throws std::system_error.
 Spawned spawn(const std::string& command);
 
 }  // namespace fathom::harness

@@ -32,17 +32,17 @@ std::span<const std::string_view> variant_names();
 ///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
 ///   permute    the points of both bodies in another order, the same each time
 ///   scale      all coordinates times 2^10, or another power of two where that is not exact
-/// A name without such a variant is left out; if `left_out` is given, a sentence about each is added to it.
+/// Variants that are not exact are left out; if `left_out` is given, a sentence about each is added to it.
 std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
                               std::vector<std::string>* left_out = nullptr);
 
 /// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the original.
 mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original);
 
-/// The outcome of the variant, with its verdict made `not_invariant`, and the sentence telling by how much, where the variant alone would
-/// pass, and what the subject says of the two cases differs by more than the tolerance: the depth; whether they overlap, unless both
-/// answers are within the tolerance; the price of its direction; or that it answered only the variant. A variant that fails by itself
-/// keeps its own verdict. Both are outcomes of one subject.
+/// Compares the outcome of a variant with that of the original. If the variant passes by itself, but the subject's answers differ by more
+/// than the tolerance, the verdict becomes `not_invariant`, and the sentence says by how much. Compared are the depth, the price of the
+/// direction, whether the bodies overlap (unless both answers are within the tolerance), and whether there is an answer at all. A variant
+/// that fails by itself keeps its verdict.
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance);
 
 /// Examines a case and then its variant of this name: the outcome of the variant, compared. For shrinking. A case without such a variant

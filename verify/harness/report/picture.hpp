@@ -11,8 +11,8 @@
 
 namespace fathom::harness {
 
-/// The translation of A that a reply claims, hardly rounded, whatever the length of the direction that it gives; nothing if it gives none, or
-/// one that is not finite.
+/// The translation of A that a reply claims, to within a few roundings, for directions of any length. Returns nullopt if the reply has no
+/// direction, or one that is not finite.
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions);
 
 /// One or two SVG elements, ready to stand in an HTML page, with class names that the page's style colours: the whole pair seen across

@@ -18,7 +18,7 @@ struct Dot {
   double x = 0, y = 0;
 };
 
-/// v / |v|, hardly rounded, whatever its size; of the zero vector zero.
+/// v / |v| to within a few roundings, for any size of v; zero for the zero vector.
 Vec3<double> unit_vector(const Point& v);
 Point point_of(const Vector& v);
 

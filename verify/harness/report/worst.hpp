@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failures in the order in which they are worth a look.
+// Failures in the order in which they deserve attention.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways in which a case is made smaller. Each offers candidates to the search; none of them has to be smaller or valid. Not a door.
+// The ways in which a case is made smaller. Each offers candidates to the search, which rejects larger and invalid ones. Not a door.
 #pragma once
 
 #include "verify/harness/shrink/search.hpp"

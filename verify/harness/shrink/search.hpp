@@ -16,14 +16,14 @@ class Search {
   Search(Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better, const std::function<bool()>& stop,
          const ShrinkSettings& settings);
 
-  /// Examines the case to begin with. False: the verdict did not come again.
+  /// Examines the first case. Returns false if the verdict did not come again.
   bool begin(Case pair);
 
-  /// Keeps `candidate` if it is smaller than the best, a case of the precision, and the subject gives the verdict on it. It is examined
-  /// only if it was not before.
+  /// Keeps `candidate` if it is smaller than the best, its coordinates are numbers of the precision, and the subject gives the verdict on
+  /// it. Each candidate is examined at most once.
   bool offer(Case candidate);
 
-  /// Whether to end now.
+  /// Whether the limit is reached or the user stopped the search.
   [[nodiscard]] bool over() const { return over_; }
   [[nodiscard]] const Case& best() const { return result_.pair; }
   [[nodiscard]] Precision precision() const { return precision_; }

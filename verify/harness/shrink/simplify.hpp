@@ -17,7 +17,7 @@ mpq_class to_multiple(const mpq_class& value, long exponent);
 /// `value`, a binary fraction, to the nearest number with so many significant bits; at least 1.
 mpq_class to_bits(const mpq_class& value, long bits);
 
-/// Cheaper numbers to put in place of `value`, the cheapest kinds first; all of them cost less, or as much without the sign.
+/// Simpler numbers to try in place of `value`, the simplest first; each costs less than `value`, or the same without its sign.
 std::vector<mpq_class> simpler(const mpq_class& value);
 
 }  // namespace fathom::harness

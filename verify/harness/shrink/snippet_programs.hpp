@@ -17,7 +17,7 @@ struct Program {
   std::string opening, closing;  ///< of main
 };
 
-/// The calls of this subject's adapter, with the settings that its hello told. Nothing for a library without a program here.
+/// The calls of this subject's adapter, with the settings of its hello. Returns nullopt for a library without a program here.
 std::optional<Program> program_for(const SubjectInfo& info);
 
 }  // namespace fathom::harness

@@ -9,8 +9,8 @@
 
 namespace fathom::harness {
 
-/// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the snippet) into `directory`, which is made if need be: each whole, under
-/// another name first, so that a reader or a crash never meets half a file. "~<variant>" stands behind the verdict of a variant's outcome.
+/// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the snippet) into `directory`, which is made if needed. Each file is
+/// written under another name and then renamed, so none is ever half written. A variant's verdict is followed by "~<variant>".
 /// Returns the three paths. Throws InputError naming the file that cannot be written.
 std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info);
 
