@@ -16,7 +16,7 @@
 namespace fathom::harness {
 
 /// What is handed to /bin/sh -c.
-struct Command {
+struct SubjectCommand {
   std::string shell;
 };
 
@@ -38,7 +38,7 @@ struct SubjectError : std::runtime_error {
 class Examiner {
  public:
   /// Starts the subject and hears its hello. Throws SubjectError, Interrupted.
-  Examiner(Command command, Settings settings);
+  Examiner(SubjectCommand command, Settings settings);
   ~Examiner();
   Examiner(const Examiner&) = delete;
   Examiner& operator=(const Examiner&) = delete;
@@ -77,7 +77,7 @@ class Examiner {
   std::string last_words();
   std::string unfinished_line();
 
-  Command command_;
+  SubjectCommand command_;
   Settings settings_;
   SubjectInfo info_;
   std::unique_ptr<Process> process_;

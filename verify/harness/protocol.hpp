@@ -44,7 +44,7 @@ struct Failed {
   std::string why;
 };
 /// What a subject answered to the run with this ticket.
-struct Answer {
+struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
   std::string remark;  ///< of a reply: fields that nobody reads and that look misspelt; see near_misses
@@ -53,7 +53,7 @@ struct Answer {
 /// Numbers are rounded to the precision. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
 /// spellings. Known fields must be of their type, whatever `overlap` says; null is of none. Unknown fields are passed over, with a remark
 /// where they look misspelt. Throws ProtocolError.
-Answer read_reply(std::string_view line, Precision precision);
+SubjectAnswer read_reply(std::string_view line, Precision precision);
 
 /// Whether the line is a hello, of whatever content: how a replay knows its first line.
 bool is_hello(std::string_view line);

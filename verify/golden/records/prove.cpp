@@ -102,7 +102,7 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 
 /// Both bodies seen in one direction.
 struct Sides {
-  Face a, b;         ///< in the directions -n and n
+  ExtremeFace a, b;  ///< in the directions -n and n
   mpq_class factor;  ///< h(n) / <n,n>
   Point translation;
 
