@@ -25,7 +25,10 @@
 namespace fathom {
 
 template <class T>
-concept CgalPoint = requires { typename T::R::Point_3; } && std::derived_from<T, typename T::R::Point_3>;
+concept CgalPoint = requires {
+  typename T::R::Point_3;
+}
+&&std::derived_from<T, typename T::R::Point_3>;
 
 /// A range of Point_3.
 template <class T>
@@ -119,8 +122,8 @@ std::span<const Point> exact_points(const T& points) {
 /// penetration_depth of any two bodies, one of which is CGAL's: the same answer as for their exact points, and the same exceptions. Throws
 /// std::invalid_argument too if a floating-point coordinate is not finite. Other functions take exact_points(body).
 template <class A, class B>
-  requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && CgalBody<B>))
-Depth penetration_depth(const A& a, const B& b, const Options& options = {}) {
+requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && CgalBody<B>)) Depth
+    penetration_depth(const A& a, const B& b, const Options& options = {}) {
   const auto points_a = exact_points(a);
   const auto points_b = exact_points(b);
   return penetration_depth(std::span<const Point>(points_a), std::span<const Point>(points_b), options);
@@ -134,8 +137,7 @@ inline CGAL::Exact_rational to_exact_rational(const mpq_class& x) { return CGAL:
 /// The same number in a kernel's exact number type, which takes CGAL::Exact_rational or GMP's rationals. (To round to double, see
 /// fathom/numbers.hpp.)
 template <class Number>
-  requires(CGAL::Algebraic_structure_traits<Number>::Is_exact::value)
-Number to_number(const mpq_class& x) {
+requires(CGAL::Algebraic_structure_traits<Number>::Is_exact::value) Number to_number(const mpq_class& x) {
   if constexpr (std::constructible_from<Number, mpq_srcptr>) {
     return Number(x.get_mpq_t());
   } else {
