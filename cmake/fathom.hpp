@@ -6,4 +6,4 @@
 #include "reference/approximate/metric.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"

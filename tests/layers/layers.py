@@ -26,6 +26,7 @@ ORDER = [
     ["reference/canonical", "reference/vertex_facet"],
     ["reference/lines"],
     ["reference/depth"],
+    ["reference/solve"],
     ["reference/width"],
     ["reference/approximate", "reference/certificate"],
     ["cmake"],  # the umbrella header
