@@ -22,7 +22,7 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh.hpp"
 #include "reference/width/width.hpp"

@@ -122,6 +122,16 @@ struct BodyFacts {
   std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when no hull was needed
 };
 
+/// An answer about two bodies that tells of those which do not penetrate no more than a plane between them.
+template <class Penetrating>
+struct SeparationOr : BodyFacts {
+  std::variant<Penetrating, Separation> outcome;
+
+  [[nodiscard]] const Penetrating* penetration() const { return std::get_if<Penetrating>(&outcome); }  ///< null unless penetrating
+  [[nodiscard]] const Separation* separation() const { return std::get_if<Separation>(&outcome); }     ///< null if penetrating
+  [[nodiscard]] Status status() const { return separation() ? separation()->status() : Status::penetrating; }
+};
+
 /// The answer about two bodies: `outcome` holds what the status has.
 struct Depth : BodyFacts {
   std::variant<Penetration, Touch, Distance> outcome;
@@ -160,7 +170,8 @@ mpq_class signed_square(const Depth& depth);
 
 /// How clear an answer is: the least squared distance from O of a facet plane of P that is larger than depth^2. Returns nullopt if all
 /// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method.
-std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration);
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
+                                                Monitor* monitor = nullptr);
 
 // The words for the values of an answer, the same in every format.
 

@@ -27,6 +27,7 @@ ORDER = [
     ["reference/canonical", "reference/vertex_facet"],
     ["reference/lines"],
     ["reference/depth"],
+    ["reference/solve"],
     ["reference/width"],
     ["reference/approximate", "reference/certificate"],
     ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],

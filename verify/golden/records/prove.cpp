@@ -3,7 +3,7 @@
 // the definitions. Then the record is written anew, and must be the same text: so no field can be wrong, missing, repeated or unknown.
 #include "verify/golden/records/prove.hpp"
 
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
