@@ -3,8 +3,8 @@
 #   PUBLIC, PRIVATE  libraries that it links
 #   HIDDEN           header-only libraries that its .cpp files use; whoever links the room never hears of them
 #   OPTIONS          compile options
-# Its doors, the .hpp files, are its public headers, except those named *_cgal.hpp. Files listed in cgal_files.txt compile in the Ninja
-# pool `cgal`.
+# Other rooms include its headers, those named *_cgal.hpp apart, through the target TARGET_headers, which is not installed. Files listed in
+# cgal_files.txt compile in the Ninja pool `cgal`.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/cgal_files.txt fathom_cgal_files REGEX "^[^#]")
 list(TRANSFORM fathom_cgal_files PREPEND ${PROJECT_SOURCE_DIR}/)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cgal_files.txt)
@@ -19,10 +19,13 @@ function(fathom_room target folder)
   list(REMOVE_ITEM heavy ${sources})
   list(TRANSFORM room_HIDDEN REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
 
+  add_library(${target}_headers INTERFACE)
+  target_sources(${target}_headers INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${doors})
+  set_target_properties(${target}_headers PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  target_link_libraries(${target}_headers INTERFACE ${room_PUBLIC})
+
   add_library(${target} STATIC ${sources})
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${doors})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
   set(parts ${target})
   if(heavy)
     add_library(${target}_cgal OBJECT ${heavy})
@@ -32,7 +35,7 @@ function(fathom_room target folder)
     list(APPEND parts ${target}_cgal)
   endif()
   foreach(part ${parts})
-    target_link_libraries(${part} PUBLIC ${room_PUBLIC} PRIVATE ${room_PRIVATE} ${room_HIDDEN})
+    target_link_libraries(${part} PUBLIC ${room_PUBLIC} $<BUILD_INTERFACE:${target}_headers> PRIVATE ${room_PRIVATE} ${room_HIDDEN})
     target_compile_options(${part} PRIVATE ${room_OPTIONS})
   endforeach()
 endfunction()

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/judge.h"
 #include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
@@ -21,7 +22,7 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh.hpp"
 #include "reference/width/width.hpp"
@@ -29,7 +30,6 @@
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"
 #include "verify/families/solids.hpp"
-#include "verify/judge/judge.h"
 #include "verify/judge/judge.hpp"
 #include "verify/study/study.hpp"
 

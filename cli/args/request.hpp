@@ -9,7 +9,7 @@
 #include "cli/args/cases_request.hpp"
 #include "cli/args/certify_request.hpp"
 #include "kernels/number/parse.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::cli {
 

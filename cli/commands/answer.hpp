@@ -10,7 +10,7 @@
 #include "cli/args/request.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/progress.hpp"
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::cli {
 

@@ -222,7 +222,7 @@ class Certify {
 
   const Request& request_;
   const CertifyRequest& certify_;
-  harness::Command command_;
+  harness::SubjectCommand command_;
   std::optional<ExpectedFailures> expected_;
   ExpectedFailures earlier_;  // the list that a new one replaces
   std::optional<CertifyCases> cases_;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "cli/io/interrupt.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/body.hpp"
 
 namespace fathom::cli {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "kernels/vector.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::cli {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::cli {
 

@@ -4,29 +4,33 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 
-#include "reference/approximate/body_pair.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom {
 
-struct DirectionalDepth {
-  Status status = Status::disjoint;
-  mpq_class factor;              ///< of the direction as given; 0 unless penetrating: the interiors are disjoint already
-  Point translation;             ///< factor * direction
-  mpq_class squared;             ///< |translation|^2
-  std::optional<Vector> normal;  ///< penetrating: primitive outward normal of the facet of P that the ray hits; of several facets, one.
-                                 ///< Else a primitive u with h(u) <= 0
-  std::optional<Contact> contact;
-  std::optional<Witness> witness;  ///< points a and b of the contact with b - a = translation
-  bool flat_a = false, flat_b = false;
-  std::uint64_t steps = 0;  ///< of the ray
+/// Where the ray leaves P.
+struct RayExit {
+  mpq_class factor;   ///< > 0, of the direction as given
+  Point translation;  ///< factor * direction
+  Vector normal;      ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
+  Contact contact;    ///< in direction `normal`
+  Witness witness;    ///< points of the contact with b - a = translation
+  std::uint64_t steps = 0;
+};
+
+struct DirectionalDepth : SeparationOr<RayExit> {
+  /// 0 unless penetrating: the interiors are disjoint already.
+  [[nodiscard]] mpq_class factor() const;
+  [[nodiscard]] Point translation() const;
+  /// |translation|^2.
+  [[nodiscard]] mpq_class squared() const;
+  /// Of the exit, or of the separation.
+  [[nodiscard]] const Vector& normal() const;
 };
 
 /// For all statuses and ranks. Throws std::invalid_argument when a body is empty or the direction is zero, and Interrupted.
-DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction,
-                                   const ReportProgress& progress = {});
+DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor = nullptr);
 
 }  // namespace fathom

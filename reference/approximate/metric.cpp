@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/float_environment.hpp"
+#include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/position.hpp"
 
@@ -20,16 +21,9 @@ bool contains_opposites(std::vector<Vector> vertices) {
   return vertices == opposites;
 }
 
-// O and the points on one lattice. Its origin is the first point of what stands second, which is O.
-Lattice around_origin(std::span<const Point> points) {
-  const Point origin{0, 0, 0};
-  return common_lattice(points, {&origin, 1});
-}
-
-void require_interior_origin(const Lattice& lattice) {
-  if (affine_rank(lattice.a) < 3) throw NoUnitBall("the unit ball is flat: its points lie in one plane");
-  const long exponent = binary_exponent(lattice.a);
-  const PositionOfOrigin origin = position_of_origin(PointCloud(lattice.a, exponent), PointCloud(lattice.b, exponent));
+void require_interior_origin(const PlacedPair& pair) {
+  if (affine_rank(pair.a.points()) < 3) throw NoUnitBall("the unit ball is flat: its points lie in one plane");
+  const PositionOfOrigin origin = position_of_origin(pair.a, pair.b);
   if (origin.position == Position::outside) throw NoUnitBall("the unit ball does not contain O, which must lie inside it");
   if (origin.position == Position::boundary) throw NoUnitBall("the unit ball has O on its boundary, which must lie inside it");
 }
@@ -38,25 +32,25 @@ void require_interior_origin(const Lattice& lattice) {
 
 UnitBall unit_ball(std::span<const Point> points) {
   const DefaultFloatEnvironment environment;
-  const Lattice lattice = around_origin(points);
-  require_interior_origin(lattice);
-  Polytope hull = convex_hull(lattice.a);
+  const Point origin{0, 0, 0};
+  const PlacedPair pair = place(points, {&origin, 1});  // the lattice's origin is the first point of what stands second
+  require_interior_origin(pair);
+  Polytope hull = convex_hull(pair.a.points());
   UnitBall ball;
   ball.vertices = std::move(hull.vertices);
   ball.input_ids = std::move(hull.input_ids);
-  ball.denominator = lattice.denominator;
+  ball.denominator = pair.denominator;
   ball.symmetric = contains_opposites(ball.vertices);
   return ball;
 }
 
-MetricDepth metric_depth(const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift,
-                         const std::function<bool(double)>& progress) {
+MetricDepth metric_depth(Context& context, const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift) {
   const DefaultFloatEnvironment environment;
   const RayShooter shooter(a, b);
   MetricDepth result;
   const auto count = static_cast<std::uint32_t>(ball.vertices.size());
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (progress && i % rays_between_reports == 0 && !progress(static_cast<double>(i) / count)) throw Interrupted();
+    if (i % rays_between_reports == 0) context.report("rays", static_cast<double>(i) / count);
     const RayHit hit = shooter.shoot(ball.vertices[i], shift);
     ++result.rays;
     result.inside = hit.hits;
@@ -74,29 +68,27 @@ MetricDepth metric_depth(const Hierarchy& a, const Hierarchy& b, const UnitBall&
   return result;
 }
 
-MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, const ReportProgress& progress) {
+const std::vector<MetricOptimum>& MetricResult::optima() const {
+  static const std::vector<MetricOptimum> none;
+  return penetration() ? penetration()->optima : none;
+}
+
+MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor) {
   const DefaultFloatEnvironment environment;
-  const BodyPair pair(a, b, progress);
-  MetricResult result;
-  result.status = pair.status();
-  result.direction = pair.separating();
-  result.flat_a = pair.flat_a();
-  result.flat_b = pair.flat_b();
-  if (pair.status() != Status::penetrating) return result;
-  const MetricDepth found = metric_depth(pair.a(), pair.b(), ball, {0, 0, 0}, [&](double share) {
-    report(progress, "rays", share);
-    return true;
-  });
+  Context context(monitor);
+  const BodyPair pair(context, a, b);
+  if (pair.separation()) return {{pair.facts(), *pair.separation()}};
+  const MetricDepth found = metric_depth(context, pair.a(), pair.b(), ball);
   if (found.deciding.empty()) throw std::logic_error("a ray from the interior of P found it flat or missed it");
-  result.rays = found.rays;
   // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1 / denominator of the bodies.
-  result.depth = found.depth * ball.denominator / pair.lattice().denominator;
+  MetricPenetration result{found.depth * ball.denominator / pair.placed().denominator, {}, found.rays};
   for (const MetricDepth::Deciding& d : found.deciding) {
     const Point t = pair.translation(found.depth, ball.vertices[d.vertex]);
-    result.optima.push_back({ball.input_ids[d.vertex], t, d.normal, pair.contact(d.normal), pair.witness(d.normal, t)});
+    BodyPair::Meeting meeting = pair.meeting(d.normal, t);
+    if (!meeting.witness) throw std::logic_error("a ray leaves P beside the facet that it hits");
+    result.optima.push_back({ball.input_ids[d.vertex], t, d.normal, std::move(meeting.contact), *meeting.witness});
   }
-  result.direction = result.optima.front().direction;
-  return result;
+  return {{pair.facts(), std::move(result)}};
 }
 
 }  // namespace fathom

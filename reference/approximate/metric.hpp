@@ -6,14 +6,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
-#include "reference/approximate/body_pair.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
+#include "kernels/context.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom {
@@ -48,9 +46,7 @@ struct MetricDepth {
 };
 
 /// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
-/// `progress` gets the share of rays that are shot, and returns false to stop (Interrupted is thrown).
-MetricDepth metric_depth(const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift = {0, 0, 0},
-                         const std::function<bool(double)>& progress = {});
+MetricDepth metric_depth(Context& context, const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift = {0, 0, 0});
 
 /// A shortest way out in the metric of Q: along a vertex of Q.
 struct MetricOptimum {
@@ -58,19 +54,25 @@ struct MetricOptimum {
   Point translation;     ///< depth times that vertex
   Vector direction;      ///< primitive outward normal of a facet of P that holds the translation
   Contact contact;       ///< in that direction
-  std::optional<Witness> witness;
+  Witness witness;       ///< points of the contact with b - a = translation
 };
 
-struct MetricResult {
-  Status status = Status::disjoint;
-  mpq_class depth;                    ///< the Q-length of each optimum's translation; 0 unless penetrating
-  std::vector<MetricOptimum> optima;  ///< one per deciding vertex, by ascending id; empty unless penetrating
-  std::optional<Vector> direction;    ///< of the first optimum; else a primitive u with h(u) <= 0
-  bool flat_a = false, flat_b = false;
+struct MetricPenetration {
+  mpq_class depth;                    ///< > 0: the Q-length of each optimum's translation
+  std::vector<MetricOptimum> optima;  ///< one per deciding vertex, by ascending id; at least one
   std::uint64_t rays = 0;
 };
 
+struct MetricResult : SeparationOr<MetricPenetration> {
+  /// 0 unless penetrating.
+  [[nodiscard]] mpq_class depth() const { return penetration() ? penetration()->depth : mpq_class(0); }
+  /// Empty unless penetrating.
+  [[nodiscard]] const std::vector<MetricOptimum>& optima() const;
+  /// Of the first optimum, or of the separation.
+  [[nodiscard]] const Vector& direction() const { return penetration() ? optima().front().direction : separation()->normal; }
+};
+
 /// For all statuses and ranks. Throws std::invalid_argument when a body is empty, and Interrupted.
-MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, const ReportProgress& progress = {});
+MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor = nullptr);
 
 }  // namespace fathom

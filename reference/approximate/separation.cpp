@@ -3,6 +3,8 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/ratio.hpp"
+#include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -10,12 +12,6 @@ namespace fathom {
 namespace {
 
 constexpr std::uint64_t rays_between_reports = 64;
-
-mpq_class quotient(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class q(numerator, denominator);
-  q.canonicalize();
-  return q;
-}
 
 // What the rays have found so far.
 class Search {
@@ -56,47 +52,34 @@ class Search {
   ApproxSeparation result_;
 };
 
-ApproxSeparation search(const Hierarchy& a, const Hierarchy& b, const DirectionGrid& grid, std::uint64_t rays, const Vector& shift,
-                        const std::function<bool(double)>& progress) {
+ApproxSeparation search(Context& context, const Hierarchy& a, const Hierarchy& b, const DirectionGrid& grid, std::uint64_t rays,
+                        const Vector& shift) {
   const RayShooter shooter(a, b);
   Search search;
   for (std::uint64_t i = 0; i < rays; ++i) {
-    if (progress && i % rays_between_reports == 0 && !progress(static_cast<double>(i) / static_cast<double>(rays))) throw Interrupted();
+    if (i % rays_between_reports == 0) context.report("rays", static_cast<double>(i) / static_cast<double>(rays));
     const Vector u = grid.centre(i);
     if (!search.take(u, shooter.shoot(u, shift))) return search.result();
   }
   return search.result();
 }
 
-ApproxDepth result_of(const BodyPair& pair, const mpq_class& delta, const std::function<ApproxSeparation(const BodyPair&)>& separate) {
-  ApproxDepth result;
-  result.delta = delta;
-  result.depth.status = pair.status();
-  result.depth.direction = pair.separating();
-  result.depth.flat_a = pair.flat_a();
-  result.depth.flat_b = pair.flat_b();
-  if (pair.status() != Status::penetrating) return result;
-  const ApproxSeparation found = separate(pair);
+ApproxPenetration result_of(const BodyPair& pair, const mpq_class& delta, const ApproxSeparation& found) {
   if (is_zero(found.normal)) throw std::logic_error("a ray from the interior of P found it flat or missed it");
   const Vector& n = found.normal;
-  Depth& depth = result.depth;
-  depth.direction = n;
-  depth.translation = pair.translation(quotient(found.height, dot(n, n)), n);
-  depth.squared = quotient(found.height * found.height, dot(n, n) * pair.lattice().denominator * pair.lattice().denominator);
-  depth.contact = pair.contact(n);
-  depth.witness = pair.witness(n, depth.translation);
-  depth.extreme_a = static_cast<std::uint32_t>(pair.a().polytope().vertices.size());
-  depth.extreme_b = static_cast<std::uint32_t>(pair.b().polytope().vertices.size());
+  const mpz_class& unit = pair.placed().denominator;
+  const mpq_class shrink = unit * (1 + delta);
+  ApproxPenetration result;
+  result.squared = ratio(found.height * found.height, dot(n, n) * unit * unit);
+  result.bound_squared = found.reach_squared / (shrink * shrink);
+  result.direction = n;
+  result.translation = pair.translation(ratio(found.height, dot(n, n)), n);
+  BodyPair::Meeting meeting = pair.meeting(n, result.translation);
+  result.contact = std::move(meeting.contact);
+  result.witness = std::move(meeting.witness);
   result.rays = found.rays;
   result.steps = found.steps;
-  const mpq_class shrink = pair.lattice().denominator * (1 + delta);
-  result.bound_squared = found.reach_squared / (shrink * shrink);
   return result;
-}
-
-std::function<bool(double)> named(const ReportProgress& progress) {
-  if (!progress) return {};
-  return [&progress](double share) { return progress("rays", share); };
 }
 
 void require_delta(const mpq_class& delta) {
@@ -106,32 +89,34 @@ void require_delta(const mpq_class& delta) {
 
 }  // namespace
 
-ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift,
-                                   const std::function<bool(double)>& progress) {
+ApproxSeparation approx_separation(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift) {
   const DefaultFloatEnvironment environment;
-  const DirectionGrid grid(delta, progress ? [&] { return progress(0); } : std::function<bool()>());
-  return search(a, b, grid, grid.size(), shift, progress);
+  const DirectionGrid grid(context, delta);
+  return search(context, a, b, grid, grid.size(), shift);
 }
 
-ApproxSeparation approx_width(const Hierarchy& body, const mpq_class& delta, const std::function<bool(double)>& progress) {
+ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq_class& delta) {
   const DefaultFloatEnvironment environment;
-  const DirectionGrid grid(delta, progress ? [&] { return progress(0); } : std::function<bool()>());
-  return search(body, body, grid, grid.size() / 2, {0, 0, 0}, progress);
+  const DirectionGrid grid(context, delta);
+  return search(context, body, body, grid, grid.size() / 2, {0, 0, 0});
 }
 
-ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, const ReportProgress& progress) {
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor) {
   const DefaultFloatEnvironment environment;
   require_delta(delta);
-  return result_of(BodyPair(a, b, progress), delta, [&](const BodyPair& pair) {
-    return approx_separation(pair.a(), pair.b(), delta, {0, 0, 0}, named(progress));
-  });
+  Context context(monitor);
+  const BodyPair pair(context, a, b);
+  if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
+  return {{pair.facts(), result_of(pair, delta, approx_separation(context, pair.a(), pair.b(), delta))}, delta};
 }
 
-ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, const ReportProgress& progress) {
+ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor) {
   const DefaultFloatEnvironment environment;
   require_delta(delta);
-  return result_of(BodyPair(points, points, progress), delta,
-                   [&](const BodyPair& pair) { return approx_width(pair.a(), delta, named(progress)); });
+  Context context(monitor);
+  const BodyPair pair(context, points, points);
+  if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
+  return {{pair.facts(), result_of(pair, delta, approx_width(context, pair.a(), delta))}, delta};
 }
 
 }  // namespace fathom

@@ -7,11 +7,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <span>
 
-#include "reference/approximate/body_pair.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
+#include "kernels/context.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom {
@@ -28,28 +28,39 @@ struct ApproxSeparation {
 };
 
 /// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
-/// `progress` gets the share of rays that are shot, and returns false to stop (Interrupted is thrown).
-/// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-9.
-ApproxSeparation approx_separation(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift = {0, 0, 0},
-                                   const std::function<bool(double)>& progress = {});
+/// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-9, and Interrupted.
+ApproxSeparation approx_separation(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta,
+                                   const Vector& shift = {0, 0, 0});
 
 /// For a body against itself: P is symmetric about O, and half of the rays suffice.                         [AGHRS, Corollary 3.3]
-ApproxSeparation approx_width(const Hierarchy& body, const mpq_class& delta, const std::function<bool(double)>& progress = {});
+ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq_class& delta);
 
-/// A depth within a known factor: `depth.squared` is |t|^2 for depth.translation = t. One direction is told, without a claim that it is an
-/// optimum: `optima` is empty. The direction is the outward normal of a facet of P; there is a witness only where the foot of O on
-/// the facet's plane lies in the facet.
-struct ApproxDepth {
-  Depth depth;
-  mpq_class delta;
+/// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
+struct ApproxPenetration {
+  mpq_class squared;               ///< |translation|^2
+  mpq_class bound_squared;         ///< a lower bound of depth^2
+  Vector direction;                ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
+  Point translation;               ///< to the facet's plane, along the direction
+  Contact contact;                 ///< in that direction
+  std::optional<Witness> witness;  ///< only where the foot of O on the facet's plane lies in the facet
   std::uint64_t rays = 0, steps = 0;
-  mpq_class bound_squared;  ///< a lower bound: bound <= the true depth <= |t| <= (1 + delta) bound
+};
+
+struct ApproxDepth : SeparationOr<ApproxPenetration> {
+  mpq_class delta;
+
+  /// 0 unless penetrating, as the next.
+  [[nodiscard]] mpq_class squared() const { return penetration() ? penetration()->squared : mpq_class(0); }
+  [[nodiscard]] mpq_class bound_squared() const { return penetration() ? penetration()->bound_squared : mpq_class(0); }
+  [[nodiscard]] Point translation() const { return penetration() ? penetration()->translation : Point(); }
+  /// Of the penetration, or of the separation.
+  [[nodiscard]] const Vector& direction() const { return penetration() ? penetration()->direction : separation()->normal; }
 };
 
 /// For all statuses and ranks. Throws std::invalid_argument when a body is empty or delta is below 1e-9, and Interrupted.
-ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, const ReportProgress& progress = {});
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor = nullptr);
 
 /// The same for the width of one body, as the depth of the body against itself.
-ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, const ReportProgress& progress = {});
+ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor = nullptr);
 
 }  // namespace fathom

@@ -8,11 +8,11 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "reference/approximate/shallow_walk.hpp"
+#include "reference/depth/apart.hpp"
+#include "reference/depth/contact.hpp"
 
 namespace fathom {
 namespace {
-
-constexpr std::uint64_t facets_between_reports = 256;
 
 const mpq_class& checked(const mpq_class& delta) {
   require_lowest_terms(delta);
@@ -39,16 +39,14 @@ bool span_a_facet(const Polytope& a, const std::vector<std::uint32_t>& face_a, c
 
 }  // namespace
 
-ShallowPenetration::ShallowPenetration(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta)
-    : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(delta / 4) {}
+ShallowPenetration::ShallowPenetration(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta)
+    : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(context, delta / 4) {}
 
-ShallowResult ShallowPenetration::query(const Vector& shift, const std::function<bool(double)>& progress) const {
+ShallowResult ShallowPenetration::query(Context& context, const Vector& shift) const {
   const DefaultFloatEnvironment environment;
   ShallowResult result;
   if (shooter_.rank() < 3) return result;
-  const auto in_half = [&](int half, double share) { return progress((half + share) / 2); };
-  const NearRays rays =
-      grids_.shoot(shooter_, shift, progress ? [&](double share) { return in_half(0, share); } : std::function<bool(double)>());
+  const NearRays rays = grids_.shoot(context, shooter_, shift);
   result.inside = rays.inside;
   result.rays = rays.rays;
   result.rays_skipped = rays.skipped;
@@ -59,11 +57,8 @@ ShallowResult ShallowPenetration::query(const Vector& shift, const std::function
   const Ball ball{shift, result.ball_radius_squared.get_num(), result.ball_radius_squared.get_den()};
   const std::vector<SumFacet> starts = facets_hit(rays.in_reach, surface_, *a_, *b_);
   result.starts = starts.size();
-  std::uint64_t visited = 0;
-  const WalkCounts counts = walk(surface_, ball, starts, [&](const SumFacet& facet, std::size_t waiting) {
+  const WalkCounts counts = walk(context, surface_, ball, starts, [&](const SumFacet& facet) {
     result.nearest.offer(facet.normal, dot(facet.normal, surface_.point(facet) - shift));
-    if (!progress || ++visited % facets_between_reports != 0) return true;
-    return in_half(1, static_cast<double>(visited) / static_cast<double>(visited + waiting));
   });
   result.facets = counts.facets;
   result.edges = counts.edges;
@@ -88,21 +83,24 @@ Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
   const DefaultFloatEnvironment environment;
   checked(delta);
-  return penetration_depth(a, b, options, [&](const Polytope& hull_a, const Polytope& hull_b, Counters& counters) {
-    const auto progress = [&](const char* stage, double share) {
-      if (options.progress && !options.progress(stage, share)) throw Interrupted();
-      return true;
-    };
-    progress("hierarchies", 0);
-    const Hierarchy hierarchy_a(hull_a), hierarchy_b(hull_b);
-    const ShallowPenetration bodies(hierarchy_a, hierarchy_b, delta);
-    const ShallowResult result = bodies.query({0, 0, 0}, [&](double share) { return progress("facets near the origin", share); });
-    if (!result.inside) throw std::logic_error("O is inside P, and a ray from it found otherwise");
-    if (options.validate) insist(validate(result, hierarchy_a, hierarchy_b));
-    counters.rays = result.rays;
-    counters.facets_visited = result.facets;
-    return std::vector<Vector>(result.nearest.directions().begin(), result.nearest.directions().end());
-  });
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  Context context(options.monitor);
+  const PlacedPair pair = place(a, b);
+  Depth depth{facts_of(pair), {}, std::nullopt, {}};
+  if (!answer_apart(context, pair, options.validate, depth)) {
+    const Hulls hulls = hulls_of(context, pair, options.validate, depth);
+    context.report("hierarchies");
+    const Hierarchy hierarchy_a(hulls.a), hierarchy_b(hulls.b);
+    const ShallowPenetration bodies(context, hierarchy_a, hierarchy_b, delta);
+    const ShallowResult found = bodies.query(context);
+    if (!found.inside) throw std::logic_error("O is inside P, and a ray from it found otherwise");
+    if (options.validate) insist(validate(found, hierarchy_a, hierarchy_b));
+    context.counters.rays = found.rays;
+    context.counters.facets_visited = found.facets;
+    depth.outcome = penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()});
+  }
+  depth.counters = context.counters;
+  return depth;
 }
 
 }  // namespace fathom

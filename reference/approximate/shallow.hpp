@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,7 +16,7 @@
 #include "reference/approximate/ray.hpp"
 #include "reference/approximate/shallow_rays.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom {
@@ -39,11 +38,11 @@ struct ShallowResult {
 class ShallowPenetration {
  public:
   /// O(m + n + 1 / delta), but for sorting. Throws std::invalid_argument unless 0 < delta <= 2.
-  ShallowPenetration(const Hierarchy& a, const Hierarchy& b, const mpq_class& delta = mpq_class(1, 4));
+  ShallowPenetration(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta = mpq_class(1, 4));
 
   /// The depth of A moved by `shift`, in lattice units: P seen from `shift` in place of O; nothing is prepared anew. Exact.
-  /// `progress` gets the share of the known work that is done, and returns false to stop (Interrupted is thrown).
-  [[nodiscard]] ShallowResult query(const Vector& shift = {0, 0, 0}, const std::function<bool(double)>& progress = {}) const;
+  /// Throws Interrupted.
+  [[nodiscard]] ShallowResult query(Context& context, const Vector& shift = {0, 0, 0}) const;
 
  private:
   const Hierarchy* a_;
@@ -57,7 +56,8 @@ class ShallowPenetration {
 /// Checks that each nearest plane is that of a facet of P, at the same distance, seen from `shift`; not that no facet is nearer.
 [[nodiscard]] Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift = {0, 0, 0});
 
-/// As penetration_depth, and with the same result in every field but the counters. For all statuses and ranks; `options.method` is not read.
+/// As penetration_depth, and with the same result but for Depth::method, which is none, and the counters. For all statuses and ranks. Of the
+/// options it reads `monitor` and `validate`.
 /// Throws std::invalid_argument when a body is empty and unless 0 < delta <= 2, and Interrupted.
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));

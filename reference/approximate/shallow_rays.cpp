@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/approximate/grid/directions.hpp"
-#include "reference/depth/depth.hpp"
 
 namespace fathom {
 namespace {
@@ -16,16 +16,10 @@ constexpr std::size_t directions_between_reports = 64;
 const std::array<Vector, 6> six_axes{Vector{1, 0, 0},  Vector{-1, 0, 0}, Vector{0, 1, 0},
                                      Vector{0, -1, 0}, Vector{0, 0, 1},  Vector{0, 0, -1}};
 
-mpq_class quotient(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class q(numerator, denominator);
-  q.canonicalize();
-  return q;
-}
-
 mpq_class square(const mpq_class& q) { return q * q; }
 
-std::vector<Vector> directions(const mpq_class& delta) {
-  const DirectionGrid grid(delta);
+std::vector<Vector> directions(Context& context, const mpq_class& delta) {
+  const DirectionGrid grid(context, delta);
   std::vector<Vector> result;
   result.reserve(grid.size());
   for (std::uint64_t cell = 0; cell < grid.size(); ++cell) result.push_back(grid.centre(cell));
@@ -55,7 +49,7 @@ class Search {
     result_.inside = hit.interior;
     if (!hit.interior) return false;
     const mpz_class height = hit.height - dot(hit.normal, start_);
-    const mpq_class plane_squared = quotient(height * height, dot(hit.normal, hit.normal));
+    const mpq_class plane_squared = ratio(height * height, dot(hit.normal, hit.normal));
     if (known_.empty() || plane_squared < result_.nearest_squared) result_.nearest_squared = plane_squared;
     mpq_class length_squared = square(hit.factor) * dot(u, u);
     known_.push_back({u, std::move(hit.normal), std::move(hit.factor), std::move(length_squared)});
@@ -112,32 +106,30 @@ mpq_class GaugeBound::along(const Vector& u, const Known& known) const {
   mpq_class least = along_axes({to[0], to[1], to[2]});
   for (std::size_t i = 0; i < 3; ++i) {
     if (sgn(to[i]) * sgn(k[i]) <= 0) continue;
-    const mpq_class s = quotient(to[i], k[i]);
+    const mpq_class s = ratio(to[i], k[i]);
     const mpq_class sum = s * known.gauge + along_axes({to[0] - s * k[0], to[1] - s * k[1], to[2] - s * k[2]});
     if (sum < least) least = sum;
   }
   return least;
 }
 
-RayGrids::RayGrids(const mpq_class& delta) {
-  std::vector<Vector> finest = directions(delta);
+RayGrids::RayGrids(Context& context, const mpq_class& delta) {
+  std::vector<Vector> finest = directions(context, delta);
   grids_.push_back({std::max(delta, mpq_class(1)), {six_axes.begin(), six_axes.end()}});
   for (mpq_class coarse = mpq_class(1, 4); coarse > delta; coarse /= 4) {
-    std::vector<Vector> grid = directions(coarse);
+    std::vector<Vector> grid = directions(context, coarse);
     if (grid.size() < finest.size()) grids_.push_back({coarse, std::move(grid)});
   }
   if (finest.size() > six_axes.size()) grids_.push_back({delta, std::move(finest)});
 }
 
-NearRays RayGrids::shoot(const RayShooter& shooter, const Vector& start, const std::function<bool(double)>& progress) const {
+NearRays RayGrids::shoot(Context& context, const RayShooter& shooter, const Vector& start) const {
   Search search(shooter, start);
   std::size_t done = 0, all = 0;
   for (const Grid& grid : grids_) all += grid.directions.size();
   for (const Grid& grid : grids_) {
     for (const Vector& u : grid.directions) {
-      if (progress && done++ % directions_between_reports == 0 && !progress(static_cast<double>(done - 1) / static_cast<double>(all))) {
-        throw Interrupted();
-      }
+      if (done++ % directions_between_reports == 0) context.report("rays near the origin", static_cast<double>(done - 1) / static_cast<double>(all));
       if (!search.look(u, grid.delta)) return search.result(grid.delta);
     }
   }

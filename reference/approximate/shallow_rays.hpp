@@ -8,9 +8,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "kernels/context.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -57,10 +57,10 @@ class GaugeBound {
 class RayGrids {
  public:
   /// Throws std::invalid_argument unless delta > 0.
-  explicit RayGrids(const mpq_class& delta);
+  RayGrids(Context& context, const mpq_class& delta);
 
-  /// From `start` in place of O, in lattice units. `progress` gets the share that is done, and returns false to stop (Interrupted is thrown).
-  [[nodiscard]] NearRays shoot(const RayShooter& shooter, const Vector& start, const std::function<bool(double)>& progress = {}) const;
+  /// From `start` in place of O, in lattice units. Throws Interrupted.
+  [[nodiscard]] NearRays shoot(Context& context, const RayShooter& shooter, const Vector& start) const;
 
  private:
   struct Grid {

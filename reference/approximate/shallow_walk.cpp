@@ -5,10 +5,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "reference/depth/depth.hpp"
-
 namespace fathom {
 namespace {
+
+constexpr std::uint64_t facets_between_reports = 256;
 
 /// A face of P by the faces of the two bodies that it is the sum of.
 struct Name {
@@ -29,7 +29,8 @@ using Names = std::unordered_set<Name, HashOfName>;
 
 class Walk {
  public:
-  Walk(const SumSurface& surface, const Ball& ball, const VisitFacet& visit) : surface_(surface), ball_(ball), visit_(visit) {}
+  Walk(Context& context, const SumSurface& surface, const Ball& ball, const VisitFacet& visit)
+      : context_(context), surface_(surface), ball_(ball), visit_(visit) {}
 
   void meet(SumFacet facet) {
     if (met_.insert({facet.a, facet.b}).second) waiting_.push_back(std::move(facet));
@@ -39,8 +40,10 @@ class Walk {
     while (!waiting_.empty()) {
       const SumFacet facet = std::move(waiting_.front());
       waiting_.pop_front();
-      ++counts_.facets;
-      if (!visit_(facet, waiting_.size())) throw Interrupted();
+      if (++counts_.facets % facets_between_reports == 0) {
+        context_.report("facets near the origin", static_cast<double>(counts_.facets) / static_cast<double>(counts_.facets + waiting_.size()));
+      }
+      visit_(facet);
       leave(facet);
     }
     return counts_;
@@ -56,6 +59,7 @@ class Walk {
     }
   }
 
+  Context& context_;
   const SumSurface& surface_;
   const Ball& ball_;
   const VisitFacet& visit_;
@@ -80,8 +84,8 @@ bool Ball::meets(const Vector& p, const Vector& q) const {
   return denominator * dot(moment, moment) <= numerator * dot(d, d);
 }
 
-WalkCounts walk(const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit) {
-  Walk walk(surface, ball, visit);
+WalkCounts walk(Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit) {
+  Walk walk(context, surface, ball, visit);
   for (const SumFacet& facet : starts) walk.meet(facet);
   return walk.run();
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "kernels/context.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 
@@ -28,10 +29,10 @@ struct WalkCounts {
   std::uint64_t steps = 0;   ///< corners of faces and neighbours of vertices that were looked at
 };
 
-/// Told of each facet once, with the number of facets that wait at that time. Returns false to stop.
-using VisitFacet = std::function<bool(const SumFacet& facet, std::size_t waiting)>;
+/// Told of each facet once.
+using VisitFacet = std::function<void(const SumFacet& facet)>;
 
-/// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted when told to stop.
-WalkCounts walk(const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit);
+/// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted.
+WalkCounts walk(Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit);
 
 }  // namespace fathom

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/report.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/position.hpp"
 
 namespace fathom {
@@ -29,13 +29,13 @@ struct Certificate {
 };
 
 /// The certificate of an answer, whatever method found it. Always found: time is short unless many facets of P are nearly nearest.
-/// Throws std::logic_error if the proof contradicts the answer, std::invalid_argument if a body is empty; what options.progress asks for.
-Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, const Options& options = {});
+/// Throws std::logic_error if the proof contradicts the answer, std::invalid_argument if a body is empty, and Interrupted.
+Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor = nullptr);
 
 /// The certificate that the bodies penetrate and low <= depth^2 <= high; `hint`, if given, is the direction that shows `high` if it does.
 /// low = 0 proves just that they penetrate. Throws std::invalid_argument if that is not so, or low < 0.
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
-                                    const std::optional<Vector>& hint = std::nullopt);
+                                    const std::optional<Vector>& hint = std::nullopt, Monitor* monitor = nullptr);
 
 /// The text that checkers read: format 1, verify/check/FORMAT.md.
 std::string certificate_text(const Certificate& certificate);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A face of a body is the hull of the body's extreme points in a direction: the hull of the whole body is not needed.
 #include "reference/depth/contact.hpp"
 
-#include <algorithm>
+#include <stdexcept>
+
+#include "kernels/number/ratio.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom {
 namespace {
@@ -16,50 +20,37 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   throw std::logic_error("the faces in an optimal direction do not span a facet");
 }
 
-std::vector<std::uint32_t> input_ids(const Polytope& body, const std::vector<std::uint32_t>& vertices) {
-  std::vector<std::uint32_t> ids;
-  for (const std::uint32_t v : vertices) ids.push_back(body.input_ids[v]);
-  return ids;
+ExtremeFace face(const PointCloud& body, const Vector& u) {
+  ExtremeFace face;
+  face.ids = extreme_points(body, u);
+  for (const std::uint32_t i : face.ids) face.points.push_back(body[i]);
+  if (face.ids.size() == 1) return face;
+  Polytope hull = convex_hull(face.points);
+  for (std::uint32_t& id : hull.input_ids) id = face.ids[id];
+  return {std::move(hull.vertices), std::move(hull.input_ids)};
 }
 
 Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
-std::vector<Vector> chosen(const std::vector<Vector>& points, const std::vector<std::uint32_t>& indices) {
-  std::vector<Vector> result;
-  for (const std::uint32_t i : indices) result.push_back(points[i]);
-  return result;
-}
 
 Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 
 Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 // The point of the edge a0 a1 that lies over the line b0 b1, seen along n. The edges are not parallel.
-Point over_line(const Lattice& lattice, const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& n) {
+Point over_line(const PlacedPair& pair, const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& n) {
   const Vector along = a[1] - a[0], across = cross(b[1] - b[0], n);
   const mpz_class divisor = dot(along, across), share = dot(Vector(b[0] - a[0]), across);
-  return position(lattice, scaled(divisor, a[0]) + scaled(share, along), divisor);
-}
-
-// Any common point of F_A + t and F_B. With t = (h / |n|^2) n there is one exactly if |n|^2 F_A + h n and |n|^2 F_B share one: integers again.
-Witness common_point(const Bodies& bodies, const Vector& n, const std::vector<Vector>& face_a, const std::vector<Vector>& face_b) {
-  const mpz_class square = dot(n, n);
-  const Vector shift = scaled(dot(n, face_b.front() - face_a.front()), n);
-  std::vector<Vector> moved_a, scaled_b;
-  for (const Vector& p : face_a) moved_a.push_back(scaled(square, p) + shift);
-  for (const Vector& p : face_b) scaled_b.push_back(scaled(square, p));
-  const long exponent = std::max(binary_exponent(moved_a), binary_exponent(scaled_b));
-  const PositionOfOrigin common = position_of_origin(PointCloud(std::move(moved_a), exponent), PointCloud(std::move(scaled_b), exponent));
-  if (common.position == Position::outside) throw std::logic_error("the faces in an optimal direction do not meet");
-  return {combination(bodies.lattice, face_a, common.a), combination(bodies.lattice, face_b, common.b)};
+  return pair.position(scaled(divisor, a[0]) + scaled(share, along), divisor);
 }
 
 }  // namespace
 
-Point combination(const Lattice& lattice, std::span<const Vector> points, const std::vector<Weight>& weights) {
+FacingFaces facing_faces(const PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
+
+Point combination(const PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights) {
   Point sum;
   for (const Weight& w : weights) {
-    const Point p = position(lattice, points[w.index]);
+    const Point p = pair.position(points[w.index]);
     sum.x += w.weight * p.x;
     sum.y += w.weight * p.y;
     sum.z += w.weight * p.z;
@@ -67,28 +58,51 @@ Point combination(const Lattice& lattice, std::span<const Vector> points, const 
   return sum;
 }
 
-Optimum optimum(const Bodies& bodies, const Vector& n) {
-  const std::vector<std::uint32_t> face_a = extreme_points(bodies.vertices_a, -n), face_b = extreme_points(bodies.vertices_b, n);
-  const mpz_class height = dot(n, bodies.vertices_b[face_b.front()] - bodies.vertices_a[face_a.front()]);
-  mpq_class factor(height, dot(n, n) * bodies.lattice.denominator);
-  factor.canonicalize();
+Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
+  const mpq_class factor = ratio(dot(n, faces.b.points.front() - faces.a.points.front()), dot(n, n) * pair.denominator);
   return {n,
           {factor * n.x, factor * n.y, factor * n.z},
-          {kind_of(face_a.size(), face_b.size()), input_ids(bodies.a, face_a), input_ids(bodies.b, face_b)}};
+          {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
 }
 
-Witness witness(const Bodies& bodies, const Optimum& optimum) {
-  const Vector& n = optimum.direction;
+// The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
+std::optional<Witness> meeting_points(const PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d) {
+  std::vector<Vector> moved_a, scaled_b;
+  for (const Vector& p : faces.a.points) moved_a.push_back(scaled(d, p) + v);
+  for (const Vector& p : faces.b.points) scaled_b.push_back(scaled(d, p));
+  const PlacedPair moved = place_integers(std::move(moved_a), std::move(scaled_b));
+  const PositionOfOrigin common = position_of_origin(moved.a, moved.b);
+  if (common.position == Position::outside) return std::nullopt;
+  return Witness{combination(pair, faces.a.points, common.a), combination(pair, faces.b.points, common.b)};
+}
+
+Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces) {
   const Point& t = optimum.translation;
-  const std::vector<Vector> face_a = chosen(bodies.a.vertices, extreme_points(bodies.vertices_a, -n));
-  const std::vector<Vector> face_b = chosen(bodies.b.vertices, extreme_points(bodies.vertices_b, n));
-  if (face_b.size() == 1) {
-    const Point b = position(bodies.lattice, face_b[0]);
-    return {minus(b, t), b};
+  const std::vector<Vector>&a = faces.a.points, &b = faces.b.points;
+  if (b.size() == 1) {
+    const Point p = pair.position(b[0]);
+    return {minus(p, t), p};
   }
-  if (face_a.size() > 2 || (face_a.size() == 2 && face_b.size() > 2)) return common_point(bodies, n, face_a, face_b);
-  const Point a = face_a.size() == 1 ? position(bodies.lattice, face_a[0]) : over_line(bodies.lattice, face_a, face_b, n);
-  return {a, plus(a, t)};
+  if (a.size() > 2 || (a.size() == 2 && b.size() > 2)) {
+    const Vector& n = optimum.direction;
+    const std::optional<Witness> common = meeting_points(pair, faces, scaled(dot(n, b.front() - a.front()), n), dot(n, n));
+    if (!common) throw std::logic_error("the faces in an optimal direction do not meet");
+    return *common;
+  }
+  const Point p = a.size() == 1 ? pair.position(a[0]) : over_line(pair, a, b, optimum.direction);
+  return {p, plus(p, t)};
+}
+
+Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>& nearest) {
+  Penetration result;
+  for (const Vector& n : nearest) {
+    const FacingFaces faces = facing_faces(pair, n);
+    result.optima.push_back(optimum(pair, n, faces));
+    if (result.optima.size() == 1) result.witness = witness(pair, result.optima.front(), faces);
+  }
+  const Point& t = result.optima.front().translation;
+  result.squared = t.x * t.x + t.y * t.y + t.z * t.z;
+  return result;
 }
 
 }  // namespace fathom

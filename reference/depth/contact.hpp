@@ -3,30 +3,43 @@
 // Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.      [proofs/depth.md]
 #pragma once
 
-#include "kernels/filters/support.hpp"
-#include "reference/depth/depth.hpp"
-#include "reference/polytope/lattice.hpp"
-#include "reference/polytope/polytope.hpp"
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
 
 namespace fathom {
 
-/// The extreme points of both bodies, and the lattice that they live on.
-struct Bodies {
-  const Lattice& lattice;
-  const Polytope& a;
-  const Polytope& b;
-  PointCloud vertices_a, vertices_b;
+/// A face of a body: its extreme points in the order of their indices, those of the input; of equal points the lowest index.
+struct ExtremeFace {
+  std::vector<Vector> points;
+  std::vector<std::uint32_t> ids;
 };
 
-/// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error when the faces in direction n do not span a
-/// facet.
-Optimum optimum(const Bodies& bodies, const Vector& n);
+/// The faces that meet when A is moved out of B along n: that of A in direction -n, and that of B in direction n.
+struct FacingFaces {
+  ExtremeFace a, b;
+};
+FacingFaces facing_faces(const PlacedPair& pair, const Vector& n);
+
+/// The optimum in direction n, the outward normal of a facet of P, with the faces in that direction. Throws std::logic_error when these do not
+/// span a facet.
+Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
 /// Points a of the face of A and b of the face of B with b - a = translation. They exist for a nearest facet: the foot point of O lies in it.
-Witness witness(const Bodies& bodies, const Optimum& optimum);
+Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces);
+
+/// Points a and b of the faces with b - a = v / d, in units of the lattice; nullopt if there are none. d > 0.
+std::optional<Witness> meeting_points(const PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
 
 /// The rational position of a convex combination of lattice points.
-Point combination(const Lattice& lattice, std::span<const Vector> points, const std::vector<Weight>& weights);
+Point combination(const PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
+
+/// Given the normals of all nearest facets of P, primitive and in lexicographic order: the answer, but for `inner`.
+Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>& nearest);
 
 }  // namespace fathom

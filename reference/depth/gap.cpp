@@ -7,10 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/differences.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
@@ -38,9 +39,7 @@ const Vector& extreme(const std::vector<Vector>& points, const Vector& u) {
 // The squared distance of the plane <normal, x> = <normal, p>.
 mpq_class squared_distance(const Vector& normal, const Vector& p) {
   const mpz_class height = dot(normal, p);
-  mpq_class squared(height * height, dot(normal, normal));
-  squared.canonicalize();
-  return squared;
+  return ratio(height * height, dot(normal, normal));
 }
 
 // The normal of the facet beyond the edge of the facet with normal n that runs through p along d, counter-clockwise seen from outside: the
@@ -55,12 +54,11 @@ Vector normal_beyond(Differences& differences, const Vector& n, const Vector& p,
 }
 
 // The least squared distance, other than `nearest`, of the facets that share an edge with the nearest facet `optimum`.
-void look_around(const Lattice& lattice, Differences& differences, const Optimum& optimum, const mpq_class& nearest,
-                 std::optional<mpq_class>& least) {
+void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
   const Vector& n = optimum.direction;
   std::vector<Vector> minus_a, b;
-  for (const std::uint32_t i : optimum.contact.a) minus_a.push_back(-lattice.a[i]);
-  for (const std::uint32_t i : optimum.contact.b) b.push_back(lattice.b[i]);
+  for (const std::uint32_t i : optimum.contact.a) minus_a.push_back(-differences.a[i]);
+  for (const std::uint32_t i : optimum.contact.b) b.push_back(differences.b[i]);
   for (const std::vector<Vector>* face : {&minus_a, &b}) {
     for (const Vector& d : edge_directions(*face, n)) {
       const Vector outwards = cross(d, n), p = extreme(minus_a, outwards) + extreme(b, outwards);
@@ -72,24 +70,23 @@ void look_around(const Lattice& lattice, Differences& differences, const Optimum
 
 }  // namespace
 
-std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Depth& depth) {
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
+                                                Monitor* monitor) {
   const DefaultFloatEnvironment environment;
-  if (depth.status != Status::penetrating) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
-  const Lattice lattice = common_lattice(a, b);
-  const mpq_class unit(lattice.denominator * lattice.denominator), nearest = depth.squared * unit;
-  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
-  const PointCloud cloud_a(lattice.a, exponent), cloud_b(lattice.b, exponent);
-  Differences differences(cloud_a, cloud_b);
+  Context context(monitor);
+  const PlacedPair pair = place(a, b);
+  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared * unit;
+  Differences differences{pair.a, pair.b};
   std::optional<mpq_class> least;
-  for (const Optimum& optimum : depth.optima) look_around(lattice, differences, optimum, nearest, least);
+  for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
   if (!least) return std::nullopt;  // whatever can be reached from a nearest facet is one
-  return mpq_class(next_nearest_by_expansion(cloud_a, cloud_b, nearest, *least) / unit);
+  return mpq_class(next_nearest_by_expansion(context, pair.a, pair.b, nearest, *least) / unit);
 }
 
 std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b) {
   const DefaultFloatEnvironment environment;
-  const Lattice lattice = common_lattice(a, b);
-  const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+  const PlacedPair pair = place(a, b);
+  const Polytope hull_a = convex_hull(pair.a.points()), hull_b = convex_hull(pair.b.points());
   std::vector<Vector> differences;
   for (const Vector& p : hull_a.vertices)
     for (const Vector& q : hull_b.vertices) differences.push_back(q - p);
@@ -104,7 +101,7 @@ std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, 
   std::ranges::sort(squares);
   const auto next = std::ranges::upper_bound(squares, squares.front());
   if (next == squares.end()) return std::nullopt;
-  return mpq_class(*next / mpq_class(lattice.denominator * lattice.denominator));
+  return mpq_class(*next / mpq_class(pair.denominator * pair.denominator));
 }
 
 }  // namespace fathom

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
@@ -33,8 +34,7 @@ NaiveDepth in_solid(const Polytope& p) {
   NaiveDepth result{Status::penetrating, 0, {}};
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     const Vector& normal = p.facets[i].normal;
-    mpq_class squared(mpz_class(offsets[i] * offsets[i]), dot(normal, normal));
-    squared.canonicalize();
+    const mpq_class squared = ratio(offsets[i] * offsets[i], dot(normal, normal));
     const bool first = result.directions.empty();
     if (!first && squared > result.squared) continue;
     if (!first && squared < result.squared) result.directions.clear();

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernels/filters/support.hpp"
-#include "reference/depth/nearest_facets.hpp"
+#include "reference/depth/nearest_facets_naive.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "reference/lines/closest_lines.hpp"
 

@@ -4,6 +4,8 @@
 #include <queue>
 #include <stdexcept>
 
+#include "kernels/number/ratio.hpp"
+#include "reference/expanding/inner_polytope.hpp"
 #include "reference/expanding/start.hpp"
 #include "reference/expanding/surface.hpp"
 
@@ -33,8 +35,8 @@ class Waiting {
 
 class Expander {
  public:
-  Expander(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options)
-      : a_(a), b_(b), exponent_(a.exponent()), options_(options), differences_(a, b) {
+  Expander(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget)
+      : context_(context), a_(a), b_(b), exponent_(a.exponent()), budget_(budget), differences_{a, b} {
     if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("an expanding polytope of an empty body");
     if (a.exponent() != b.exponent()) throw std::invalid_argument("an expanding polytope of clouds that differ in their exponents");
   }
@@ -70,13 +72,13 @@ class Expander {
     return end;
   }
 
-  // Until Q's triangles are no nearer than `next`, which falls to the distance of every facet plane of P that is met, but for `depth`.
+  // Until Q's triangles are no nearer than `next`, which shrinks to the distance of each facet plane of P that is met, ignoring those at
+  // `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
     Radius radius = radius_of(next.get_num(), next.get_den());
     return grow([&](std::uint32_t t) { return beyond(t, radius, true); },
                 [&](const ExactPlane& plane) {
-                  mpq_class squared(plane.height * plane.height, dot(plane.normal, plane.normal));
-                  squared.canonicalize();
+                  const mpq_class squared = ratio(plane.height * plane.height, dot(plane.normal, plane.normal));
                   if (squared != depth) {
                     next = squared;
                     radius = radius_of(next.get_num(), next.get_den());
@@ -188,17 +190,18 @@ class Expander {
   }
 
   bool expand(SurfaceVertex above, std::uint32_t t) {
-    if (points == options_.most_points) return false;
-    if (options_.on_step) options_.on_step();
+    if (points == budget_) return false;
+    context_.report("expanding polytope");
     ++points;
     for (const std::uint32_t fresh : surface_->insert(std::move(above), t)) wait_for(fresh);
     return true;
   }
 
+  Context& context_;
   const PointCloud& a_;
   const PointCloud& b_;
   long exponent_;
-  const ExpansionOptions& options_;
+  std::size_t budget_;
   Differences differences_;
   std::optional<Surface> surface_;
   Waiting waiting_;
@@ -206,8 +209,8 @@ class Expander {
 
 }  // namespace
 
-Expansion nearest_by_expansion(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options) {
-  Expander expander(a, b, options);
+Expansion nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget) {
+  Expander expander(context, a, b, budget);
   Expansion result;
   result.end = expander.start() ? expander.find_nearest() : ExpansionEnd::not_inside;
   result.points = expander.points;
@@ -217,9 +220,9 @@ Expansion nearest_by_expansion(const PointCloud& a, const PointCloud& b, const E
   return result;
 }
 
-BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
-                             const std::optional<Vector>& hint, const ExpansionOptions& options) {
-  Expander expander(a, b, options);
+BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
+                             const std::optional<Vector>& hint, std::size_t budget) {
+  Expander expander(context, a, b, budget);
   BallExpansion result;
   result.end = expander.start() ? expander.fill_ball(low, result.low_holds) : ExpansionEnd::not_inside;
   if (result.end != ExpansionEnd::proved) return result;
@@ -230,9 +233,9 @@ BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq
   return result;
 }
 
-mpq_class next_nearest_by_expansion(const PointCloud& a, const PointCloud& b, const mpq_class& nearest, const mpq_class& bound) {
-  const ExpansionOptions unlimited;
-  Expander expander(a, b, unlimited);
+mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& nearest,
+                                    const mpq_class& bound) {
+  Expander expander(context, a, b, unlimited);
   mpq_class next = bound;
   const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
   if (end != ExpansionEnd::proved) throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");

@@ -6,21 +6,20 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 
+#include "fathom/depth.hpp"
+#include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
-#include "reference/expanding/inner_polytope.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 namespace fathom {
 
-struct ExpansionOptions {
-  std::size_t most_points = std::numeric_limits<std::size_t>::max();  ///< give up rather than add more points than these to Q
-  std::function<void()> on_step;                                      ///< called for every point that is added; may throw
-};
+/// For a budget: no limit to the points that are added to Q.
+inline constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 enum class ExpansionEnd {
   proved,      ///< Q holds the ball that was asked for
@@ -37,8 +36,9 @@ struct Expansion {
   std::size_t points = 0;  ///< added to Q beyond the first four
 };
 
-/// The clouds must have the same exponent and be non-empty. Always ends; without a budget never `spent`.
-Expansion nearest_by_expansion(const PointCloud& a, const PointCloud& b, const ExpansionOptions& options = {});
+/// The clouds must have the same exponent and be non-empty. Always ends: gives up rather than add more than `budget` points to Q. Throws
+/// Interrupted.
+Expansion nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget = unlimited);
 
 /// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it is no nearer than the nearest planes,
 /// touches them in one facet each, and these support P. Quadratic in the size of Q.
@@ -53,12 +53,13 @@ struct BallExpansion {
 };
 
 /// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows `high`; `hint`, if given, is tried first.
-BallExpansion expand_to_ball(const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
-                             const std::optional<Vector>& hint = std::nullopt, const ExpansionOptions& options = {});
+BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
+                             const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
 
 /// With O in the interior of P, `nearest` = depth^2, and `bound` a larger squared distance of a facet plane of P: such a distance again, at
 /// most `bound`, such that no facet strictly between `nearest` and it holds the foot point of O in its interior. All in the clouds' unit.
 /// Throws std::invalid_argument if O is not in the interior of P.                                     [proofs/gap.md, lemma 2]
-mpq_class next_nearest_by_expansion(const PointCloud& a, const PointCloud& b, const mpq_class& nearest, const mpq_class& bound);
+mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& nearest,
+                                    const mpq_class& bound);
 
 }  // namespace fathom

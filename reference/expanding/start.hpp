@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "reference/polytope/position_search.hpp"
+#include "reference/polytope/differences.hpp"
 
 namespace fathom {
 

@@ -10,7 +10,7 @@
 
 #include "kernels/filters/rounded_plane.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/position_search.hpp"
+#include "reference/polytope/differences.hpp"
 
 namespace fathom {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/files/cases.hpp"
-
 #include <fstream>
 #include <iterator>
 #include <new>
 #include <sstream>
 #include <utility>
 
+#include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/source.hpp"
@@ -84,27 +83,37 @@ CaseItem parse_case(std::string_view text, const std::string& name, std::size_t 
   return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
 }
 
-CaseStream::CaseStream(std::istream& input, std::string name, CaseLayout layout)
-    : input_(&input), name_(std::move(name)), layout_(layout) {}
+/// The lines of an input, put together to cases.
+class CaseStream::Reader {
+ public:
+  Reader(std::istream& input, std::string name, CaseLayout layout) : input_(&input), name_(std::move(name)), layout_(layout) {}
+  Reader(std::unique_ptr<std::istream> input, std::string name, CaseLayout layout)
+      : owned_(std::move(input)), input_(owned_.get()), name_(std::move(name)), layout_(layout) {}
 
-CaseStream::CaseStream(std::unique_ptr<std::istream> input, std::string name, CaseLayout layout)
-    : owned_(std::move(input)), input_(owned_.get()), name_(std::move(name)), layout_(layout) {}
+  std::optional<CaseItem> next();
+  [[nodiscard]] std::size_t case_line() const { return case_line_; }
 
-CaseStream CaseStream::open(const std::string& path, std::istream& standard_input) {
-  if (path == "-") return {standard_input, "<stdin>"};
-  if (extension(path) == "json") {
-    std::string text = read_file(path);
-    const CaseLayout layout = holds_one_value(text) ? CaseLayout::document : CaseLayout::lines;
-    return {std::make_unique<std::istringstream>(std::move(text)), path, layout};
-  }
-  require_readable(path);
-  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!file->is_open()) throw InputError(path, 0, "expected a readable file, found one that cannot be opened");
-  return {std::move(file), path, CaseLayout::lines};
-}
+ private:
+  bool next_line(std::string& line);
+  void take_back(std::string line);
+  void read_rest_of_case(std::string& text);
+  void read_document(std::string& text);
+  void append(std::string& text, const std::string& line);
+  CaseItem refuse_long();
+  [[nodiscard]] CaseItem failure(std::size_t line, const std::string& message) const;
+
+  std::unique_ptr<std::istream> owned_;
+  std::istream* input_;
+  std::string name_;
+  CaseLayout layout_;
+  std::size_t line_ = 0, case_line_ = 1;  ///< of the line read last; of the case
+  LineRead kept_ = LineRead::whole;       ///< else why the case at hand is lost
+  std::optional<std::string> pending_;
+  bool any_ = false, finished_ = false;
+};
 
 // A line that could not be kept is empty, and condemns its case.
-bool CaseStream::next_line(std::string& line) {
+bool CaseStream::Reader::next_line(std::string& line) {
   if (pending_) {
     line = *std::exchange(pending_, std::nullopt);
   } else {
@@ -116,13 +125,13 @@ bool CaseStream::next_line(std::string& line) {
   return true;
 }
 
-void CaseStream::take_back(std::string line) {
+void CaseStream::Reader::take_back(std::string line) {
   pending_ = std::move(line);
   --line_;
 }
 
 // `text` is a lone brace. Whatever starts with an unindented brace is a case of its own: this one was cut short.
-void CaseStream::read_rest_of_case(std::string& text) {
+void CaseStream::Reader::read_rest_of_case(std::string& text) {
   Nesting nesting;
   nesting.take(text);
   for (std::string line; !nesting.closed() && next_line(line);) {
@@ -132,11 +141,11 @@ void CaseStream::read_rest_of_case(std::string& text) {
   }
 }
 
-void CaseStream::read_document(std::string& text) {
+void CaseStream::Reader::read_document(std::string& text) {
   for (std::string line; next_line(line);) append(text, line);
 }
 
-void CaseStream::append(std::string& text, const std::string& line) {
+void CaseStream::Reader::append(std::string& text, const std::string& line) {
   if (kept_ == LineRead::whole && text.size() + line.size() >= longest_line) kept_ = LineRead::too_long;
   try {
     if (kept_ == LineRead::whole) (text += '\n') += line;
@@ -146,17 +155,17 @@ void CaseStream::append(std::string& text, const std::string& line) {
   if (kept_ != LineRead::whole) std::string().swap(text);
 }
 
-CaseItem CaseStream::refuse_long() {
+CaseItem CaseStream::Reader::refuse_long() {
   constexpr std::string_view limit = "expected a case of at most 256 MiB, found ";
   finished_ = input_->bad();
   return failure(case_line_, std::string(limit) + (finished_ ? "one without an end" : "a longer one"));
 }
 
-CaseItem CaseStream::failure(std::size_t line, const std::string& message) const {
+CaseItem CaseStream::Reader::failure(std::size_t line, const std::string& message) const {
   return {line, std::to_string(line), InputError(name_, line, message)};
 }
 
-std::optional<CaseItem> CaseStream::next() {
+std::optional<CaseItem> CaseStream::Reader::next() {
   if (finished_) return std::nullopt;
   for (std::string text; next_line(text);) {
     if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -177,5 +186,29 @@ std::optional<CaseItem> CaseStream::next() {
   if (!any_) return failure(1, "expected at least one case, found an empty input");
   return std::nullopt;
 }
+
+CaseStream::CaseStream(std::istream& input, std::string name, CaseLayout layout)
+    : reader_(std::make_unique<Reader>(input, std::move(name), layout)) {}
+CaseStream::CaseStream(std::unique_ptr<Reader> reader) : reader_(std::move(reader)) {}
+CaseStream::CaseStream(CaseStream&&) noexcept = default;
+CaseStream& CaseStream::operator=(CaseStream&&) noexcept = default;
+CaseStream::~CaseStream() = default;
+
+CaseStream CaseStream::open(const std::string& path, std::istream& standard_input) {
+  if (path == "-") return {standard_input, "<stdin>"};
+  if (extension(path) == "json") {
+    std::string text = read_file(path);
+    const CaseLayout layout = holds_one_value(text) ? CaseLayout::document : CaseLayout::lines;
+    return CaseStream(std::make_unique<Reader>(std::make_unique<std::istringstream>(std::move(text)), path, layout));
+  }
+  require_readable(path);
+  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!file->is_open()) throw InputError(path, 0, "expected a readable file, found one that cannot be opened");
+  return CaseStream(std::make_unique<Reader>(std::move(file), path, CaseLayout::lines));
+}
+
+std::optional<CaseItem> CaseStream::next() { return reader_->next(); }
+
+std::size_t CaseStream::case_line() const { return reader_->case_line(); }
 
 }  // namespace fathom

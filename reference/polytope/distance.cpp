@@ -107,7 +107,7 @@ std::optional<std::array<mpq_class, 3>> combined(std::span<const Vector> points,
 NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");
   if (a.exponent() != b.exponent()) throw std::invalid_argument("nearest_points: the clouds differ in their exponents");
-  Differences differences(a, b);
+  Differences differences{a, b};
   std::vector<Corner> corners{{{0, 0}, differences[{0, 0}]}};
   Foot z = *foot(corners);
   while (true) {
@@ -116,7 +116,7 @@ NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
     const Difference ids = differences.extreme(n);
     const Vector p = differences[ids];
     if (z.denominator * dot(n, p) <= dot(n, z.point)) {
-      return {n, dot(n, p), marginal(corners, z, &Difference::first), marginal(corners, z, &Difference::second), differences.scans()};
+      return {n, dot(n, p), marginal(corners, z, &Difference::first), marginal(corners, z, &Difference::second), differences.scans};
     }
     corners.push_back({ids, p});
     z = reduce(corners);

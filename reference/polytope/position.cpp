@@ -71,7 +71,7 @@ std::vector<Difference> irredundant(std::vector<Difference> surrounding, const D
 }
 
 // The share of each point in a convex combination of differences.
-std::vector<Weight> marginal(const Differences::Nearest& combination, std::uint32_t Difference::*side) {
+std::vector<Weight> marginal(const ConeSearch::Nearest& combination, std::uint32_t Difference::*side) {
   std::map<std::uint32_t, mpq_class> sums;
   for (std::size_t i = 0; i < combination.support.size(); ++i) sums[combination.support[i].*side] += combination.weights[i];
   std::vector<Weight> weights;
@@ -80,7 +80,7 @@ std::vector<Weight> marginal(const Differences::Nearest& combination, std::uint3
 }
 
 // Given O in the relative interior of the hull of `around`: decides between inside and boundary.
-void decide_interior(PositionOfOrigin& answer, Differences& differences, std::vector<Difference> around) {
+void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSearch& cone, std::vector<Difference> around) {
   while (true) {
     const std::vector<Vector> spanned = basis(vectors_of(around, differences));
     if (spanned.size() == 3) {
@@ -93,7 +93,7 @@ void decide_interior(PositionOfOrigin& answer, Differences& differences, std::ve
     const Difference d = differences.extreme(*answer.normal);
     const Vector q = differences[d];
     if (dot(*answer.normal, q) == 0) return;
-    Differences::Nearest back = differences.nearest({-q, 0}, 0, around);
+    ConeSearch::Nearest back = cone.nearest({-q, 0}, 0, around);
     if (!is_zero(back.residual.v)) {
       answer.normal = primitive(back.residual.v);
       return;
@@ -161,17 +161,18 @@ void expect_surrounding(Report& report, const PositionOfOrigin& answer, std::spa
 PositionOfOrigin position_of_origin(const PointCloud& a, const PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("position_of_origin: an empty body");
   if (a.exponent() != b.exponent()) throw std::invalid_argument("position_of_origin: the clouds differ in their exponents");
-  Differences differences(a, b);
+  Differences differences{a, b};
+  ConeSearch cone(differences);
   PositionOfOrigin answer;
-  const Differences::Nearest origin = differences.nearest({{0, 0, 0}, 1}, 1, {{0, 0}});
+  const ConeSearch::Nearest origin = cone.nearest({{0, 0, 0}, 1}, 1, {{0, 0}});
   if (!is_zero(origin.residual.v)) {
     answer.normal = primitive(origin.residual.v);
   } else {
     answer.a = marginal(origin, &Difference::first);
     answer.b = marginal(origin, &Difference::second);
-    decide_interior(answer, differences, origin.support);
+    decide_interior(answer, differences, cone, origin.support);
   }
-  answer.scans = differences.scans();
+  answer.scans = differences.scans;
   return answer;
 }
 

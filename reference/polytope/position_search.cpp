@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "kernels/number/ratio.hpp"
+
 namespace fathom {
 namespace {
 
@@ -43,23 +45,17 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& mo
 
 }  // namespace
 
-Difference Differences::extreme(const Vector& u) {
-  ++scans_;
-  if (fathom::is_zero(u)) return {0, 0};
-  return {extreme_points(a_, -u).front(), extreme_points(b_, u).front()};
+ConeSearch::Nearest ConeSearch::nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
+  return differences_.a.size() + differences_.b.size() <= small_enough ? nearest_directly(target, lift) : nearest_by_sampling(target, lift, seeds);
 }
 
-Differences::Nearest Differences::nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
-  return a_.size() + b_.size() <= small_enough ? nearest_directly(target, lift) : nearest_by_sampling(target, lift, seeds);
-}
-
-Differences::Nearest Differences::nearest_directly(const Lifted& target, int lift) {
+ConeSearch::Nearest ConeSearch::nearest_directly(const Lifted& target, int lift) {
   Nearest z;
   z.residual = target;
   std::vector<Lifted> generators;  // of z.support
   while (!is_zero(z.residual)) {
-    const Difference d = extreme(z.residual.v);
-    generators.push_back({(*this)[d], lift});
+    const Difference d = differences_.extreme(z.residual.v);
+    generators.push_back({differences_[d], lift});
     z.support.push_back(d);
     const bool separated = lift == 1 && !sample_ && dot(z.residual.v, generators.back().v) < 0;
     if (separated || dot(z.residual, generators.back()) <= 0) {
@@ -71,8 +67,7 @@ Differences::Nearest Differences::nearest_directly(const Lifted& target, int lif
     for (std::size_t i = 0; i < next.support.size(); ++i) {
       std::swap(generators[i], generators[next.support[i]]);
       std::swap(z.support[i], z.support[next.support[i]]);
-      z.weights.emplace_back(next.weights[i], next.denominator);
-      z.weights.back().canonicalize();
+      z.weights.push_back(ratio(next.weights[i], next.denominator));
     }
     generators.resize(next.support.size());
     z.support.resize(next.support.size());
@@ -81,8 +76,9 @@ Differences::Nearest Differences::nearest_directly(const Lifted& target, int lif
   return z;
 }
 
-Differences::Nearest Differences::nearest_by_sampling(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
-  const std::size_t root = root_below(a_.size() + b_.size());
+ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
+  const PointCloud &all_a = differences_.a, &all_b = differences_.b;
+  const std::size_t root = root_below(all_a.size() + all_b.size());
   std::mt19937_64 random(seed_++);
   Selection forced;
   for (const Difference& d : seeds) {
@@ -94,17 +90,18 @@ Differences::Nearest Differences::nearest_by_sampling(const Lifted& target, int 
 
   while (true) {
     Selection chosen = forced;
-    draw(chosen, a_, b_, basis_size * root, random);
-    const PointCloud a(picked(a_, chosen.a), a_.exponent()), b(picked(b_, chosen.b), b_.exponent());
-    Nearest z = Differences(a, b, random()).nearest(target, lift, local_seeds);
+    draw(chosen, all_a, all_b, basis_size * root, random);
+    const PointCloud a(picked(all_a, chosen.a), all_a.exponent()), b(picked(all_b, chosen.b), all_b.exponent());
+    Differences sample{a, b};
+    Nearest z = ConeSearch(sample, random()).nearest(target, lift, local_seeds);
     for (Difference& d : z.support) d = {chosen.a[d.first], chosen.b[d.second]};
     if (is_zero(z.residual)) return z;
 
     // The residual is orthogonal to its support, and to the seeds if there is none: they mark the greatest value in the sample.
     const Difference mark = z.support.empty() ? seeds.front() : z.support.front();
-    const std::vector<std::uint32_t> beyond_a = points_beyond(a_, -z.residual.v, mark.first);
-    const std::vector<std::uint32_t> beyond_b = points_beyond(b_, z.residual.v, mark.second);
-    ++scans_;
+    const std::vector<std::uint32_t> beyond_a = points_beyond(all_a, -z.residual.v, mark.first);
+    const std::vector<std::uint32_t> beyond_b = points_beyond(all_b, z.residual.v, mark.second);
+    ++differences_.scans;
     const std::size_t violators = beyond_a.size() + beyond_b.size();
     if (violators == 0) return z;
     if (violators > 2 * root) continue;  // an unlucky sample, at most one in two

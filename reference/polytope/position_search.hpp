@@ -3,25 +3,17 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "kernels/filters/support.hpp"
+#include "reference/polytope/differences.hpp"
 #include "reference/polytope/position_cone.hpp"
 
 namespace fathom {
 
-/// Indices of a point a of A and a point b of B; stands for the difference b - a.
-using Difference = std::pair<std::uint32_t, std::uint32_t>;
-
-/// All differences b - a of two clouds, at the cost of linear scans. The clouds must outlive it.
-class Differences {
+/// Searches the cone that all differences of two clouds span.
+class ConeSearch {
  public:
-  Differences(const PointCloud& a, const PointCloud& b) : a_(a), b_(b) {}
-
-  [[nodiscard]] Vector operator[](Difference d) const { return b_[d.second] - a_[d.first]; }
-  /// A difference that maximises <u, p>; of equals the one with the lowest indices.
-  Difference extreme(const Vector& u);
+  explicit ConeSearch(Differences& differences) : differences_(differences) {}
 
   /// A point of the cone as a combination of differences, and what is missing to the target.
   struct Nearest {
@@ -37,19 +29,14 @@ class Differences {
   /// Expected time linear in the number of points.                                                           [proofs/position.md]
   Nearest nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds);
 
-  /// Linear scans over both clouds so far.
-  [[nodiscard]] std::size_t scans() const { return scans_; }
-
  private:
-  const PointCloud& a_;
-  const PointCloud& b_;
-  std::uint64_t seed_ = 0;  // fixed for a whole problem: the same input gives the same answer
-  bool sample_ = false;     // of a larger problem: then the search may not stop early
-  std::size_t scans_ = 0;
-
-  Differences(const PointCloud& a, const PointCloud& b, std::uint64_t seed) : a_(a), b_(b), seed_(seed), sample_(true) {}
+  ConeSearch(Differences& sample, std::uint64_t seed) : differences_(sample), seed_(seed), sample_(true) {}
   Nearest nearest_directly(const Lifted& target, int lift);
   Nearest nearest_by_sampling(const Lifted& target, int lift, const std::vector<Difference>& seeds);
+
+  Differences& differences_;
+  std::uint64_t seed_ = 0;  // fixed for a whole problem: the same input gives the same answer
+  bool sample_ = false;     // of a larger problem: then the search may not stop early
 };
 
 }  // namespace fathom

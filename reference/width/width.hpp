@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "kernels/filters/support.hpp"
-#include "reference/depth/depth.hpp"
-#include "reference/depth/nearest_facets.hpp"
+#include "fathom/depth.hpp"
+#include "reference/depth/nearest_facets_naive.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #ifdef FATHOM_SGM

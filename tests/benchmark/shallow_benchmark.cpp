@@ -7,7 +7,7 @@
 #include <string>
 
 #include "reference/approximate/shallow.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/hierarchy.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "reference/approximate/separation.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/study/study.hpp"

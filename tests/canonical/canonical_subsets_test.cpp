@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kernels/predicates/filter.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/prepared.hpp"
 

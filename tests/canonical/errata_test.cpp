@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/prepared.hpp"
 

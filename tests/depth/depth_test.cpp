@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole pipeline against its twins and against the independent oracles, by exact equality, over all families.
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 #include <gtest/gtest.h>
 
 #include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/depth/nearest_facets.hpp"
+#include "reference/depth/nearest_facets_naive.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"
 #include "tests/support/check_depth.hpp"

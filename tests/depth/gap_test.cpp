@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The next nearest facet plane against the hull of all differences.
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 
 #include <gtest/gtest.h>
 

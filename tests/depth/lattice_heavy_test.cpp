@@ -2,7 +2,7 @@
 // 10,000 pairs of lattice bodies with coordinates in {0..3}: hardly one of them is in general position. Against two independent oracles.
 #include <gtest/gtest.h>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"
 #include "verify/families/random.hpp"

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"

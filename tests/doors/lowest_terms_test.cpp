@@ -14,7 +14,7 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "reference/depth/depth.hpp"
-#include "reference/depth/nearest_facets.hpp"
+#include "fathom/depth.hpp"
+#include "reference/depth/nearest_facets_naive.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace {

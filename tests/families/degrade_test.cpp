@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"

@@ -11,7 +11,7 @@
 
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"

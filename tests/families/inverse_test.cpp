@@ -8,7 +8,7 @@
 #include <set>
 
 #include "kernels/number/rounding.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"

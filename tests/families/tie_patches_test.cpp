@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "tests/support/crossing_planes.hpp"
 
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/files/cases.hpp"
+#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

@@ -10,8 +10,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/depth/depth.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"

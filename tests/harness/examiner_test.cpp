@@ -15,7 +15,7 @@ const std::string hello = R"({"type":"hello","protocol":"fathom/subject/1","name
                           R"("conventions":{"touching":"either","depth":"positive","moves":"a","unit":true}})";
 
 /// Says hello, then for each run executes `body` with the run's id in $id.
-Command subject(const std::string& body) {
+SubjectCommand subject(const std::string& body) {
   return {"read x; echo '" + hello + R"('; while read -r x; do id=${x#*id\":\"}; id=${id%%\"*}; case $x in *stop*) exit 0;; esac; )" +
           body + "; done"};
 }
@@ -119,7 +119,7 @@ TEST(Examiner, AsksAFreshProcess) {
 
 TEST(Examiner, HearsHowItEnds) {
   const auto at_stop = [](const std::string& way) {
-    Command command = subject(apart);
+    SubjectCommand command = subject(apart);
     command.shell.replace(command.shell.find("exit 0"), 6, way);
     return command;
   };

@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "fathom/judge.h"
 #include "tests/judge/pairs.hpp"
-#include "verify/judge/judge.h"
 
 namespace fathom {
 namespace {

@@ -3,12 +3,13 @@
 """Checks the laws that keep the rooms apart; prints one line per breach and exits with 1 if there is any.
 
 order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by name
-doors     the headers of kernels, reference and verify/judge include only the standard library, GMP and each other
+doors     the headers of include/fathom, kernels, reference and verify/judge include only the standard library, GMP and each other
+installed only the headers in INSTALLED are installed
 cgal      only the files listed in cmake/cgal_files.txt include CGAL or Boost, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
-names     no two types of one namespace share a name: the one-definition rule, of which no linker warns
+names     no two types of the project share a name, whatever their namespaces
 """
 import pathlib
 import re
@@ -26,10 +27,10 @@ ORDER = [
     ["reference/canonical", "reference/vertex_facet"],
     ["reference/lines"],
     ["reference/depth"],
+    ["reference/solve"],
     ["reference/width"],
     ["reference/approximate", "reference/certificate"],
-    ["cmake"],  # the umbrella header
-    ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples"],
+    ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
     ["cli"],
@@ -38,10 +39,14 @@ ORDER = [
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
-ALONE = ("verify/subjects", "verify/examples")  # programs of their own: they know other libraries, and nothing of ours
+ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/")
-PROGRAMS = ("verify/subjects/", "verify/examples/", "tests/install/consumer/")  # linked with nothing of ours
+NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/examples/", "examples/", "tests/", "proofs/")
+
+# What is installed: all headers of this folder, by the file set of this target; and the checker's one header.
+INSTALLED = {"fathom_headers": "include/fathom", "fathom_check": "verify/check/check.hpp"}
+CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who includes it has CGAL
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 350
@@ -54,6 +59,8 @@ NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
 NAMESPACE_END = re.compile(r"\}  // namespace")
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:])[^;]*(?:\{.*|$)"
                   r"|(?:template <.*> )?using (\w+) = .*")
+INSTALL = re.compile(r"^[ \t]*install\(([^()]*(?:\([^()]*\)[^()]*)*)\)", re.MULTILINE)
+HEADER = re.compile(r"[\w*]\.h(?:pp)?\b|INCLUDEDIR|(?:^|/)include\b")
 ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
 
 
@@ -134,10 +141,24 @@ def type_names(text):
 
 
 def name_breaches(definitions):
-    """`definitions`: each qualified name with the files that define it."""
+    """`definitions`: each name of a type with the files that define it."""
     for name, where in definitions.items():
         for path in where[1:]:
             yield path, "names", f"{name} is the name of a type in {where[0]} too"
+
+
+def install_breaches(name, text):
+    """The headers that a CMake file installs, beyond those in INSTALLED."""
+    for call in INSTALL.findall(text):
+        words = call.split()
+        if words[0] == "TARGETS":
+            targets = words[1 : next((i for i, word in enumerate(words) if word in ("EXPORT", "FILE_SET", "DESTINATION")), None)]
+            if "FILE_SET" in words and not set(targets) <= INSTALLED.keys():
+                yield "installed", f"the headers of {' '.join(targets)} are not chosen: tests/layers/layers.py says which are"
+            if "PUBLIC_HEADER" in words or "PRIVATE_HEADER" in words:
+                yield "installed", "headers are installed by file sets only"
+        elif words[0] in ("FILES", "PROGRAMS", "DIRECTORY") and any(HEADER.search(word) for word in words[1:]):
+            yield "installed", f"install({words[0]} ...) with headers: headers are installed by file sets only"
 
 
 def licence_breaches(name, text):
@@ -158,7 +179,7 @@ def list_breaches(root, listed):
         text = (root / name).read_text() if (root / name).is_file() else ""
         if not any(target.startswith(("CGAL/", "boost/")) for _, target in INCLUDE.findall(text)):
             yield LISTED, "cgal", f"lists {name}, which does not include CGAL"
-        if name.endswith(".hpp") and not name.endswith("_cgal.hpp"):
+        if name.endswith(".hpp") and not name.endswith("_cgal.hpp") and name != CGAL_DOOR:
             yield LISTED, "cgal", f"lists {name}: a header with CGAL is named *_cgal.hpp"
 
 
@@ -176,9 +197,11 @@ def breaches(root):
         found += [(name, *breach) for breach in licence_breaches(name, text)]
         if path.suffix in SOURCE:
             found += [(name, *breach) for breach in source_breaches(root, path, text, listed)]
-            if not name.startswith(PROGRAMS):
+            if not name.startswith(NAMES_OF_THEIR_OWN):
                 for defined in type_names(text):
-                    definitions.setdefault(defined, []).append(name)
+                    definitions.setdefault(defined.split("::")[-1], []).append(name)
+        elif path.suffix == ".cmake" or path.name == "CMakeLists.txt":
+            found += [(name, *breach) for breach in install_breaches(name, text)]
     return found + list(name_breaches(definitions))
 
 

@@ -14,6 +14,9 @@ import layers  # noqa: E402
 
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 CLEAN = {
+    "include/fathom/point.hpp": SPDX + "#include <gmpxx.h>\n",
+    "include/fathom/depth.hpp": SPDX + '#include <vector>\n#include "fathom/point.hpp"\n',
+    "include/fathom/cgal.hpp": SPDX + "#include <CGAL/Exact_rational.h>\n",
     "kernels/sign.hpp": SPDX + "#include <gmpxx.h>\n#include <string_view>\n",
     "kernels/sign.cpp": SPDX + '#include "kernels/sign.hpp"\n#include <CGAL/Interval_nt.h>\n',
     "kernels/round.cpp": SPDX + "#include <cfenv>\n#include <mpfr.h>\n",
@@ -24,7 +27,9 @@ CLEAN = {
     "verify/check/checker.cpp": "// SPDX-License-Identifier: Apache-2.0\n#include <gmpxx.h>\n",
     "cli/main.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include <CLI/CLI.hpp>\n',
     "tests/depth/depth_test.cpp": SPDX + '#include "cli/main.cpp"\n',
-    "cmake/cgal_files.txt": "# comment\nkernels/sign.cpp\nreference/polytope/mesh_cgal.hpp\n",
+    "cmake/cgal_files.txt": "# comment\nkernels/sign.cpp\nreference/polytope/mesh_cgal.hpp\ninclude/fathom/cgal.hpp\n",
+    "cmake/install.cmake": "# SPDX-License-Identifier: GPL-3.0-or-later\ninstall(TARGETS fathom_headers EXPORT x FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})\n"
+    "install(TARGETS fathom_kernels fathom EXPORT x)\ninstall(FILES LICENSE verify/check/FORMAT.md DESTINATION ${CMAKE_INSTALL_DOCDIR})\n",
     "fathom": "#!/usr/bin/env bash\n# SPDX-License-Identifier: GPL-3.0-or-later\n",
 }
 
@@ -109,12 +114,34 @@ class Layers(unittest.TestCase):
             changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first % (text + ("\n};\n" if "{" in text else "\n"))}
             self.assertEqual(breaches(changes), [("reference/depth/two.cpp", "names")], text)
 
+    def test_whatever_the_namespace(self):
+        place = SPDX + "namespace %s {\n\nstruct Place {\n};\n\n}  // namespace %s\n"
+        changes = {"kernels/one.hpp": place % ("fathom", "fathom"), "cli/two.cpp": place % ("fathom::cli", "fathom::cli")}
+        self.assertEqual(breaches(changes), [("kernels/one.hpp", "names")])
+
     def test_types_that_may_share_a_name(self):
         inside = SPDX + "namespace fathom {\n%s}  // namespace fathom\n"
-        for text in ("namespace {\n\nstruct Place {\n};\n\n}  // namespace\n", "struct Place;\n", "struct Other {\n  struct Place {\n  };\n};\n",
-                     "namespace other {\nstruct Place {\n};\n}  // namespace other\n"):
-            changes = {"reference/depth/one.hpp": inside % "struct Place {\n};\n", "reference/depth/two.cpp": inside % text}
-            self.assertEqual(breaches(changes), [], text)
+        one = {"reference/depth/one.hpp": inside % "struct Place {\n};\n"}
+        for text in ("namespace {\n\nstruct Place {\n};\n\n}  // namespace\n", "struct Place;\n", "struct Other {\n  struct Place {\n  };\n};\n"):
+            self.assertEqual(breaches({**one, "reference/depth/two.cpp": inside % text}), [], text)
+        place = "namespace other {\nstruct Place {\n};\n}  // namespace other\n"
+        self.assertEqual(breaches({**one, "tests/depth/place.hpp": SPDX + place}), [])
+        self.assertEqual(breaches({**one, "verify/check/place.hpp": "// SPDX-License-Identifier: Apache-2.0\n" + place}), [])
+
+    def test_what_users_include(self):
+        self.expect("include/fathom/bad.hpp", SPDX + '#include "kernels/sign.hpp"\n', "order")
+        self.expect("include/fathom/bad.hpp", SPDX + "#include <fmt/format.h>\n", "doors")
+        self.expect("include/fathom/bad.hpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
+        self.expect("include/fathom/cgal.hpp", SPDX + '#include <CGAL/Exact_rational.h>\n#include "kernels/sign.hpp"\n', "order")
+
+    def test_only_chosen_headers_are_installed(self):
+        for call in ("TARGETS fathom_kernels EXPORT x FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}",
+                     "TARGETS fathom_headers fathom_judge EXPORT x\n  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}",
+                     "TARGETS fathom_headers PUBLIC_HEADER DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}",
+                     "FILES kernels/sign.hpp DESTINATION ${CMAKE_INSTALL_DOCDIR}", "FILES verify/judge/judge.h DESTINATION x",
+                     "DIRECTORY kernels DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}", "DIRECTORY kernels DESTINATION include/fathom",
+                     "DIRECTORY . DESTINATION x FILES_MATCHING PATTERN *.hpp"):
+            self.expect("cmake/bad.cmake", f"# SPDX-License-Identifier: GPL-3.0-or-later\nif(X)\n  install({call})\nendif()\n", "installed")
 
     def test_exit_code(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::oracles {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernels/report.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"

@@ -6,7 +6,7 @@
 //   target_link_libraries(judge_in_googletest PRIVATE fathom::judge GTest::gtest_main)
 #include <gtest/gtest.h>
 
-#include <fathom/verify/judge/judge.hpp>
+#include <fathom/judge.hpp>
 #include <vector>
 
 namespace {

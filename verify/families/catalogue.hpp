@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/body.hpp"
 
 namespace fathom::families {

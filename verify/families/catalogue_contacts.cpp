@@ -10,25 +10,25 @@ namespace {
 constexpr std::string_view interior = "O is in the interior of P", edges_cross = "no parallel edges", full_normals = "facets are simplices";
 
 /// A's lowest feature, at z = 0 and around O; the edge runs along x. The base is at z = 2.
-Body above(Feature feature) {
+Body above(FeatureKind feature) {
   Body body;
-  if (feature == Feature::vertex) body.points = {{0, 0, 0}};
-  if (feature == Feature::edge) body.points = {{-1, 0, 0}, {1, 0, 0}};
-  if (feature == Feature::face) body.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  if (feature == FeatureKind::vertex) body.points = {{0, 0, 0}};
+  if (feature == FeatureKind::edge) body.points = {{-1, 0, 0}, {1, 0, 0}};
+  if (feature == FeatureKind::face) body.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   for (const Point& corner : {Point{-2, -2, 2}, Point{2, -2, 2}, Point{2, 2, 2}, Point{-2, 2, 2}}) body.points.push_back(corner);
   return body;
 }
 
 /// B's highest feature, at z = 0 and around O; the edge runs along y. The base is at z = -2.
-Body below(Feature feature) { return rotated(above(feature), {Point{0, 1, 0}, Point{1, 0, 0}, Point{0, 0, -1}}); }
+Body below(FeatureKind feature) { return rotated(above(feature), {Point{0, 1, 0}, Point{1, 0, 0}, Point{0, 0, -1}}); }
 
 Body lowered(const Body& body, const mpq_class& by) { return translated(body, {0, 0, mpq_class(-by)}); }
 
-CatalogueEntry touching_entry(std::string_view name, std::string_view description, Feature a, Feature b) {
+CatalogueEntry touching_entry(std::string_view name, std::string_view description, FeatureKind a, FeatureKind b) {
   return entry(name, interior, description, touches, above(a), below(b));
 }
 
-CatalogueEntry contact_entry(std::string_view name, std::string_view description, ContactKind kind, Feature a, Feature b) {
+CatalogueEntry contact_entry(std::string_view name, std::string_view description, ContactKind kind, FeatureKind a, FeatureKind b) {
   return entry(name, kind == ContactKind::edge_edge ? "no shared facet normals" : full_normals, description, {Status::penetrating, 1, kind},
                lowered(above(a), ratio(1, 4)), below(b));
 }
@@ -36,7 +36,7 @@ CatalogueEntry contact_entry(std::string_view name, std::string_view description
 }  // namespace
 
 Entries touching_entries() {
-  using enum Feature;
+  using enum FeatureKind;
   return {
       touching_entry("touching_vertex_vertex", "the tips of two pyramids touch in exactly one point", vertex, vertex),
       touching_entry("touching_vertex_edge", "the tip of a pyramid touches the ridge of a roof in exactly one point", vertex, edge),
@@ -59,7 +59,7 @@ Entries touching_entries() {
 }
 
 Entries contact_entries() {
-  using enum Feature;
+  using enum FeatureKind;
   using enum ContactKind;
   const Body roof = lowered(above(edge), ratio(1, 4));
   return {

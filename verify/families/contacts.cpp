@@ -24,14 +24,14 @@ void add(Body& body, const PlaneDirection& direction, const mpq_class& length) {
 }
 
 /// A vertex at O, an edge with O inside, or a polygon of 3 to 6 corners with O inside; in z = 0, within a distance of 2.
-Body feature_body(Feature feature, const PlaneDirection& edge, Random& random) {
+Body feature_body(FeatureKind feature, const PlaneDirection& edge, Random& random) {
   Body body;
-  if (feature == Feature::vertex) body.points.push_back({0, 0, 0});
-  if (feature == Feature::edge) {
+  if (feature == FeatureKind::vertex) body.points.push_back({0, 0, 0});
+  if (feature == FeatureKind::edge) {
     add(body, edge, random_length(random));
     add(body, edge, mpq_class(-random_length(random)));
   }
-  if (feature == Feature::face) {
+  if (feature == FeatureKind::face) {
     // Angles of 0 and about +-120 degrees: O is inside whatever the lengths, and more corners do no harm.
     const PlaneDirection first = plane_direction(0), second = plane_direction(ratio(7, 4)), third = plane_direction(ratio(-7, 4));
     for (const PlaneDirection* direction : {&first, &second, &third}) add(body, *direction, random_length(random));
@@ -53,8 +53,8 @@ void add_base(Body& body, Random& random, unsigned n) {
 }
 
 /// B below z = 0, A above z = -overlap.
-Bodies facing(Feature a, Feature b, const PlaneDirection& edge_a, const PlaneDirection& edge_b, const mpq_class& overlap, Random& random,
-              unsigned n) {
+Bodies facing(FeatureKind a, FeatureKind b, const PlaneDirection& edge_a, const PlaneDirection& edge_b, const mpq_class& overlap,
+              Random& random, unsigned n) {
   Body upper = feature_body(a, edge_a, random);
   add_base(upper, random, n);
   upper = translated(scaled(upper, 1, 1, -1), {0, 0, mpq_class(-overlap)});
@@ -69,7 +69,7 @@ Bodies turned(const Bodies& bodies, Random& random) {
   return stays ? bodies : rotated(bodies, random_rotation(random));
 }
 
-Bodies apart(Feature a, Feature b, const mpq_class& overlap, Random& random, unsigned n) {
+Bodies apart(FeatureKind a, FeatureKind b, const mpq_class& overlap, Random& random, unsigned n) {
   const PlaneDirection edge_a = plane_direction(ratio(random.between(-4, 4), 16));   // within about 28 degrees of the x-axis
   const PlaneDirection edge_b = plane_direction(ratio(random.between(12, 20), 16));  // and of the y-axis
   return turned(facing(a, b, edge_a, edge_b, overlap, random, n), random);
@@ -77,21 +77,21 @@ Bodies apart(Feature a, Feature b, const mpq_class& overlap, Random& random, uns
 
 }  // namespace
 
-Bodies touching(Feature a, Feature b, Random& random, unsigned n) { return apart(a, b, 0, random, n); }
+Bodies touching(FeatureKind a, FeatureKind b, Random& random, unsigned n) { return apart(a, b, 0, random, n); }
 
 Bodies touching_parallel_edges(Random& random, unsigned n) {
   const PlaneDirection edge = plane_direction(ratio(random.between(-16, 16), 16));
-  return turned(facing(Feature::edge, Feature::edge, edge, edge, 0, random, n), random);
+  return turned(facing(FeatureKind::edge, FeatureKind::edge, edge, edge, 0, random, n), random);
 }
 
-Bodies overlapping(Feature a, Feature b, Random& random, unsigned n) {
+Bodies overlapping(FeatureKind a, FeatureKind b, Random& random, unsigned n) {
   const mpq_class overlap = times_power_of_two(1, -random.between(4, 40));
   return apart(a, b, overlap, random, n);
 }
 
 Bodies nearly_touching(Random& random, unsigned n) {
-  constexpr Feature kinds[] = {Feature::vertex, Feature::edge, Feature::face};
-  const Feature a = kinds[random.between(0, 2)], b = kinds[random.between(0, 2)];
+  constexpr FeatureKind kinds[] = {FeatureKind::vertex, FeatureKind::edge, FeatureKind::face};
+  const FeatureKind a = kinds[random.between(0, 2)], b = kinds[random.between(0, 2)];
   const mpq_class size = times_power_of_two(1, -random.between(4, 60));
   const bool overlap = random.coin();
   return apart(a, b, overlap ? size : mpq_class(-size), random, n);

@@ -8,17 +8,17 @@
 
 namespace fathom::families {
 
-enum class Feature { vertex, edge, face };
+enum class FeatureKind { vertex, edge, face };
 
 /// The two features touch, edges crossing transversally; `n` is the number of further points of each body, at least 4.
-Bodies touching(Feature a, Feature b, Random& random, unsigned n);
+Bodies touching(FeatureKind a, FeatureKind b, Random& random, unsigned n);
 
 /// Two parallel edges share a segment; the bodies lie on either side of a plane through it.
 Bodies touching_parallel_edges(Random& random, unsigned n);
 
 /// The pair of `touching` with overlap 2^-k, 4 <= k <= 40. When the features span a facet of P (an edge and an edge, or a face and
 /// anything), the depth is 2^-k and this direction its only optimum.
-Bodies overlapping(Feature a, Feature b, Random& random, unsigned n);
+Bodies overlapping(FeatureKind a, FeatureKind b, Random& random, unsigned n);
 
 /// The pair of `touching` with the gap 2^-k, 4 <= k <= 60, or overlapping by it: a random one of the nine kinds.
 Bodies nearly_touching(Random& random, unsigned n);

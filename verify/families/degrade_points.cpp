@@ -2,7 +2,7 @@
 // Ways of breaking general position that add, move or drop points.
 #include <algorithm>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/families/alignment.hpp"
 #include "verify/families/degrade_ways.hpp"
 

@@ -20,12 +20,12 @@ namespace fathom::families {
 
 namespace {
 
-template <Feature A, Feature B>
+template <FeatureKind A, FeatureKind B>
 Bodies touching(Random& random, unsigned n) {
   return touching(A, B, random, n);
 }
 
-template <Feature A, Feature B>
+template <FeatureKind A, FeatureKind B>
 Bodies overlapping(Random& random, unsigned n) {
   return overlapping(A, B, random, n);
 }
@@ -40,7 +40,7 @@ Bodies degraded(Random& random, unsigned n) {
   return degraded(Way, random, n);
 }
 
-template <Feature A, Feature B>
+template <FeatureKind A, FeatureKind B>
 Bodies inverse(Random& random, unsigned n) {
   return inverse(A, B, random, n);
 }
@@ -99,24 +99,24 @@ constexpr Family table[] = {
     {"uneven_coordinates", "spheres stretched to 1e300, 1 and 1e-300", 12, uneven_coordinates},
     {"wild_coordinates", "every coordinate with its own exponent between 1e-300 and 1e300", 12, wild_coordinates},
     // Touching, by the features of A and of B that meet.
-    {"touching_vertex_vertex", "a vertex of A touches a vertex of B", 6, touching<Feature::vertex, Feature::vertex>},
-    {"touching_vertex_edge", "a vertex of A touches an edge of B", 6, touching<Feature::vertex, Feature::edge>},
-    {"touching_vertex_face", "a vertex of A touches a face of B", 6, touching<Feature::vertex, Feature::face>},
-    {"touching_edge_vertex", "an edge of A touches a vertex of B", 6, touching<Feature::edge, Feature::vertex>},
-    {"touching_edge_edge", "an edge of A touches an edge of B, crossing", 6, touching<Feature::edge, Feature::edge>},
-    {"touching_edge_face", "an edge of A touches a face of B", 6, touching<Feature::edge, Feature::face>},
-    {"touching_face_vertex", "a face of A touches a vertex of B", 6, touching<Feature::face, Feature::vertex>},
-    {"touching_face_edge", "a face of A touches an edge of B", 6, touching<Feature::face, Feature::edge>},
-    {"touching_face_face", "a face of A touches a face of B", 6, touching<Feature::face, Feature::face>},
+    {"touching_vertex_vertex", "a vertex of A touches a vertex of B", 6, touching<FeatureKind::vertex, FeatureKind::vertex>},
+    {"touching_vertex_edge", "a vertex of A touches an edge of B", 6, touching<FeatureKind::vertex, FeatureKind::edge>},
+    {"touching_vertex_face", "a vertex of A touches a face of B", 6, touching<FeatureKind::vertex, FeatureKind::face>},
+    {"touching_edge_vertex", "an edge of A touches a vertex of B", 6, touching<FeatureKind::edge, FeatureKind::vertex>},
+    {"touching_edge_edge", "an edge of A touches an edge of B, crossing", 6, touching<FeatureKind::edge, FeatureKind::edge>},
+    {"touching_edge_face", "an edge of A touches a face of B", 6, touching<FeatureKind::edge, FeatureKind::face>},
+    {"touching_face_vertex", "a face of A touches a vertex of B", 6, touching<FeatureKind::face, FeatureKind::vertex>},
+    {"touching_face_edge", "a face of A touches an edge of B", 6, touching<FeatureKind::face, FeatureKind::edge>},
+    {"touching_face_face", "a face of A touches a face of B", 6, touching<FeatureKind::face, FeatureKind::face>},
     {"touching_parallel_edges", "an edge of A touches a parallel edge of B", 6, touching_parallel_edges},
     {"nearly_touching", "any of the nine, apart or overlapping by 2^-k", 6, nearly_touching},
     // Penetrating by 2^-k, by the kind of contact.
-    {"contact_facet_vertex", "one optimum, of kind facet-vertex, depth 2^-k", 6, overlapping<Feature::face, Feature::vertex>},
-    {"contact_vertex_facet", "one optimum, of kind vertex-facet, depth 2^-k", 6, overlapping<Feature::vertex, Feature::face>},
-    {"contact_facet_edge", "one optimum, of kind facet-edge, depth 2^-k", 6, overlapping<Feature::face, Feature::edge>},
-    {"contact_edge_facet", "one optimum, of kind edge-facet, depth 2^-k", 6, overlapping<Feature::edge, Feature::face>},
-    {"contact_facet_facet", "one optimum, of kind facet-facet, depth 2^-k", 6, overlapping<Feature::face, Feature::face>},
-    {"contact_edge_edge", "one optimum, of kind edge-edge, depth 2^-k", 6, overlapping<Feature::edge, Feature::edge>},
+    {"contact_facet_vertex", "one optimum, of kind facet-vertex, depth 2^-k", 6, overlapping<FeatureKind::face, FeatureKind::vertex>},
+    {"contact_vertex_facet", "one optimum, of kind vertex-facet, depth 2^-k", 6, overlapping<FeatureKind::vertex, FeatureKind::face>},
+    {"contact_facet_edge", "one optimum, of kind facet-edge, depth 2^-k", 6, overlapping<FeatureKind::face, FeatureKind::edge>},
+    {"contact_edge_facet", "one optimum, of kind edge-facet, depth 2^-k", 6, overlapping<FeatureKind::edge, FeatureKind::face>},
+    {"contact_facet_facet", "one optimum, of kind facet-facet, depth 2^-k", 6, overlapping<FeatureKind::face, FeatureKind::face>},
+    {"contact_edge_edge", "one optimum, of kind edge-edge, depth 2^-k", 6, overlapping<FeatureKind::edge, FeatureKind::edge>},
     // Bodies without interior.
     {"point_point", "a point against a point, small half-integers", 6, flat<0, 0>},
     {"point_segment", "a point against a segment, small half-integers", 6, flat<0, 1>},
@@ -175,17 +175,17 @@ constexpr Family table[] = {
      approaching_degraded},
     // Hard on purpose, by inverse construction: first the answer, then the bodies.
     {"inverse_facet_vertex", "one optimum, of kind facet-vertex; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::face, Feature::vertex>},
+     inverse<FeatureKind::face, FeatureKind::vertex>},
     {"inverse_vertex_facet", "one optimum, of kind vertex-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::vertex, Feature::face>},
+     inverse<FeatureKind::vertex, FeatureKind::face>},
     {"inverse_facet_edge", "one optimum, of kind facet-edge; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::face, Feature::edge>},
+     inverse<FeatureKind::face, FeatureKind::edge>},
     {"inverse_edge_facet", "one optimum, of kind edge-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::edge, Feature::face>},
+     inverse<FeatureKind::edge, FeatureKind::face>},
     {"inverse_facet_facet", "one optimum, of kind facet-facet; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::face, Feature::face>},
+     inverse<FeatureKind::face, FeatureKind::face>},
     {"inverse_edge_edge", "one optimum, of kind edge-edge; the next facet, opposite, is farther by the factor 1 + 2^-k", 12,
-     inverse<Feature::edge, Feature::edge>},
+     inverse<FeatureKind::edge, FeatureKind::edge>},
     {"inverse_tie", "two opposite optima of different kinds", 12, inverse_tie},
     {"inverse_ridge", "spheres of points; the nearest facet shares an edge with the next one, farther by the factor 1 + 2^-k", 12,
      inverse_ridge},

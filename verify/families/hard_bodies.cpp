@@ -48,8 +48,8 @@ Bodies hair_overlap(Random& random, unsigned n) {
 }
 
 Bodies hair_gap(Random& random, unsigned n) {
-  constexpr Feature features[] = {Feature::vertex, Feature::edge, Feature::face};
-  const Feature a = features[random.between(0, 2)], b = features[random.between(0, 2)];
+  constexpr FeatureKind features[] = {FeatureKind::vertex, FeatureKind::edge, FeatureKind::face};
+  const FeatureKind a = features[random.between(0, 2)], b = features[random.between(0, 2)];
   const mpq_class gap = times_power_of_two(1, -random.between(61, 200));
   return hair({a, b}, mpq_class(-gap), random, n);
 }

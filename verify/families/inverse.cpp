@@ -20,7 +20,7 @@ Lenses plan(const Meeting& above, const Meeting& below, const mpq_class& excess,
 
 }  // namespace
 
-Bodies inverse(Feature a, Feature b, Random& random, unsigned n) {
+Bodies inverse(FeatureKind a, FeatureKind b, Random& random, unsigned n) {
   const mpq_class excess = times_power_of_two(1, -random.between(8, 200));
   const Meeting below = random_meeting(random);
   return lenses(plan({a, b}, below, excess, random), random, n);

@@ -10,7 +10,7 @@ namespace fathom::families {
 
 /// Lenses with one optimum, where this feature of A meets that of B; the next nearest facet of P lies opposite, farther by the factor
 /// 1 + 2^-k, 8 <= k <= 200, and nothing else within 1 + 2^-8. The direction is a random integer vector.
-Bodies inverse(Feature a, Feature b, Random& random, unsigned n);
+Bodies inverse(FeatureKind a, FeatureKind b, Random& random, unsigned n);
 
 /// The same with an exact tie of two different kinds.
 Bodies inverse_tie(Random& random, unsigned n);

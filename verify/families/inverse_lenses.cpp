@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+#include "kernels/vector.hpp"
+
 namespace fathom::families {
 
 namespace {
@@ -48,10 +50,10 @@ mpq_class reach(Random& random) { return ratio(random.between(8, 24), 16); }
 
 /// A vertex at O, an edge through O or a polygon around it, with up to `more` points beyond three. Edges of A lie near the first axis,
 /// those of B near the second.
-std::vector<PlanePoint> feature_points(Feature feature, bool of_a, std::int64_t more, Random& random) {
-  if (feature == Feature::vertex) return {{0, 0}};
+std::vector<PlanePoint> feature_points(FeatureKind feature, bool of_a, std::int64_t more, Random& random) {
+  if (feature == FeatureKind::vertex) return {{0, 0}};
   const mpq_class one = reach(random), other = reach(random), lean = ratio(random.between(-4, 4), 16);
-  if (feature == Feature::edge) {
+  if (feature == FeatureKind::edge) {
     if (of_a) return {{one, mpq_class(one * lean)}, {mpq_class(-other), mpq_class(-other * lean)}};
     return {{mpq_class(one * lean), one}, {mpq_class(-other * lean), mpq_class(-other)}};
   }
@@ -81,7 +83,7 @@ class Lens {
  public:
   Lens(const Vector& n, const Frame& frame, unsigned points, Random& random) : n_(n), frame_(frame), points_(points), random_(random) {}
 
-  void add_feature(Feature feature, bool of_a, const mpq_class& height) {
+  void add_feature(FeatureKind feature, bool of_a, const mpq_class& height) {
     for (const PlanePoint& p : feature_points(feature, of_a, points_ < 12 ? 0 : 3, random_)) add(p, height);
   }
 
@@ -116,8 +118,9 @@ class Lens {
 }  // namespace
 
 Meeting random_meeting(Random& random) {
-  constexpr Meeting kinds[] = {{Feature::face, Feature::vertex}, {Feature::vertex, Feature::face}, {Feature::face, Feature::edge},
-                               {Feature::edge, Feature::face},   {Feature::face, Feature::face},   {Feature::edge, Feature::edge}};
+  constexpr Meeting kinds[] = {{FeatureKind::face, FeatureKind::vertex}, {FeatureKind::vertex, FeatureKind::face},
+                               {FeatureKind::face, FeatureKind::edge},   {FeatureKind::edge, FeatureKind::face},
+                               {FeatureKind::face, FeatureKind::face},   {FeatureKind::edge, FeatureKind::edge}};
   return kinds[random.between(0, 5)];
 }
 

@@ -10,7 +10,7 @@ namespace fathom::families {
 
 /// The features of A and of B that meet in one direction. A vertex and a vertex, or a vertex and an edge, span no facet of P.
 struct Meeting {
-  Feature a, b;
+  FeatureKind a, b;
 };
 
 /// One of the six kinds of facets of P.

@@ -8,7 +8,7 @@
 
 #include "kernels/filters/support.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "verify/families/inverse_lenses.hpp"
 #include "verify/families/random_bodies.hpp"

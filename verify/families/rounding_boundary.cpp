@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "kernels/vector.hpp"
 #include "verify/families/inverse_lenses.hpp"
 
 namespace fathom::families {

@@ -36,7 +36,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 }  // namespace
 
-Examiner::Examiner(Command command, Settings settings) : command_(std::move(command)), settings_(std::move(settings)) { start(); }
+Examiner::Examiner(SubjectCommand command, Settings settings) : command_(std::move(command)), settings_(std::move(settings)) { start(); }
 
 Examiner::~Examiner() {
   if (!process_) return;
@@ -197,7 +197,7 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
 
 std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, Outcome& outcome) {
   const std::string what = "wrote " + quoted(line), ticket = std::to_string(tickets_);
-  std::optional<Answer> answer;
+  std::optional<SubjectAnswer> answer;
   try {
     answer = read_reply(line, info_.precision);
   } catch (const ProtocolError& error) {

@@ -17,7 +17,7 @@
 namespace fathom::harness {
 
 /// A command line for /bin/sh -c.
-struct Command {
+struct SubjectCommand {
   std::string shell;
 };
 
@@ -39,7 +39,7 @@ struct SubjectError : std::runtime_error {
 class Examiner {
  public:
   /// Starts the subject and hears its hello. Throws SubjectError, Interrupted.
-  Examiner(Command command, Settings settings);
+  Examiner(SubjectCommand command, Settings settings);
   ~Examiner();
   Examiner(const Examiner&) = delete;
   Examiner& operator=(const Examiner&) = delete;
@@ -78,7 +78,7 @@ class Examiner {
   std::string last_words();
   std::string unfinished_line();
 
-  Command command_;
+  SubjectCommand command_;
   Settings settings_;
   SubjectInfo info_;
   std::unique_ptr<Process> process_;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "kernels/number/parse.hpp"
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernels/number/parse.hpp"
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {

@@ -44,7 +44,7 @@ struct Failed {
   std::string why;
 };
 /// What a subject answered to the run with this ticket.
-struct Answer {
+struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
   std::string remark;  ///< of a reply: unknown fields that look misspelt; see near_misses
@@ -53,7 +53,7 @@ struct Answer {
 /// Numbers are rounded to the precision. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
 /// spellings. Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are skipped, with a remark if
 /// they look misspelt. Throws ProtocolError.
-Answer read_reply(std::string_view line, Precision precision);
+SubjectAnswer read_reply(std::string_view line, Precision precision);
 
 /// Whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);

@@ -209,10 +209,10 @@ SubjectInfo read_hello(std::string_view line) {
   return info;
 }
 
-Answer read_reply(std::string_view line, Precision precision) {
+SubjectAnswer read_reply(std::string_view line, Precision precision) {
   const Json object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", shown(line));
-  Answer answer{id_in(object), Failed(), ""};
+  SubjectAnswer answer{id_in(object), Failed(), ""};
   if (field(object, "unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
   else if (field(object, "failed")) answer.said = Failed{reason_in(object, "failed")};
   else answer.said = read_answer(object, precision), answer.remark = misspelt(object);

@@ -41,7 +41,7 @@ Replay Replay::read(const std::string& given) {
 
 void Replay::take(std::string_view line, const std::string& path, std::size_t number) {
   try {
-    Answer answer = read_reply(line, info_.precision);
+    SubjectAnswer answer = read_reply(line, info_.precision);
     std::string id = answer.ticket;
     answers_[std::move(id)].push_back(std::move(answer));
   } catch (const ProtocolError& error) {

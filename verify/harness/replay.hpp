@@ -40,7 +40,7 @@ class Replay {
   void take(std::string_view line, const std::string& path, std::size_t number);
 
   SubjectInfo info_;
-  std::map<std::string, std::vector<Answer>> answers_;
+  std::map<std::string, std::vector<SubjectAnswer>> answers_;
   std::vector<InputError> faults_;
 };
 

@@ -84,7 +84,7 @@ Outcome overflowed(const Case& pair, Precision precision) {
   return outcome;
 }
 
-void judge_answer(Outcome& outcome, const Case& seen, const Answer& answer, const SubjectInfo& info, const Tolerance& tolerance,
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Tolerance& tolerance,
                   const std::function<bool()>& stop) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
     outcome.verdict = Verdict::unsupported;

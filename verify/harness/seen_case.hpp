@@ -22,7 +22,7 @@ Outcome outcome_for(const Case& seen);
 Outcome overflowed(const Case& pair, Precision precision);
 
 /// Solves the case exactly and fills in verdict, detail, reply and judgement. `stop` ends it with Interrupted.
-void judge_answer(Outcome& outcome, const Case& seen, const Answer& answer, const SubjectInfo& info, const Tolerance& tolerance,
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Tolerance& tolerance,
                   const std::function<bool()>& stop);
 
 }  // namespace fathom::harness

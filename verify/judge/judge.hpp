@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/judge/reply.hpp"
 #include "verify/judge/verdict.hpp"
 

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/judge.h"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
 #include "kernels/number/surd.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/judge.h"
 #include "verify/judge/judge.hpp"
 
 namespace fathom {

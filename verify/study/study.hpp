@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kernels/counters.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom {
 

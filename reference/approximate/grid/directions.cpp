@@ -5,8 +5,6 @@
 
 #include <stdexcept>
 
-#include "reference/depth/depth.hpp"
-
 namespace fathom {
 namespace {
 
@@ -38,11 +36,11 @@ Vector on_face(const Place& p, std::int64_t i, std::int64_t j, std::uint64_t sid
 
 /// Cells are carried into each other by the symmetries of the cube; one of each orbit is looked at: on the face of positive x, in one
 /// eighth of it. The cone of directions that a centre covers is convex, so that its four corners speak for a cell.
-bool all_covered(std::uint64_t side, const mpq_class& delta, const std::function<bool()>& go_on) {
+bool all_covered(Context& context, std::uint64_t side, const mpq_class& delta) {
   const Place face{0, false, 0, 0};
   const auto n = static_cast<std::int64_t>(side);
   for (std::int64_t i = n % 2 == 0 ? 1 : 0; i < n; i += 2) {
-    if (go_on && !go_on()) throw Interrupted();
+    context.check();
     for (std::int64_t j = n % 2 == 0 ? 1 : 0; j <= i; j += 2) {
       const Vector centre = on_face(face, i, j, side);
       for (const int di : {-1, 1}) {
@@ -66,12 +64,12 @@ bool covers(const Vector& p, const Vector& v, const mpq_class& delta) {
 }
 
 // The search begins where 4/3 / side^2 is just above 2 delta + delta^2, which is a cell or two from its end.
-DirectionGrid::DirectionGrid(const mpq_class& delta, const std::function<bool()>& go_on) : side_(1) {
+DirectionGrid::DirectionGrid(Context& context, const mpq_class& delta) : side_(1) {
   if (delta < least_delta) throw std::invalid_argument("a grid of directions needs a positive delta, 1e-9 or more");
   const mpq_class squared_tangent = delta * (2 + delta);
   const mpz_class square = mpz_class(4 * squared_tangent.get_den()) / mpz_class(3 * squared_tangent.get_num()), begin = sqrt(square);
   if (begin > 1) side_ = begin.get_ui();  // less than 2^20
-  while (!all_covered(side_, delta, go_on)) ++side_;
+  while (!all_covered(context, side_, delta)) ++side_;
 }
 
 Vector DirectionGrid::centre(std::uint64_t cell) const {

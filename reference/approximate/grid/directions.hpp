@@ -7,8 +7,8 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 
+#include "kernels/context.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -24,8 +24,8 @@ inline const mpq_class least_delta(1, 1'000'000'000);
 class DirectionGrid {
  public:
   /// 6 directions at least; about 4 / delta for small delta. Deterministic.
-  /// Throws std::invalid_argument unless delta >= least_delta. `go_on` is asked now and then, and Interrupted is thrown where it says no.
-  explicit DirectionGrid(const mpq_class& delta, const std::function<bool()>& go_on = {});
+  /// Throws std::invalid_argument unless delta >= least_delta. Throws Interrupted.
+  DirectionGrid(Context& context, const mpq_class& delta);
 
   /// Of cells. Those from size() / 2 on are the opposites of those before, in another order.
   [[nodiscard]] std::uint64_t size() const { return 6 * side_ * side_; }

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {

@@ -3,7 +3,7 @@
 // the definitions. Then the record is written anew, and must be the same text: so no field can be wrong, missing, repeated or unknown.
 #include "verify/golden/records/prove.hpp"
 
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
@@ -102,7 +102,7 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 
 /// Both bodies seen in one direction.
 struct Sides {
-  Face a, b;         ///< in the directions -n and n
+  ExtremeFace a, b;  ///< in the directions -n and n
   mpq_class factor;  ///< h(n) / <n,n>
   Point translation;
 

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "reference/depth/gap.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/records/flags.hpp"
 
 namespace fathom::golden {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernels/number/parse.hpp"
+#include "reference/files/source.hpp"
 #include "verify/golden/records/names.hpp"
 #include "verify/golden/records/prove.hpp"
 

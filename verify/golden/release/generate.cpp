@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/release.hpp"
 #include "verify/golden/shards/shard.hpp"

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/source.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/exports.hpp"

@@ -71,7 +71,7 @@ struct Panel {
   const Subject& subject;
   Point centre;
   mpq_class unit;
-  Frame frame{{0, 0}, 1};
+  Viewport frame{{0, 0}, 1};
 
   [[nodiscard]] Dot dot(const Point& p) const { return subject.view.project(p, centre, unit); }
   [[nodiscard]] std::vector<Dot> dots(const std::vector<Point>& points) const {
@@ -128,7 +128,7 @@ std::string letter_element(const Panel& panel, const std::vector<Point>& points,
   std::vector<Dot> corners;
   for (const std::uint32_t i : wires.corners) corners.push_back(panel.frame.pixel(panel.dot(points[i])));
   const std::vector<Dot> around =
-      clipped(outline(corners), true, {Frame::width / 2, Frame::height / 2}, {Frame::width / 2 - 12, Frame::height / 2 - 12});
+      clipped(outline(corners), true, {Viewport::width / 2, Viewport::height / 2}, {Viewport::width / 2 - 12, Viewport::height / 2 - 12});
   if (around.empty()) return "";
   Dot middle;
   for (const Dot& d : around)
@@ -146,7 +146,7 @@ std::string panel_svg(const Panel& panel, const std::string& name, const std::st
   return fmt::format(
       "<svg class=\"pair\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-labelledby=\"{2}-t {2}-d\">"
       "<title id=\"{2}-t\">{3}</title><desc id=\"{2}-d\">{4}</desc>{5}</svg>\n",
-      Frame::width, Frame::height, name, label, description, body);
+      Viewport::width, Viewport::height, name, label, description, body);
 }
 
 std::string description_of(const Subject& s) {
@@ -177,14 +177,14 @@ std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed
     shown.push_back({d.x + by.x, d.y + by.y});
   }
   for (const Point& end : {subject.moved, subject.claimed.value_or(Point{})}) shown.push_back(whole.dot(sum(subject.anchor, end)));
-  whole.frame = Frame::around(shown);
+  whole.frame = Viewport::around(shown);
   std::string result = panel_svg(whole, name + "w", label, description_of(subject));
 
   const mpq_class longest = std::max(size(subject.moved), subject.claimed ? size(*subject.claimed) : mpq_class(0));
   constexpr double short_arrow = 60, close_scale = 70;  // pixels
   if (longest == 0 || mpq_class(longest / subject.extent).get_d() * whole.frame.scale() >= short_arrow) return result;
   Panel close{subject, subject.anchor, longest};
-  close.frame = Frame({0, 0}, close_scale);
+  close.frame = Viewport({0, 0}, close_scale);
   return result + panel_svg(close, name + "c", label + ", close to the translations", description_of(subject));
 }
 

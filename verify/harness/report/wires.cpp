@@ -28,7 +28,7 @@ Wires wires_of(const Polytope& hull, const View& view) {
   return result;
 }
 
-Frame Frame::around(const std::vector<Dot>& dots) {
+Viewport Viewport::around(const std::vector<Dot>& dots) {
   Dot low = dots.front(), high = dots.front();
   for (const Dot& d : dots) {
     low = {std::min(low.x, d.x), std::min(low.y, d.y)};
@@ -38,7 +38,7 @@ Frame Frame::around(const std::vector<Dot>& dots) {
   return {{(low.x + high.x) / 2, (low.y + high.y) / 2}, across > 0 ? 1 / across : 1};
 }
 
-std::string Frame::path(const std::vector<Dot>& dots, bool closed) const {
+std::string Viewport::path(const std::vector<Dot>& dots, bool closed) const {
   std::vector<Dot> pixels;
   for (const Dot& d : dots) pixels.push_back(pixel(d));
   std::string result;

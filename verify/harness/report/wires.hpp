@@ -23,13 +23,13 @@ struct Wires {
 Wires wires_of(const Polytope& hull, const View& view);
 
 /// A rectangle of the picture's plane, shown as a rectangle of pixels.
-class Frame {
+class Viewport {
  public:
   static constexpr double width = 420, height = 300;  ///< pixels
 
-  Frame(Dot centre, double scale) : centre_(centre), scale_(scale) {}  ///< `scale` pixels for one unit
+  Viewport(Dot centre, double scale) : centre_(centre), scale_(scale) {}  ///< `scale` pixels for one unit
   /// All dots fit, with a margin; of a single dot, anything around it.
-  static Frame around(const std::vector<Dot>& dots);
+  static Viewport around(const std::vector<Dot>& dots);
 
   [[nodiscard]] Dot pixel(const Dot& d) const { return {width / 2 + (d.x - centre_.x) * scale_, height / 2 - (d.y - centre_.y) * scale_}; }
   [[nodiscard]] double scale() const { return scale_; }

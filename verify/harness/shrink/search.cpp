@@ -8,7 +8,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/depth/depth.hpp"
+#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/check.hpp"

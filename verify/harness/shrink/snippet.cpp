@@ -10,7 +10,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/depth/names.hpp"
+#include "fathom/depth.hpp"
 
 #include <stdexcept>
 
@@ -28,10 +28,10 @@ std::string_view name(ContactKind kind) {
 
 std::string_view name(Method method) {
   switch (method) {
+    case Method::automatic: return "automatic";
     case Method::exact: return "exact";
     case Method::naive: return "naive";
     case Method::certificate: return "certificate";
-    case Method::shallow: return "shallow";
   }
   throw std::logic_error("unknown method");
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A C program that has a wrong answer judged: unit cubes, the second moved by 0.4. */
-#include <fathom/verify/judge/judge.h>
+#include <fathom/judge.h>
 #include <stdio.h>
 
 static void cube(double x, double points[24]) {
@@ -30,5 +30,7 @@ int main(void) {
   claim.depth = 1.0392;
   if (fathom_judge(&claim, &judgement, sentence, sizeof sentence) != FATHOM_JUDGED) return 1;
   printf("%s: %s\n", fathom_verdict_name(judgement.verdict), sentence);
-  return fathom_verdict_passes(judgement.verdict);
+  return fathom_verdict_passes(judgement.verdict); /* it does not */
 }
+
+//> too-deep: too deep by 0.4392: 1.0392 is claimed, the depth is 0.6

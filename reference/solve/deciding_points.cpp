@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A guess at the points that decide, from bodies rounded to a coarse grid; the exact answer to those; then all points are asked whether one of
 // them lies farther out in a direction that this answer names. As long as some do they join, and the answer is sought anew.
-#include "reference/depth/deciding_points.hpp"
+#include "reference/solve/deciding_points.hpp"
 
 #include <algorithm>
 #include <set>
 #include <tuple>
 
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "reference/solve/methods.hpp"
 
 namespace fathom {
 namespace {
@@ -92,10 +94,9 @@ bool is_flat(std::span<const Point> body) {
 
 // The directions that an answer names. Where all points agree in each of them with those that were asked, the answer is right.
 std::vector<Vector> directions_of(const Depth& depth) {
+  if (!depth.penetration()) return {depth.direction()};
   std::vector<Vector> directions;
-  for (const Optimum& optimum : depth.optima) directions.push_back(optimum.direction);
-  if (depth.optima.empty() && depth.direction) directions.push_back(*depth.direction);
-  if (depth.distance) directions.push_back(depth.distance->direction);
+  for (const Optimum& optimum : depth.optima()) directions.push_back(optimum.direction);
   return directions;
 }
 
@@ -131,33 +132,24 @@ class Deciding {
   Deciding(std::span<const Point> a, std::span<const Point> b)
       : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
-  std::optional<Depth> run(const Options& options, const Solve& solve) {
-    guess(options);
+  std::optional<Depth> run(Context& context, const Options& options) {
+    guess(context);
     for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size(); ++round) {
-      Depth depth = solve(chosen_a_.points(), chosen_b_.points());
+      Depth depth = depth_by_method(context, place(chosen_a_.points(), chosen_b_.points()), options);
       if (!add_extremes(depth)) return of_all(std::move(depth));
     }
     return std::nullopt;
   }
 
  private:
-  void guess(const Options& options) {
-    Options quick;
-    quick.method = Method::certificate;
-    quick.progress = options.progress;
-    const Depth depth = penetration_depth(positions(images_.a), positions(images_.b), quick);
+  void guess(Context& context) {
+    const Depth depth = depth_by_method(context, place_integers(images_.a, images_.b), {});
     add_extremes(depth);
-    if (!depth.inner) return;
-    for (const auto& [i, j] : depth.inner->vertices) {
+    if (!depth.penetration() || !depth.penetration()->inner) return;
+    for (const auto& [i, j] : depth.penetration()->inner->vertices) {
       chosen_a_.add(i);
       chosen_b_.add(j);
     }
-  }
-
-  static std::vector<Point> positions(const std::vector<Vector>& images) {
-    std::vector<Point> points;
-    for (const Vector& v : images) points.push_back({v.x, v.y, v.z});
-    return points;
   }
 
   bool add_extremes(const Depth& depth) {
@@ -176,10 +168,11 @@ class Deciding {
       for (std::uint32_t& i : contact.a) i = ids_a[i];
       for (std::uint32_t& i : contact.b) i = ids_b[i];
     };
-    for (Optimum& optimum : depth.optima) rename(optimum.contact);
-    if (depth.contact) rename(*depth.contact);
-    if (depth.inner)
-      for (auto& [i, j] : depth.inner->vertices) std::tie(i, j) = std::pair(ids_a[i], ids_b[j]);
+    if (auto* penetration = std::get_if<Penetration>(&depth.outcome)) {
+      for (Optimum& optimum : penetration->optima) rename(optimum.contact);
+      if (penetration->inner)
+        for (auto& [i, j] : penetration->inner->vertices) std::tie(i, j) = std::pair(ids_a[i], ids_b[j]);
+    }
     depth.flat_a = depth.flat_a && is_flat(a_);
     depth.flat_b = depth.flat_b && is_flat(b_);
     depth.extreme_a = depth.extreme_b = 0;
@@ -193,10 +186,9 @@ class Deciding {
 
 }  // namespace
 
-std::optional<Depth> depth_by_deciding_points(std::span<const Point> a, std::span<const Point> b, const Options& options,
-                                              const Solve& solve) {
+std::optional<Depth> depth_by_deciding_points(Context& context, std::span<const Point> a, std::span<const Point> b, const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
-  return Deciding(a, b).run(options, solve);
+  return Deciding(a, b).run(context, options);
 }
 
 std::vector<std::uint32_t> extreme_points(std::span<const Point> body, const Vector& u) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/files/body.hpp"
 
 namespace fathom {
@@ -64,6 +65,20 @@ Vector multiple(const Point& p, const mpz_class& denominator) {
   return {multiple(p.x, denominator), multiple(p.y, denominator), multiple(p.z, denominator)};
 }
 
+/// The points of both bodies while they are made.
+struct Lattice {
+  mpz_class denominator = 1;
+  Point origin;
+  std::vector<Vector> a, b;
+};
+
+PlacedPair with_clouds(Lattice lattice) {
+  PlacedPair pair = place_integers(std::move(lattice.a), std::move(lattice.b));
+  pair.denominator = std::move(lattice.denominator);
+  pair.origin = std::move(lattice.origin);
+  return pair;
+}
+
 std::vector<Vector> shifted_multiples(std::span<const Point> body, const mpz_class& denominator, const Vector& origin) {
   std::vector<Vector> result;
   result.reserve(body.size());
@@ -106,9 +121,9 @@ std::vector<Point> offsets(std::span<const Point> body, const Point& origin) {
   return result;
 }
 
-/// The lattice of points whose common denominator is much longer than they are: what differences do not need is left out beforehand, and
-/// there are limits.
-Lattice wide_lattice(std::span<const Point> a, std::span<const Point> b) {
+/// For points whose common denominator is much longer than they are: what differences do not need is left out beforehand, and there
+/// are limits.
+PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
   Lattice lattice;
   lattice.origin = b.front();
   const std::vector<Point> from_a = offsets(a, lattice.origin), from_b = offsets(b, lattice.origin);
@@ -121,18 +136,12 @@ Lattice wide_lattice(std::span<const Point> a, std::span<const Point> b) {
   }
   for (const Point& p : from_a) lattice.a.push_back(multiple(p, lattice.denominator));
   for (const Point& p : from_b) lattice.b.push_back(multiple(p, lattice.denominator));
-  return lattice;
-}
-
-mpq_class position(const mpq_class& origin, const mpz_class& v, const mpz_class& unit) {
-  mpq_class offset(v, unit);
-  offset.canonicalize();
-  return origin + offset;
+  return with_clouds(std::move(lattice));
 }
 
 }  // namespace
 
-std::optional<Lattice> slim_lattice(std::span<const Point> a, std::span<const Point> b) {
+std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a lattice of a body without points");
   all_coordinates(a, b, [](const mpq_class& q) { return require_lowest_terms(q), true; });
   std::size_t limit = short_enough;
@@ -147,17 +156,25 @@ std::optional<Lattice> slim_lattice(std::span<const Point> a, std::span<const Po
   lattice.a = shifted_multiples(a, lattice.denominator, origin);
   lattice.b = shifted_multiples(b, lattice.denominator, origin);
   coarsen(lattice);
-  return lattice;
+  return with_clouds(std::move(lattice));
 }
 
-Lattice common_lattice(std::span<const Point> a, std::span<const Point> b) {
-  std::optional<Lattice> slim = slim_lattice(a, b);
-  return slim ? std::move(*slim) : wide_lattice(a, b);
+PlacedPair place(std::span<const Point> a, std::span<const Point> b) {
+  std::optional<PlacedPair> slim = place_if_slim(a, b);
+  return slim ? std::move(*slim) : place_wide(a, b);
 }
 
-Point position(const Lattice& lattice, const Vector& v, const mpz_class& divisor) {
-  const mpz_class unit = lattice.denominator * divisor;
-  return {position(lattice.origin.x, v.x, unit), position(lattice.origin.y, v.y, unit), position(lattice.origin.z, v.z, unit)};
+PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
+  const long exponent = std::max(binary_exponent(a), binary_exponent(b));
+  PlacedPair pair;
+  pair.a = PointCloud(std::move(a), exponent);
+  pair.b = PointCloud(std::move(b), exponent);
+  return pair;
+}
+
+Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
+  const mpz_class unit = denominator * divisor;
+  return {origin.x + ratio(v.x, unit), origin.y + ratio(v.y, unit), origin.z + ratio(v.z, unit)};
 }
 
 }  // namespace fathom

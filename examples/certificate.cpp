@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An answer with its proof: the certificate is checked by a program that shares no code with the one that made it.
+#include <fathom/certificate.hpp>
+#include <fathom/check.hpp>
+#include <iostream>
+#include <vector>
+
+int main() {
+  const std::vector<fathom::Point> a{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  const std::vector<fathom::Point> b{{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}};
+  const fathom::Depth depth = fathom::penetration_depth(a, b);
+  fathom::Certificate certificate = fathom::make_certificate(a, b, depth);
+  certificate.id = "tetrahedra";
+  const std::string text = fathom::certificate_text(certificate);  // for fathom-check, check.py and the proved checker
+  const fathom_check::Verdict verdict = fathom_check::verify(text);
+  std::cout << fathom_check::verdict_line(verdict, "") << "\n";
+
+  // That the depth lies between two bounds can be proved without knowing it.
+  const auto bounds = fathom::make_bounds_certificate(a, b, mpq_class(1, 4), 1);
+  std::cout << fathom_check::verdict_line(fathom_check::verify(fathom::certificate_text(bounds)), "bounds") << "\n";
+
+  // Whoever changes a digit is found out.
+  std::cout << fathom_check::verify(text + "end\n").accepted() << "\n";
+}
+
+//> TODO

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact numbers in, correctly rounded numbers out: a depth is the square root of a rational.
+#include <fathom/numbers.hpp>
+#include <iostream>
+
+int main() {
+  using fathom::Rounding;
+  const mpq_class tenth = *fathom::parse_number("0.1", fathom::Decimals::exact).value;
+  const mpq_class nearly = *fathom::parse_number("0.1", fathom::Decimals::binary64).value;
+  std::cout << fathom::exact_text(tenth) << " or " << fathom::exact_text(nearly) << ", as a double holds "
+            << (fathom::exact_value(0.1) == nearly) << "\n";
+  std::cout << fathom::parse_number("1/0", fathom::Decimals::exact).error << "\n";
+
+  const mpq_class squared = 2;  // depth^2
+  for (const Rounding mode : {Rounding::rn, Rounding::rd, Rounding::ru}) {
+    std::cout << fathom::hex_text(fathom::root_binary64(squared, mode)) << " " << fathom::hex_text(fathom::root_binary32(squared, mode))
+              << " " << fathom::hex_text(fathom::round_binary64(tenth, mode)) << " "
+              << fathom::hex_text(fathom::round_binary32(tenth, mode)) << "\n";
+  }
+  const fathom::Enclosure root = fathom::enclose_root(squared, 30);
+  std::cout << root.low << " < sqrt(2) < " << root.high << "\n";
+}
+
+//> TODO

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an answer holds: bodies penetrate, touch or are disjoint. A segment of length 2 and a unit cube, moved towards each other.
+#include <fathom/depth.hpp>
+#include <iostream>
+#include <vector>
+
+using fathom::Point;
+
+const std::vector<Point> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+
+std::vector<Point> octahedron(const mpq_class& x) {
+  const mpq_class half(1, 2);
+  return {{x + half, half, half}, {x - half, half, half}, {x, 1, half}, {x, 0, half}, {x, half, 1}, {x, half, 0}};
+}
+
+void tell(const mpq_class& x) {
+  const std::vector<Point> body = octahedron(x);
+  const fathom::Depth depth = fathom::penetration_depth(body, cube);
+  std::cout << "at " << x << ": " << fathom::name(depth.status());
+  if (const fathom::Penetration* penetration = depth.penetration()) {
+    const fathom::Optimum& first = penetration->optima.front();
+    std::cout << ", depth^2 = " << penetration->squared << ", " << penetration->optima.size() << " shortest ways out, the first of kind "
+              << fathom::name(first.contact.kind);
+    if (const auto next = fathom::second_nearest_squared(body, cube, *penetration)) std::cout << ", the next facet^2 = " << *next;
+  } else if (const fathom::Touch* touch = depth.touch()) {
+    std::cout << " in (" << touch->point.x << ", " << touch->point.y << ", " << touch->point.z << ")";
+  } else {
+    std::cout << ", distance^2 = " << depth.distance()->squared;
+  }
+  std::cout << ", signed " << fathom::signed_square(depth) << "\n";
+}
+
+int main() {
+  tell(2);
+  tell(mpq_class(3, 2));
+  tell(mpq_class(5, 4));
+  tell(mpq_class(1, 2));
+}
+
+//> at 2: disjoint, distance^2 = 1/4, signed -1/4

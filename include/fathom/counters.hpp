@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run did, in counts that do not depend on the machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string_view>
+
+namespace fathom {
+
+/// The predicates that decide the topology. Names as reported.
+enum class Predicate { side_of_equator, x_order, side_of_arc, order_on_vertical, order_at_infinity, count };
+
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(Predicate::count)> predicate_names{
+    "side_of_equator", "x_order", "side_of_arc", "order_on_vertical", "order_at_infinity"};
+
+/// Calls of one predicate, by the tier that was reached.
+struct TierCounts {
+  std::uint64_t calls = 0;
+  std::uint64_t exact = 0;  ///< the interval filter was unsure
+  std::uint64_t zero = 0;   ///< the exact sign was zero: coincidences on the input
+  /// How many of the zeros which monomial in the infinitesimals decided (Monomial::packed).
+  std::map<std::uint64_t, std::uint64_t> decided;
+};
+
+using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
+
+/// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
+struct Counters {
+  std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
+  std::uint64_t scans = 0;         ///< linear scans of the position test
+  std::uint64_t expansions = 0;    ///< points that an expanding polytope took
+  std::uint64_t inner_facets = 0;  ///< facets that it had in the end
+  std::uint64_t vertex_facet_pairs = 0;
+  std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
+  std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|
+  std::uint64_t pairs_evaluated = 0;                        ///< pairs of lines whose distance was looked at
+  std::uint64_t pairs_exact = 0;                            ///< of these, compared in exact arithmetic
+  std::uint64_t grids_cut = 0;                              ///< canonical pairs that were cut; all others were scanned or cleared whole
+  std::uint64_t cells = 0;                                  ///< cells of cuttings
+  std::uint64_t block_tests = 0;                            ///< blocks (cell x run, or cell x line) put to the vertex test
+  std::uint64_t vertex_clears = 0;                          ///< of these, cleared by it
+  std::uint64_t frame_tests = 0, frame_clears = 0;          ///< blocks put to the frame test, and cleared by it
+  std::uint64_t quota_checks = 0;                           ///< conflict lists that were counted
+  std::uint64_t quota_refinements = 0;                      ///< of these, over the quota: the cell was refined
+  std::uint64_t few_cells = 0;                              ///< of these, over the quota, but the cell too small to be refined
+  std::uint64_t seed = 0;                                   ///< of the closest lines' random order
+  std::uint64_t rays = 0;                                   ///< shot through P
+  std::uint64_t facets_visited = 0;                         ///< facets of P that a walk near O went through
+  PredicateCounts predicates{};
+};
+
+}  // namespace fathom

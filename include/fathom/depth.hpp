@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two finite point sets with rational coordinates; each stands for its convex hull.
+// Output  the exact penetration depth of the two hulls, squared, with every optimum.             [AGHRS, PENETRATION-DEPTH, section 2.2]
+//
+// P = B (+) (-A) is the set of all differences b - a, and O the origin. h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fathom/counters.hpp"
+#include "fathom/monitor.hpp"
+#include "fathom/point.hpp"
+
+namespace fathom {
+
+/// Where O lies with respect to P: in its interior; on its boundary, or in a flat P; outside.
+enum class Status { penetrating, touching, disjoint };
+
+/// The six kinds of facets of P. A's feature comes first.
+enum class ContactKind { facet_vertex, vertex_facet, facet_edge, edge_facet, facet_facet, edge_edge };
+
+/// The faces of the bodies in one direction, as ascending 0-based indices of the input points that span them: extreme points only,
+/// of equal points the lowest index.
+struct Contact {
+  ContactKind kind;
+  std::vector<std::uint32_t> a, b;
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// A shortest way out. Moving A by `translation` makes the interiors disjoint, and |translation| is the depth.
+struct Optimum {
+  Vector direction;   ///< primitive outward normal of a nearest facet of P
+  Point translation;  ///< (h(n) / <n,n>) n
+  Contact contact;
+  friend bool operator==(const Optimum&, const Optimum&) = default;
+};
+
+/// A point of A and a point of B.
+struct Witness {
+  Point a, b;
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+
+/// A convex polytope inside P with O in its interior, which proves how far O is from the boundary of P. Each corner is a corner of at least
+/// three facets, and no two facets lie in one plane.
+struct InnerPolytope {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertices;  ///< indices of a point a of A and a point b of B, for the difference b - a
+  std::vector<std::vector<std::uint32_t>> facets;  ///< corners, counter-clockwise seen from outside, none on a line with its neighbours
+};
+
+/// What is known of bodies that penetrate.
+struct Penetration {
+  mpq_class squared;                   ///< depth^2 > 0, in lowest terms
+  std::vector<Optimum> optima;         ///< one per direction, sorted lexicographically on it; at least one
+  Witness witness;                     ///< in the faces of the first optimum's contact, with b - a = its translation
+  std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
+};
+
+/// What is known of bodies that touch.
+struct Touch {
+  Vector direction;  ///< primitive n with h(n) = 0: a plane orthogonal to it has the bodies on its two sides
+  Point point;       ///< a common point
+};
+
+/// What is known of disjoint bodies.
+struct Distance {
+  mpq_class squared;  ///< distance^2, in lowest terms
+  Vector direction;   ///< primitive n with h(n) / |n| = -distance: no direction separates the bodies more widely
+  Point translation;  ///< (h(n) / <n,n>) n. Moving A by it, no shorter way, the bodies touch
+  Witness witness;    ///< nearest points: b - a = translation
+};
+
+/// A plane between bodies that do not penetrate: all that rays and approximations tell of them.
+struct Separation {
+  Vector normal;  ///< primitive n with h(n) = 0 if the bodies touch, h(n) < 0 if they are disjoint
+  bool touching = false;
+  [[nodiscard]] Status status() const { return touching ? Status::touching : Status::disjoint; }
+};
+
+/// How a depth is found. The answers of all methods are equal, but for Penetration::inner and Depth::method.
+enum class Method {
+  automatic,    ///< certificate within Options::expansion_budget, past it exact
+  exact,        ///< AGHRS, section 2: Gaussian diagrams, canonical subsets, closest lines
+  naive,        ///< the convex hull of all vertex differences: an independent twin, O(mn log mn)
+  certificate,  ///< a polytope that expands inside P, which proves the depth; near ties can make it long
+};
+
+/// How the closest lines of a canonical pair are found. All three give the same answer.
+enum class ClosestLines : std::uint8_t {
+  cutting,  ///< cells along the grid's order, conflict lists, block tests
+  sampled,  ///< a random sample guides the cells, as in AGHRS
+  naive,    ///< every pair, through a double filter
+};
+
+struct Options {
+  Method method = Method::automatic;
+  /// Method automatic: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
+  /// twice the number of all points, but at most 20,000. Exhausting this budget costs about one exact run.
+  std::optional<std::size_t> expansion_budget;
+  /// The engine of the exact method, cutting if not set. If set, automatic is exact.
+  std::optional<ClosestLines> closest_lines;
+  /// Of the closest lines' random order. Results do not depend on it, only counters do.
+  std::uint64_t seed = 1;
+  /// Hears of progress and may stop the work; may be null.
+  Monitor* monitor = nullptr;
+  /// Run `validate` on every stage and throw std::logic_error on any broken law. Slow.
+  bool validate = false;
+};
+
+/// What every answer about two bodies tells of the bodies themselves.
+struct BodyFacts {
+  bool flat_a = false, flat_b = false;         ///< whether the body has no interior
+  std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 when no hull was needed
+};
+
+/// An answer about two bodies that tells of those which do not penetrate no more than a plane between them.
+template <class Penetrating>
+struct SeparationOr : BodyFacts {
+  std::variant<Penetrating, Separation> outcome;
+
+  [[nodiscard]] const Penetrating* penetration() const { return std::get_if<Penetrating>(&outcome); }  ///< null unless penetrating
+  [[nodiscard]] const Separation* separation() const { return std::get_if<Separation>(&outcome); }     ///< null if penetrating
+  [[nodiscard]] Status status() const { return separation() ? separation()->status() : Status::penetrating; }
+};
+
+/// The answer about two bodies: `outcome` holds what the status has.
+struct Depth : BodyFacts {
+  std::variant<Penetration, Touch, Distance> outcome;
+  /// The method that ran to the end: never automatic. Of bodies that do not penetrate the certificate method does not decide: exact. None:
+  /// shallow_depth.
+  std::optional<Method> method;
+  Counters counters;
+
+  [[nodiscard]] Status status() const { return static_cast<Status>(outcome.index()); }
+  [[nodiscard]] const Penetration* penetration() const { return std::get_if<Penetration>(&outcome); }  ///< null unless penetrating
+  [[nodiscard]] const Touch* touch() const { return std::get_if<Touch>(&outcome); }                    ///< null unless touching
+  [[nodiscard]] const Distance* distance() const { return std::get_if<Distance>(&outcome); }           ///< null unless disjoint
+
+  // The same for every status.
+
+  /// depth^2: 0 unless penetrating.
+  [[nodiscard]] const mpq_class& squared() const;
+  /// Empty unless penetrating.
+  [[nodiscard]] const std::vector<Optimum>& optima() const;
+  /// The least h(u) / |u| is reached at u = direction: that of the first optimum, of the touch, of the distance.
+  [[nodiscard]] const Vector& direction() const;
+  /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0 unless penetrating.
+  [[nodiscard]] const Point& translation() const;
+  /// Of the first optimum; null unless penetrating.
+  [[nodiscard]] const Contact* contact() const;
+  /// Points with b - a = translation(): in the faces of contact(), or a common point twice. None of disjoint bodies.
+  [[nodiscard]] std::optional<Witness> witness() const;
+};
+
+/// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms, and Interrupted.
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
+
+/// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its
+/// signed root is the least h(u) / |u| over all directions u, a continuous function of where the bodies are.
+mpq_class signed_square(const Depth& depth);
+
+/// How clear an answer is: the least squared distance from O of a facet plane of P that is larger than depth^2. Returns nullopt if all
+/// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method.
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
+                                                Monitor* monitor = nullptr);
+
+// The words for the values of an answer, the same in every format.
+
+std::string_view name(Status status);     ///< "penetrating", "touching", "disjoint"
+std::string_view name(ContactKind kind);  ///< "facet-vertex": A's feature first
+std::string_view name(Method method);     ///< "automatic", "exact", "naive", "certificate"
+
+/// The inverse of `name`; nullopt for other words.
+std::optional<Status> status_named(std::string_view text);
+
+}  // namespace fathom

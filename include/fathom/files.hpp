@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies from files: meshes (OFF, OBJ, PLY, STL, plain points), and cases of two bodies as JSON, one a line or one a file.
+#pragma once
+
+#include <cstddef>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fathom/numbers.hpp"
+#include "fathom/point.hpp"
+
+namespace fathom {
+
+/// A finite, non-empty point set; it stands for its convex hull.
+struct Body {
+  std::vector<Point> points;
+};
+
+/// Two bodies to be judged against each other.
+struct Case {
+  std::string id;
+  Body a, b;
+};
+
+/// Malformed, missing or unreadable input. what() is one complete sentence for the user:
+/// "cube.off:12: expected a vertex index below 8, found '9'".
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string file, std::size_t line, const std::string& message);  ///< line 0: no line
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  std::string file_;
+  std::size_t line_;
+};
+
+// ---- meshes ----
+
+/// The mesh formats that are read. PLY and STL may be text or binary, as the file itself says.
+enum class MeshFormat { off, obj, ply, stl, xyz };
+
+/// Returns the points of the mesh in the file `path`, exactly, in order of appearance; repeated points stay (an STL repeats each corner).
+/// Binary floats, hexadecimal floats, integers and ratios p/q are taken as they are. `decimals` says what a decimal stands for: the nearest
+/// binary64, which is what other programs read, or its own value.
+/// Of faces, only the indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh without faces is a
+/// point set. The extension tells the format (.off .obj .ply .stl .xyz .txt .pts), else the first bytes do.
+/// Throws InputError, with file and line (in binary files, the byte), for anything missing, truncated, out of range or not a number.
+Body read_mesh(const std::string& path, Decimals decimals = Decimals::binary64);
+
+/// The same for a mesh in memory; `name` is its file name, which may tell the format and appears in messages.
+Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals = Decimals::binary64);
+
+/// The same for a known format.
+Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals, MeshFormat format);
+
+// ---- cases ----
+//
+// A case is a JSON object of the schema fathom/case/1 (schemas/case.schema.json).
+// A JSON number means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is an error.
+// A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as an affine map. "pose_rounding": "binary64",
+// in the case or in one body, then rounds the placed vertices once. Unknown fields are skipped. A known field that is given twice is an
+// error, since readers differ in which one they take. null stands for an optional field that is not given.
+
+/// One case of a stream, or the reason why it cannot be read.
+struct CaseItem {
+  std::size_t line = 1;  ///< where it begins
+  std::string id;        ///< its id, else its line number as text; also of a bad case, if it could be read
+  std::variant<Case, InputError> outcome;
+
+  [[nodiscard]] bool ok() const { return std::holds_alternative<Case>(outcome); }
+  [[nodiscard]] const Case& value() const { return std::get<Case>(outcome); }
+  [[nodiscard]] const InputError& error() const { return std::get<InputError>(outcome); }
+};
+
+/// Reads the case in `text`, which begins on line `line` of the input called `name`. Throws nothing on bad input.
+CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line = 1);
+
+/// How cases lie in an input.
+enum class CaseLayout {
+  lines,    ///< one a line; but a line that is "{" alone starts a case that runs until its braces balance (or an unindented "{")
+  document  ///< a single case, however it is broken into lines
+};
+
+/// Reads cases one after another: each can be answered before the line after it is read. Blank lines are skipped.
+/// A bad case is an item of its own, and the stream goes on. An input without any case yields one error.
+class CaseStream {
+ public:
+  /// Reads `input`, which must outlive the stream; `name` is for messages.
+  CaseStream(std::istream& input, std::string name, CaseLayout layout = CaseLayout::lines);
+  CaseStream(CaseStream&&) noexcept;
+  CaseStream& operator=(CaseStream&&) noexcept;
+  ~CaseStream();
+
+  /// Opens a file; "-" is `standard_input`, named "<stdin>". A .json file is a document, unless more follows its first value.
+  /// Throws InputError if it cannot be read.
+  static CaseStream open(const std::string& path, std::istream& standard_input);
+
+  /// Returns the next case, or nullopt at the end. A case of more than 256 MiB is a bad one. Throws std::bad_alloc if memory runs out:
+  /// the case, which begins on line case_line(), is skipped then, and the stream can go on.
+  std::optional<CaseItem> next();
+  [[nodiscard]] std::size_t case_line() const;
+
+ private:
+  class Reader;
+  explicit CaseStream(std::unique_ptr<Reader> reader);
+
+  std::unique_ptr<Reader> reader_;
+};
+
+}  // namespace fathom

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/depth/apart.hpp"
+
+#include "kernels/number/ratio.hpp"
+#include "kernels/parallel.hpp"
+#include "reference/depth/contact.hpp"
+#include "reference/polytope/distance.hpp"
+#include "reference/polytope/position.hpp"
+
+namespace fathom {
+namespace {
+
+constexpr std::size_t worth_a_thread = 2048;  // points
+
+// In the direction of the nearest point of P the height is -distance: no other translation brings A to B sooner.
+Distance distance(Context& context, const PlacedPair& pair, bool checked) {
+  const NearestPoints nearest = nearest_points(pair.a, pair.b);
+  if (checked) insist(validate(nearest, pair.a.points(), pair.b.points()));
+  context.counters.scans += nearest.scans;
+  const Vector& n = nearest.normal;
+  const mpq_class factor = ratio(nearest.height, dot(n, n) * pair.denominator);
+  return {factor * factor * dot(n, n),
+          n,
+          {factor * n.x, factor * n.y, factor * n.z},
+          {combination(pair, pair.a.points(), nearest.a), combination(pair, pair.b.points(), nearest.b)}};
+}
+
+}  // namespace
+
+BodyFacts facts_of(const PlacedPair& pair) { return {affine_rank(pair.a.points()) < 3, affine_rank(pair.b.points()) < 3, 0, 0}; }
+
+bool answer_apart(Context& context, const PlacedPair& pair, bool checked, Depth& depth) {
+  const PositionOfOrigin origin = position_of_origin(pair.a, pair.b);
+  if (checked) insist(validate(origin, pair.a.points(), pair.b.points()));
+  context.counters.scans += origin.scans;
+  switch (origin.position) {
+    case Position::inside: return false;
+    case Position::boundary: depth.outcome = Touch{*origin.normal, combination(pair, pair.a.points(), origin.a)}; break;
+    case Position::outside: depth.outcome = distance(context, pair, checked); break;
+  }
+  return true;
+}
+
+Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts& facts) {
+  context.report("hulls");
+  Hulls hulls;
+  const bool one_body = pair.a.points() == pair.b.points();
+  run_both(
+      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, [&] { hulls.a = convex_hull(pair.a.points()); },
+      [&] { hulls.b = one_body ? hulls.a : convex_hull(pair.b.points()); });
+  const auto& [a, b] = hulls;
+  if (checked) {
+    insist(validate(a, pair.a.points()));
+    insist(validate(b, pair.b.points()));
+  }
+  facts.extreme_a = static_cast<std::uint32_t>(a.vertices.size());
+  facts.extreme_b = static_cast<std::uint32_t>(b.vertices.size());
+  Counters& counters = context.counters;
+  counters.vertices_a = a.vertices.size();
+  counters.vertices_b = b.vertices.size();
+  counters.edges_a = a.edges.size();
+  counters.edges_b = b.edges.size();
+  counters.facets_a = a.facets.size();
+  counters.facets_b = b.facets.size();
+  return hulls;
+}
+
+}  // namespace fathom

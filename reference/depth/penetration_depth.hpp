@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies on one lattice.
+// Output  their exact penetration depth, by the exact method.                                [AGHRS, PENETRATION-DEPTH, section 2.2]
+// Time    near-linear in the size of the bodies but for the closest lines of many crossings; AGHRS, Theorem 2.5.
+#pragma once
+
+#include "fathom/depth.hpp"
+#include "kernels/context.hpp"
+#include "kernels/predicates/perturbation.hpp"
+#include "reference/polytope/placed_pair.hpp"
+
+namespace fathom {
+
+struct ExactOptions {
+  ClosestLines closest_lines = ClosestLines::cutting;
+  std::uint64_t seed = 1;     ///< of the closest lines' random order
+  bool validate = false;      ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
+  Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
+};
+
+/// The answer, with what `context` has counted.
+Depth penetration_depth(Context& context, const PlacedPair& pair, const ExactOptions& options = {});
+
+}  // namespace fathom

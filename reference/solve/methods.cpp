@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/solve/methods.hpp"
+
+#include <algorithm>
+
+#include "reference/depth/apart.hpp"
+#include "reference/depth/contact.hpp"
+#include "reference/depth/naive_depth.hpp"
+#include "reference/depth/penetration_depth.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
+
+namespace fathom {
+namespace {
+
+// Exhausting it costs about one exact run.
+std::size_t usual_budget(const PlacedPair& pair) { return std::min<std::size_t>(200 + 2 * (pair.a.size() + pair.b.size()), 20000); }
+
+// By an expanding polytope: no hulls of the bodies, and the proof is there when the answer is. Returns nullopt if O is not interior or the
+// budget is exhausted.
+std::optional<Depth> certified_depth(Context& context, const PlacedPair& pair, std::size_t budget, bool checked) {
+  Expansion expansion = nearest_by_expansion(context, pair.a, pair.b, budget);
+  if (expansion.end != ExpansionEnd::proved) return std::nullopt;
+  if (checked) insist(validate(expansion, pair.a, pair.b));
+  Penetration answer = penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()});
+  context.counters.expansions = expansion.points;
+  context.counters.inner_facets = expansion.inner.facets.size();
+  answer.inner = std::move(expansion.inner);
+  return Depth{facts_of(pair), std::move(answer), Method::certificate, context.counters};
+}
+
+Depth exact_depth(Context& context, const PlacedPair& pair, const Options& options) {
+  return penetration_depth(context, pair, {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
+}
+
+Depth naive_answer(Context& context, const PlacedPair& pair, bool checked) {
+  Depth depth{facts_of(pair), {}, Method::naive, {}};
+  if (!answer_apart(context, pair, checked, depth)) {
+    const Hulls hulls = hulls_of(context, pair, checked, depth);
+    context.report("hull of all differences");
+    depth.outcome = penetration_along(pair, naive_depth(hulls.a.vertices, hulls.b.vertices).directions);
+  }
+  depth.counters = context.counters;
+  return depth;
+}
+
+}  // namespace
+
+Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& options) {
+  context.counters = Counters{};
+  const bool asks_for_lines = options.method == Method::automatic && options.closest_lines;
+  if (options.method == Method::exact || asks_for_lines) return exact_depth(context, pair, options);
+  if (options.method == Method::naive) return naive_answer(context, pair, options.validate);
+  const std::size_t budget = options.method == Method::certificate ? unlimited : options.expansion_budget.value_or(usual_budget(pair));
+  if (std::optional<Depth> certified = certified_depth(context, pair, budget, options.validate)) return std::move(*certified);
+  return exact_depth(context, pair, options);
+}
+
+}  // namespace fathom
