@@ -14,7 +14,8 @@ std::vector<fathom::Point> cube(const mpq_class& x, const mpq_class& y) {
 }
 
 int main() {
-  const fathom::Depth depth = fathom::penetration_depth(cube(0, 0), cube(mpq_class(19, 10), mpq_class(1, 2)));
+  const std::vector<fathom::Point> a = cube(0, 0), b = cube(mpq_class(19, 10), mpq_class(1, 2));
+  const fathom::Depth depth = fathom::penetration_depth(a, b);
   std::cout << "depth^2 = " << depth.squared() << "\n";                         // exact
   std::cout << "depth   ~ " << fathom::root_binary64(depth.squared()) << "\n";  // correctly rounded
   const fathom::Point& way_out = depth.translation();
