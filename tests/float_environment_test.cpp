@@ -13,19 +13,19 @@
 #include <string>
 #include <vector>
 
+#include "fathom/approximate.hpp"
+#include "fathom/depth.hpp"
 #include "fathom/judge.h"
+#include "fathom/width.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/approximate/directional.hpp"
 #include "reference/approximate/metric.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh.hpp"
-#include "reference/width/width.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"

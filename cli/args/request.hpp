@@ -8,8 +8,8 @@
 
 #include "cli/args/cases_request.hpp"
 #include "cli/args/certify_request.hpp"
-#include "kernels/number/parse.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/number/parse.hpp"
 
 namespace fathom::cli {
 

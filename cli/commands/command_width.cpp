@@ -3,10 +3,10 @@
 #include "cli/commands/answer.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/command_approx.hpp"
+#include "fathom/width.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/files/mesh.hpp"
 #include "reference/files/source.hpp"
-#include "reference/width/width.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "kernels/vector.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/args/request.hpp"
-#include "reference/approximate/directional.hpp"
+#include "fathom/approximate.hpp"
 
 namespace fathom::cli {
 

@@ -53,7 +53,8 @@ struct Witness {
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary of P. Each corner is a corner of at least
 /// three facets, and no two facets lie in one plane.
 struct InnerPolytope {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertices;  ///< indices of a point a of A and a point b of B, for the difference b - a
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      vertices;                                    ///< indices of a point a of A and a point b of B, for the difference b - a
   std::vector<std::vector<std::uint32_t>> facets;  ///< corners, counter-clockwise seen from outside, none on a line with its neighbours
 };
 

@@ -4,6 +4,8 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
+
 namespace fathom {
 
 /// A position with exact rational coordinates, each in lowest terms: what takes points throws std::invalid_argument at others.
@@ -21,5 +23,11 @@ struct Vec3 {
 
 /// An exact integer vector: a direction, a facet normal, or a position in multiples of a common unit.
 using Vector = Vec3<mpz_class>;
+
+/// The share of an input point in a convex combination of a body's points.
+struct Weight {
+  std::uint32_t index;  ///< of the point
+  mpq_class weight;     ///< > 0
+};
 
 }  // namespace fathom

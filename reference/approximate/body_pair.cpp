@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/approximate/body_pair.hpp"
 
+#include "fathom/approximate.hpp"
+#include "kernels/float_environment.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/position.hpp"
 
@@ -24,5 +26,15 @@ BodyPair::Meeting BodyPair::meeting(const Vector& n, const Point& t) const {
   const Vector v{mpq_class(s * t.x).get_num(), mpq_class(s * t.y).get_num(), mpq_class(s * t.z).get_num()};
   return {optimum(placed_, n, faces).contact, meeting_points(placed_, faces, v, d)};
 }
+
+Hierarchies::Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor) {
+  const DefaultFloatEnvironment environment;
+  Context context(monitor);
+  pair_ = std::make_unique<const BodyPair>(context, a, b);
+}
+
+Hierarchies::Hierarchies(Hierarchies&&) noexcept = default;
+Hierarchies& Hierarchies::operator=(Hierarchies&&) noexcept = default;
+Hierarchies::~Hierarchies() = default;
 
 }  // namespace fathom

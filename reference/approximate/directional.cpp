@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/approximate/directional.hpp"
-
+#include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
@@ -18,6 +17,11 @@ Vector integral(const Point& direction, mpq_class& unit) {
   return primitive(v);
 }
 
+void require_direction(const Point& direction) {
+  for (const mpq_class* component : {&direction.x, &direction.y, &direction.z}) require_lowest_terms(*component);
+  if (direction == Point{0, 0, 0}) throw std::invalid_argument("the direction of a ray may not be zero");
+}
+
 }  // namespace
 
 mpq_class DirectionalDepth::factor() const { return penetration() ? penetration()->factor : mpq_class(0); }
@@ -31,14 +35,12 @@ mpq_class DirectionalDepth::squared() const {
 
 const Vector& DirectionalDepth::normal() const { return penetration() ? penetration()->normal : separation()->normal; }
 
-DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor) {
+DirectionalDepth Hierarchies::directional_depth(const Point& direction, Monitor* monitor) const {
   const DefaultFloatEnvironment environment;
-  for (const mpq_class* component : {&direction.x, &direction.y, &direction.z}) require_lowest_terms(*component);
-  if (direction == Point{0, 0, 0}) throw std::invalid_argument("the direction of a ray may not be zero");
-  Context context(monitor);
-  const BodyPair pair(context, a, b);
+  require_direction(direction);
+  const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}};
-  context.report("ray");
+  Context(monitor).report("ray");
   mpq_class unit;
   const Vector u = integral(direction, unit);
   const RayHit hit = shoot_ray(pair.a(), pair.b(), u);
@@ -48,6 +50,12 @@ DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Poi
   if (!meeting.witness) throw std::logic_error("a ray leaves P beside the facet that it hits");
   const mpq_class factor = hit.factor / (unit * pair.placed().denominator);
   return {{pair.facts(), RayExit{factor, t, hit.normal, std::move(meeting.contact), *meeting.witness, hit.steps}}};
+}
+
+DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor) {
+  const DefaultFloatEnvironment environment;
+  require_direction(direction);
+  return Hierarchies(a, b, monitor).directional_depth(direction, monitor);
 }
 
 }  // namespace fathom

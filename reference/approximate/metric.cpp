@@ -73,12 +73,12 @@ const std::vector<MetricOptimum>& MetricResult::optima() const {
   return penetration() ? penetration()->optima : none;
 }
 
-MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor) {
+MetricResult Hierarchies::metric_depth(const UnitBall& ball, Monitor* monitor) const {
   const DefaultFloatEnvironment environment;
   Context context(monitor);
-  const BodyPair pair(context, a, b);
+  const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}};
-  const MetricDepth found = metric_depth(context, pair.a(), pair.b(), ball);
+  const MetricDepth found = fathom::metric_depth(context, pair.a(), pair.b(), ball);
   if (found.deciding.empty()) throw std::logic_error("a ray from the interior of P found it flat or missed it");
   // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1 / denominator of the bodies.
   MetricPenetration result{found.depth * ball.denominator / pair.placed().denominator, {}, found.rays};
@@ -89,6 +89,10 @@ MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, co
     result.optima.push_back({ball.input_ids[d.vertex], t, d.normal, std::move(meeting.contact), *meeting.witness});
   }
   return {{pair.facts(), std::move(result)}};
+}
+
+MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor) {
+  return Hierarchies(a, b, monitor).metric_depth(ball, monitor);
 }
 
 }  // namespace fathom

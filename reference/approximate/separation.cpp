@@ -101,13 +101,19 @@ ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq
   return search(context, body, body, grid, grid.size() / 2, {0, 0, 0});
 }
 
-ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor) {
+ApproxDepth Hierarchies::approx_depth(const mpq_class& delta, Monitor* monitor) const {
   const DefaultFloatEnvironment environment;
   require_delta(delta);
   Context context(monitor);
-  const BodyPair pair(context, a, b);
+  const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
   return {{pair.facts(), result_of(pair, delta, approx_separation(context, pair.a(), pair.b(), delta))}, delta};
+}
+
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor) {
+  const DefaultFloatEnvironment environment;
+  require_delta(delta);
+  return Hierarchies(a, b, monitor).approx_depth(delta, monitor);
 }
 
 ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor) {

@@ -7,10 +7,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 
-#include "fathom/depth.hpp"
+#include "fathom/approximate.hpp"
 #include "kernels/context.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
@@ -34,33 +32,5 @@ ApproxSeparation approx_separation(Context& context, const Hierarchy& a, const H
 
 /// For a body against itself: P is symmetric about O, and half of the rays suffice.                         [AGHRS, Corollary 3.3]
 ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq_class& delta);
-
-/// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
-struct ApproxPenetration {
-  mpq_class squared;               ///< |translation|^2
-  mpq_class bound_squared;         ///< a lower bound of depth^2
-  Vector direction;                ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
-  Point translation;               ///< to the facet's plane, along the direction
-  Contact contact;                 ///< in that direction
-  std::optional<Witness> witness;  ///< only where the foot of O on the facet's plane lies in the facet
-  std::uint64_t rays = 0, steps = 0;
-};
-
-struct ApproxDepth : SeparationOr<ApproxPenetration> {
-  mpq_class delta;
-
-  /// 0 unless penetrating, as the next.
-  [[nodiscard]] mpq_class squared() const { return penetration() ? penetration()->squared : mpq_class(0); }
-  [[nodiscard]] mpq_class bound_squared() const { return penetration() ? penetration()->bound_squared : mpq_class(0); }
-  [[nodiscard]] Point translation() const { return penetration() ? penetration()->translation : Point(); }
-  /// Of the penetration, or of the separation.
-  [[nodiscard]] const Vector& direction() const { return penetration() ? penetration()->direction : separation()->normal; }
-};
-
-/// For all statuses and ranks. Throws std::invalid_argument when a body is empty or delta is below 1e-9, and Interrupted.
-ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor = nullptr);
-
-/// The same for the width of one body, as the depth of the body against itself.
-ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor = nullptr);
 
 }  // namespace fathom

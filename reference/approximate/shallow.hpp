@@ -7,16 +7,14 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "fathom/approximate.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/approximate/shallow_rays.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "fathom/depth.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom {
@@ -55,11 +53,5 @@ class ShallowPenetration {
 
 /// Checks that each nearest plane is that of a facet of P, at the same distance, seen from `shift`; not that no facet is nearer.
 [[nodiscard]] Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift = {0, 0, 0});
-
-/// As penetration_depth, and with the same result but for Depth::method, which is none, and the counters. For all statuses and ranks. Of the
-/// options it reads `monitor` and `validate`.
-/// Throws std::invalid_argument when a body is empty and unless 0 < delta <= 2, and Interrupted.
-Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
-                    const mpq_class& delta = mpq_class(1, 4));
 
 }  // namespace fathom

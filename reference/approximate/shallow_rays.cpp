@@ -129,7 +129,8 @@ NearRays RayGrids::shoot(Context& context, const RayShooter& shooter, const Vect
   for (const Grid& grid : grids_) all += grid.directions.size();
   for (const Grid& grid : grids_) {
     for (const Vector& u : grid.directions) {
-      if (done++ % directions_between_reports == 0) context.report("rays near the origin", static_cast<double>(done - 1) / static_cast<double>(all));
+      if (done++ % directions_between_reports == 0)
+        context.report("rays near the origin", static_cast<double>(done - 1) / static_cast<double>(all));
       if (!search.look(u, grid.delta)) return search.result(grid.delta);
     }
   }

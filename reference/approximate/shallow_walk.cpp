@@ -41,7 +41,8 @@ class Walk {
       const SumFacet facet = std::move(waiting_.front());
       waiting_.pop_front();
       if (++counts_.facets % facets_between_reports == 0) {
-        context_.report("facets near the origin", static_cast<double>(counts_.facets) / static_cast<double>(counts_.facets + waiting_.size()));
+        context_.report("facets near the origin",
+                        static_cast<double>(counts_.facets) / static_cast<double>(counts_.facets + waiting_.size()));
       }
       visit_(facet);
       leave(facet);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/certificate/certificate.hpp"
+#include "fathom/certificate.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,6 +8,7 @@
 #include "kernels/number/lowest_terms.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom {

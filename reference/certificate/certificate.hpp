@@ -3,42 +3,10 @@
 // Output  its proof as exact text: an inner polytope and a supporting direction.                                [proofs/certificate.md]
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
+#include "fathom/certificate.hpp"
 #include "kernels/report.hpp"
-#include "fathom/depth.hpp"
-#include "reference/polytope/position.hpp"
 
 namespace fathom {
-
-/// What a certificate proves. depth: depth^2 = low = high > 0. bounds: the bodies penetrate, and low <= depth^2 <= high.
-enum class ClaimKind { depth, bounds, touching, disjoint };
-
-/// Self-contained: it holds the points. With h(n) = max_b <n,b> - min_a <n,a> and P = B (+) (-A):
-struct Certificate {
-  std::string id;           ///< of the case; may be empty
-  std::vector<Point> a, b;  ///< all points of the bodies
-  ClaimKind claim = ClaimKind::disjoint;
-  mpq_class low, high;             ///< depth and bounds
-  std::vector<Vector> directions;  ///< depth: all optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
-                                   ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.
-  InnerPolytope inner;             ///< depth and bounds: inside P, and holds the ball of squared radius low around O
-  std::vector<Weight> weights_a, weights_b;  ///< touching: convex weights of one common point of A and B
-};
-
-/// The certificate of an answer, whatever method found it. Always found: time is short unless many facets of P are nearly nearest.
-/// Throws std::logic_error if the proof contradicts the answer, std::invalid_argument if a body is empty, and Interrupted.
-Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor = nullptr);
-
-/// The certificate that the bodies penetrate and low <= depth^2 <= high; `hint`, if given, is the direction that shows `high` if it does.
-/// low = 0 proves just that they penetrate. Throws std::invalid_argument if that is not so, or low < 0.
-Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
-                                    const std::optional<Vector>& hint = std::nullopt, Monitor* monitor = nullptr);
-
-/// The text that checkers read: format 1, verify/check/FORMAT.md.
-std::string certificate_text(const Certificate& certificate);
 
 /// Checks the proof by the definitions, in rationals and over all pairs: the naive twin of the checkers.
 [[nodiscard]] Report validate(const Certificate& certificate);

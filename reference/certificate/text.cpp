@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate as text. Every number is exact and in lowest terms.
-#include "reference/certificate/certificate.hpp"
+#include "fathom/certificate.hpp"
 
 namespace fathom {
 namespace {

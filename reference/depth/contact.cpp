@@ -60,9 +60,7 @@ Point combination(const PlacedPair& pair, std::span<const Vector> points, const 
 
 Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
   const mpq_class factor = ratio(dot(n, faces.b.points.front() - faces.a.points.front()), dot(n, n) * pair.denominator);
-  return {n,
-          {factor * n.x, factor * n.y, factor * n.z},
-          {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
+  return {n, {factor * n.x, factor * n.y, factor * n.z}, {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
 }
 
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "kernels/vector.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom {
 

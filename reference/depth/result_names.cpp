@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fathom/depth.hpp"
-
 #include <stdexcept>
+
+#include "fathom/depth.hpp"
 
 namespace fathom {
 

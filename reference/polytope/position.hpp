@@ -18,11 +18,6 @@ namespace fathom {
 
 enum class Position { inside, boundary, outside };
 
-struct Weight {
-  std::uint32_t index;  ///< of a point of A, or of B
-  mpq_class weight;     ///< > 0
-};
-
 /// Below, h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
 struct PositionOfOrigin {
   Position position = Position::outside;

@@ -46,7 +46,8 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& mo
 }  // namespace
 
 ConeSearch::Nearest ConeSearch::nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
-  return differences_.a.size() + differences_.b.size() <= small_enough ? nearest_directly(target, lift) : nearest_by_sampling(target, lift, seeds);
+  return differences_.a.size() + differences_.b.size() <= small_enough ? nearest_directly(target, lift)
+                                                                       : nearest_by_sampling(target, lift, seeds);
 }
 
 ConeSearch::Nearest ConeSearch::nearest_directly(const Lifted& target, int lift) {

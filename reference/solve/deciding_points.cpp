@@ -186,7 +186,8 @@ class Deciding {
 
 }  // namespace
 
-std::optional<Depth> depth_by_deciding_points(Context& context, std::span<const Point> a, std::span<const Point> b, const Options& options) {
+std::optional<Depth> depth_by_deciding_points(Context& context, std::span<const Point> a, std::span<const Point> b,
+                                              const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
   return Deciding(a, b).run(context, options);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact directional depth against the hull of all differences.
-#include "reference/approximate/directional.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "fathom/approximate.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"

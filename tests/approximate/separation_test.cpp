@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fathom/width.hpp"
 #include "reference/approximate/grid/directions.hpp"
-#include "reference/width/width.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"

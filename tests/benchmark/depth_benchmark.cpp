@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/filters/support.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/depth/nearest_facets_naive.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

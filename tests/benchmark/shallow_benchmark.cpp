@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "reference/approximate/shallow.hpp"
 #include "fathom/depth.hpp"
+#include "reference/approximate/shallow.hpp"
 #include "reference/polytope/hierarchy.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "reference/approximate/separation.hpp"
 #include "fathom/depth.hpp"
+#include "reference/approximate/separation.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/study/study.hpp"

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "kernels/predicates/filter.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/predicates/filter.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/prepared.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "reference/canonical/canonical_subsets.hpp"
 #include "fathom/depth.hpp"
+#include "reference/canonical/canonical_subsets.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/prepared.hpp"
 

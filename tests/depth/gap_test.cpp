@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The next nearest facet plane against the hull of all differences.
-#include "fathom/depth.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "fathom/depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/solids.hpp"

@@ -9,14 +9,14 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reference/approximate/directional.hpp"
+#include "fathom/approximate.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/width.hpp"
 #include "reference/approximate/metric.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 

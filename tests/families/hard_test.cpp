@@ -9,9 +9,9 @@
 #include <set>
 #include <type_traits>
 
+#include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rounding.hpp"
-#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "kernels/number/rounding.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/number/rounding.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"

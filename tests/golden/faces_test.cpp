@@ -43,11 +43,11 @@ TEST(Faces, HoldTheirPointsAndNoOthers) {
   const Integers bodies = integers_of(points, points);
   EXPECT_EQ(bodies.denominator, 3);
   const Vector down{0, 0, -1}, side{-3, 0, 1}, corner{-1, -2, -3};
-  const ExtremeFace square = face_in_direction(bodies.a, down), edge = face_in_direction(bodies.a, side),
-                    tip = face_in_direction(bodies.a, corner);
+  const SupportingFace square = face_in_direction(bodies.a, down), edge = face_in_direction(bodies.a, side),
+                       tip = face_in_direction(bodies.a, corner);
   EXPECT_EQ(square.corners, (std::vector<std::uint32_t>{0, 1, 2, 3}));
   EXPECT_EQ(tip.corners, (std::vector<std::uint32_t>{0}));
-  const auto in = [&](const ExtremeFace& face, const Vector& n, const Point& p) { return contains(face, n, bodies.denominator, p); };
+  const auto in = [&](const SupportingFace& face, const Vector& n, const Point& p) { return contains(face, n, bodies.denominator, p); };
   for (const Point& p : {points[0], points[4], points[6], midpoint(points[1], points[3]), Point{mpq_class(1, 7), mpq_class(1, 5), 0}})
     EXPECT_TRUE(in(square, down, p));
   for (const Point& p :
@@ -62,7 +62,7 @@ TEST(Faces, EdgesEndAtTheirEnds) {
   const std::vector<Point> points{{0, 0, 0}, {2, 4, 6}, {1, 2, 3}, {5, 0, 0}};
   const Vector n{-7, 2, 1};  // <n, (1,2,3)> = 0
   const Integers bodies = integers_of(points, points);
-  const ExtremeFace edge = face_in_direction(bodies.a, n);
+  const SupportingFace edge = face_in_direction(bodies.a, n);
   EXPECT_EQ(edge.corners, (std::vector<std::uint32_t>{0, 1}));
   const auto in = [&](const Point& p) { return contains(edge, n, bodies.denominator, p); };
   EXPECT_TRUE(in(points[0]) && in(points[1]) && in(points[2]));

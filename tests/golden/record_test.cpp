@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/approximate/directional.hpp"
+#include "fathom/approximate.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {

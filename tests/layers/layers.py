@@ -28,7 +28,6 @@ ORDER = [
     ["reference/lines"],
     ["reference/depth"],
     ["reference/solve"],
-    ["reference/width"],
     ["reference/approximate", "reference/certificate"],
     ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],

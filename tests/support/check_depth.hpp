@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/report.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/report.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AGHRS, Proposition 2.1 against rotating calipers.
-#include "reference/width/width.hpp"
+#include "fathom/width.hpp"
 
 #include <gtest/gtest.h>
 

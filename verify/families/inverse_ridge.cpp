@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "verify/families/inverse_lenses.hpp"
 #include "verify/families/random_bodies.hpp"

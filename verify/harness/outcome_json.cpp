@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "kernels/number/parse.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/number/parse.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "kernels/number/parse.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/number/parse.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/counters.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/counters.hpp"
 
 namespace fathom {
 

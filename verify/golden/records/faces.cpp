@@ -83,8 +83,8 @@ Integers integers_of(std::span<const Point> a, std::span<const Point> b) {
   return result;
 }
 
-ExtremeFace face_in_direction(std::span<const Vector> points, const Vector& n) {
-  ExtremeFace face;
+SupportingFace face_in_direction(std::span<const Vector> points, const Vector& n) {
+  SupportingFace face;
   Ids highest;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const mpz_class height = dot(n, points[i]);
@@ -101,7 +101,7 @@ ExtremeFace face_in_direction(std::span<const Vector> points, const Vector& n) {
   return face;
 }
 
-bool contains(const ExtremeFace& face, const Vector& n, const mpz_class& denominator, const Point& p) {
+bool contains(const SupportingFace& face, const Vector& n, const mpz_class& denominator, const Point& p) {
   // In the unit 1 / (denominator * own) everything is an integer.
   mpz_class own = 1;
   for (const mpq_class* c : {&p.x, &p.y, &p.z}) take_denominator(*c, own);

@@ -20,16 +20,16 @@ struct Integers {
 Integers integers_of(std::span<const Point> a, std::span<const Point> b);
 
 /// The face of a body in a direction.
-struct ExtremeFace {
+struct SupportingFace {
   mpz_class height;                    ///< max <n,p>
   std::vector<std::uint32_t> corners;  ///< its extreme points, ascending, of equal points the lowest index
   std::vector<Vector> cycle;           ///< their positions: one, two, or a convex polygon in cyclic order
 };
 
 /// n is not zero, `points` not empty.
-ExtremeFace face_in_direction(std::span<const Vector> points, const Vector& n);
+SupportingFace face_in_direction(std::span<const Vector> points, const Vector& n);
 
 /// Whether the point p, whose unit is 1, lies in the face of points whose unit is 1 / denominator.
-bool contains(const ExtremeFace& face, const Vector& n, const mpz_class& denominator, const Point& p);
+bool contains(const SupportingFace& face, const Vector& n, const mpz_class& denominator, const Point& p);
 
 }  // namespace fathom::golden

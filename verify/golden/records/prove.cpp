@@ -102,8 +102,8 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 
 /// Both bodies seen in one direction.
 struct Sides {
-  ExtremeFace a, b;  ///< in the directions -n and n
-  mpq_class factor;  ///< h(n) / <n,n>
+  SupportingFace a, b;  ///< in the directions -n and n
+  mpq_class factor;     ///< h(n) / <n,n>
   Point translation;
 
   Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/check.hpp"

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "fathom/depth.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/width/width.hpp"
+#include "fathom/width.hpp"
 
 namespace fathom {
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a factor 1 + delta, and shallow ones.
+//                                                                                                              [AGHRS, section 3]
+// All of them shoot rays through P = B (+) (-A), which is never built: hierarchies of the two bodies answer where a ray leaves it. Exact,
+// for bodies of every rank. Bodies that do not penetrate get a separating plane only; penetration_depth tells how far they are apart.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "fathom/monitor.hpp"
+#include "fathom/point.hpp"
+
+namespace fathom {
+
+// ---- along a direction ----
+
+/// Where the ray from O leaves P.
+struct RayExit {
+  mpq_class factor;   ///< > 0, of the direction as given
+  Point translation;  ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
+  Vector normal;      ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
+  Contact contact;    ///< in direction `normal`
+  Witness witness;    ///< points of the contact with b - a = translation
+  std::uint64_t steps = 0;
+};
+
+struct DirectionalDepth : SeparationOr<RayExit> {
+  /// 0 unless penetrating: the interiors are disjoint already.
+  [[nodiscard]] mpq_class factor() const;
+  [[nodiscard]] Point translation() const;
+  /// |translation|^2.
+  [[nodiscard]] mpq_class squared() const;
+  /// Of the exit, or of the separation.
+  [[nodiscard]] const Vector& normal() const;
+};
+
+/// Returns how far A must move along `direction`, which need not have length 1, until the interiors are disjoint.
+/// Time: O(log^2(m + n)) steps once the hierarchies stand. Throws std::invalid_argument when a body is empty or the direction is zero, and
+/// Interrupted.
+DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor = nullptr);
+
+// ---- in a norm or gauge ----
+
+/// Thrown for a point set that is no unit ball: its hull is flat, or does not have O in its interior. what() says which.
+struct NoUnitBall : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// The unit ball Q, checked. Vertices are integer multiples of 1 / denominator.
+struct UnitBall {
+  std::vector<Vector> vertices;          ///< extreme points only
+  std::vector<std::uint32_t> input_ids;  ///< of each vertex; of equal input points the lowest. Ascending.
+  mpz_class denominator = 1;
+  bool symmetric = false;  ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
+};
+
+/// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and std::invalid_argument when there are no points.
+UnitBall unit_ball(std::span<const Point> points);
+
+/// A shortest way out in the metric of Q: along a vertex of Q.
+struct MetricOptimum {
+  std::uint32_t vertex;  ///< id of the input point of Q
+  Point translation;     ///< depth times that vertex
+  Vector direction;      ///< primitive outward normal of a facet of P that holds the translation
+  Contact contact;       ///< in that direction
+  Witness witness;       ///< points of the contact with b - a = translation
+};
+
+struct MetricPenetration {
+  mpq_class depth;                    ///< > 0: the Q-length of each optimum's translation
+  std::vector<MetricOptimum> optima;  ///< one per deciding vertex, by ascending id; at least one
+  std::uint64_t rays = 0;
+};
+
+struct MetricResult : SeparationOr<MetricPenetration> {
+  /// 0 unless penetrating.
+  [[nodiscard]] mpq_class depth() const { return penetration() ? penetration()->depth : mpq_class(0); }
+  /// Empty unless penetrating.
+  [[nodiscard]] const std::vector<MetricOptimum>& optima() const;
+  /// Of the first optimum, or of the separation.
+  [[nodiscard]] const Vector& direction() const { return penetration() ? optima().front().direction : separation()->normal; }
+};
+
+/// Returns the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q makes the interiors disjoint.
+/// Time: a ray for each vertex of Q. Throws std::invalid_argument when a body is empty, and Interrupted.      [AGHRS, Corollary 3.4]
+MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor = nullptr);
+
+// ---- within a factor ----
+
+/// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
+struct ApproxPenetration {
+  mpq_class squared;               ///< |translation|^2
+  mpq_class bound_squared;         ///< a lower bound of depth^2
+  Vector direction;                ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
+  Point translation;               ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
+  Contact contact;                 ///< in that direction
+  std::optional<Witness> witness;  ///< only where the foot of O on the facet's plane lies in the facet
+  std::uint64_t rays = 0, steps = 0;
+};
+
+struct ApproxDepth : SeparationOr<ApproxPenetration> {
+  mpq_class delta;
+
+  /// 0 unless penetrating, as the next.
+  [[nodiscard]] mpq_class squared() const { return penetration() ? penetration()->squared : mpq_class(0); }
+  [[nodiscard]] mpq_class bound_squared() const { return penetration() ? penetration()->bound_squared : mpq_class(0); }
+  [[nodiscard]] Point translation() const { return penetration() ? penetration()->translation : Point(); }
+  /// Of the penetration, or of the separation.
+  [[nodiscard]] const Vector& direction() const { return penetration() ? penetration()->direction : separation()->normal; }
+};
+
+/// Returns a separating translation at most 1 + delta times as long as the depth, which is exact in itself. Time: O(1 / delta) rays.
+/// Throws std::invalid_argument when a body is empty or delta is below 1e-9, and Interrupted.     [AGHRS, APPROX-SEPARATION, Theorem 3.2]
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor = nullptr);
+
+/// The same for the width of one body, as the depth of the body against itself, with half of the rays.           [AGHRS, Corollary 3.3]
+ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor = nullptr);
+
+// ---- shallow ----
+
+/// Finds the exact depth with every optimum by looking only at the facets of P near O: fast where few facets are within (1 + delta) depth of
+/// O. The same result as that of penetration_depth but for Depth::method, which is none, and the counters. Of the options it reads `monitor`
+/// and `validate`. Throws std::invalid_argument when a body is empty and unless 0 < delta <= 2, and Interrupted.
+///                                                                                [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
+Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
+                    const mpq_class& delta = mpq_class(1, 4));
+
+// ---- many questions about the same bodies ----
+
+class BodyPair;
+
+/// Two bodies whose Dobkin-Kirkpatrick hierarchies are built once. Each answer equals that of the function of the same name, which builds
+/// them first.
+class Hierarchies {
+ public:
+  /// Throws std::invalid_argument when a body is empty, and Interrupted.
+  Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);
+  Hierarchies(Hierarchies&&) noexcept;
+  Hierarchies& operator=(Hierarchies&&) noexcept;
+  ~Hierarchies();
+
+  [[nodiscard]] DirectionalDepth directional_depth(const Point& direction, Monitor* monitor = nullptr) const;
+  [[nodiscard]] MetricResult metric_depth(const UnitBall& ball, Monitor* monitor = nullptr) const;
+  [[nodiscard]] ApproxDepth approx_depth(const mpq_class& delta, Monitor* monitor = nullptr) const;
+
+ private:
+  std::unique_ptr<const BodyPair> pair_;
+};
+
+}  // namespace fathom
