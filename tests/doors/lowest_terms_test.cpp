@@ -15,7 +15,7 @@
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "fathom/depth.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"

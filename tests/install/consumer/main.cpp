@@ -19,7 +19,7 @@ std::vector<fathom::Point> cube(const mpq_class& x, const mpq_class& y) {
 
 int main() {
   const fathom::Depth depth = fathom::penetration_depth(cube(0, 0), cube(mpq_class(19, 10), mpq_class(1, 2)));
-  std::cout << "depth^2 " << depth.squared << " along " << depth.direction->x << " " << depth.direction->y << " " << depth.direction->z
+  std::cout << "depth^2 " << depth.squared() << " along " << depth.direction()->x << " " << depth.direction()->y << " " << depth.direction()->z
             << "\n";
   return fathom_check::verify("no certificate").accepted() ? 1 : 0;
 }
