@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/circle.hpp"
 #include "verify/families/solids.hpp"

@@ -115,7 +115,7 @@ class Writer {
   Writer& operator<<(const Contact& c) { return *this << static_cast<int>(c.kind) << c.a << c.b; }
   Writer& operator<<(const Witness& w) { return *this << w.a << w.b; }
   Writer& operator<<(const Optimum& o) { return *this << o.direction << o.translation << o.contact; }
-  Writer& operator<<(const Distance& d) { return *this << d.squared << d.direction << d.translation << d.witness; }
+  Writer& operator<<(const Distance& d) { return *this << d.squared() << d.direction() << d.translation() << d.witness(); }
   Writer& operator<<(const Body& body) { return *this << body.points; }
   template <class T>
   Writer& operator<<(const std::optional<T>& x) {
@@ -128,7 +128,7 @@ class Writer {
     return put("]");
   }
   Writer& operator<<(const Depth& d) {
-    return *this << static_cast<int>(d.status) << d.squared << d.optima << d.direction << d.translation << d.witness << d.distance
+    return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness() << d.distance()
                  << d.flat_a << d.flat_b;
   }
   [[nodiscard]] std::string text() const { return text_; }
@@ -218,9 +218,9 @@ TEST(FloatEnvironment, CertificatesOverAllFamilies) {
     SCOPED_TRACE(input.id);
     const Depth depth = penetration_depth(input.a.points, input.b.points);
     expect_the_same("certificate", [&] { return certificate_text(make_certificate(input.a.points, input.b.points, depth)); });
-    if (depth.status != Status::penetrating) continue;
+    if (depth.status() != Status::penetrating) continue;
     expect_the_same("bounds", [&] {
-      return certificate_text(make_bounds_certificate(input.a.points, input.b.points, depth.squared / 2, depth.squared * 2));
+      return certificate_text(make_bounds_certificate(input.a.points, input.b.points, depth.squared() / 2, depth.squared() * 2));
     });
     expect_the_same("gap", [&] { return second_nearest_squared(input.a.points, input.b.points, depth); });
   }

@@ -18,7 +18,7 @@ Answer approximate_answer(const Case& single, const Request& request, Progress& 
                                                         : approx_depth(single.a.points, single.b.points, *request.delta, report);
   progress.answered();
   Answer answer{single.id, std::move(found.depth)};
-  answer.approximation = Approximation{found.delta, found.rays, found.bound_squared};
+  answer.approximation = Approximation{found.delta, found.rays, found.bound_squared()};
   return answer;
 }
 

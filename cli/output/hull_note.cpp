@@ -11,7 +11,7 @@
 #include "kernels/filters/all_extreme.hpp"
 #include "kernels/parallel.hpp"
 #include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::cli {

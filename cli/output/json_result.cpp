@@ -13,7 +13,7 @@ constexpr const char* schema = "fathom/result/1";
 
 Json optima_array(const Depth& depth) {
   Json result = Json::array();
-  for (const Optimum& optimum : depth.optima) {
+  for (const Optimum& optimum : depth.optima()) {
     result.push_back({{"direction", exact(optimum.direction)},
                       {"translation", exact(optimum.translation)},
                       {"contact", contact_object(optimum.contact)}});
@@ -52,14 +52,14 @@ Json counters_object(const Counters& counters) {
 
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  Json result = {{"schema", schema}, {"id", answer.id}, {"status", name(depth.status)}};
-  result["depth"] = length(depth.squared, request.digits);
-  result["translation"] = exact(depth.translation);
-  result["direction"] = depth.direction ? exact(*depth.direction) : Json();
-  result["contact"] = depth.contact ? contact_object(*depth.contact) : Json();
-  result["witness"] = depth.witness ? witness_object(*depth.witness) : Json();
+  Json result = {{"schema", schema}, {"id", answer.id}, {"status", name(depth.status())}};
+  result["depth"] = length(depth.squared(), request.digits);
+  result["translation"] = exact(depth.translation());
+  result["direction"] = depth.direction() ? exact(depth.direction()) : Json();
+  result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
+  result["witness"] = depth.witness() ? witness_object(*depth.witness()) : Json();
   result["optima"] = optima_array(depth);
-  if (depth.distance) result["distance"] = distance_object(*depth.distance, request.digits);
+  if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
   result["flat"] = flat_array(depth.flat_a, depth.flat_b);
   result["method"] = answer.approximation ? "approx" : name(depth.method);
   if (answer.approximation) {

@@ -26,9 +26,9 @@ std::string ball_text(const UnitBall& ball) {
 
 std::string deciding_text(const MetricResult& result) {
   std::vector<std::string> words;
-  for (const MetricOptimum& optimum : result.optima) {
+  for (const MetricOptimum& optimum : result.optima()) {
     if (words.size() == most_vertices) {
-      words.push_back(fmt::format("... ({} in all)", result.optima.size()));
+      words.push_back(fmt::format("... ({} in all)", result.optima().size()));
       break;
     }
     words.push_back(std::to_string(optimum.vertex));
@@ -41,7 +41,7 @@ std::string decimal(const mpq_class& value) { return root_text(value * value); }
 
 Json optima_array(const MetricResult& result) {
   Json array = Json::array();
-  for (const MetricOptimum& optimum : result.optima) {
+  for (const MetricOptimum& optimum : result.optima()) {
     array.push_back({{"vertex", optimum.vertex},
                      {"translation", exact(optimum.translation)},
                      {"direction", exact(optimum.direction)},
@@ -51,43 +51,43 @@ Json optima_array(const MetricResult& result) {
   return array;
 }
 
-std::string direction_label(const MetricResult& result) { return result.status == Status::disjoint ? "separating normal" : "direction"; }
+std::string direction_label(const MetricResult& result) { return result.status() == Status::disjoint ? "separating normal" : "direction"; }
 
 }  // namespace
 
 std::string metric_block(const MetricResult& result, const UnitBall& ball) {
-  std::vector<Row> rows{{"depth", decimal(result.depth)}, {"exactly", exact_text(result.depth)}, {"unit ball", ball_text(ball)}};
-  if (!result.optima.empty()) rows.emplace_back("vertices", deciding_text(result));
-  if (result.direction) rows.emplace_back(direction_label(result), direction_text(*result.direction));
-  if (!result.optima.empty()) {
-    const MetricOptimum& first = result.optima.front();
+  std::vector<Row> rows{{"depth", decimal(result.depth())}, {"exactly", exact_text(result.depth())}, {"unit ball", ball_text(ball)}};
+  if (!result.optima().empty()) rows.emplace_back("vertices", deciding_text(result));
+  if (result.direction()) rows.emplace_back(direction_label(result), direction_text(result.direction()));
+  if (!result.optima().empty()) {
+    const MetricOptimum& first = result.optima().front();
     rows.emplace_back("translation", point_text(first.translation));
     rows.emplace_back("contact", contact_text(first.contact));
     if (first.witness) rows.push_back(witness_row(*first.witness));
   }
   if (const std::string flat = flat_text(result.flat_a, result.flat_b); !flat.empty()) rows.emplace_back("flat", flat);
-  if (result.flat_a && result.status == Status::penetrating) rows.push_back(flat_note());
-  return aligned(std::string(name(result.status)), rows);
+  if (result.flat_a && result.status() == Status::penetrating) rows.push_back(flat_note());
+  return aligned(std::string(name(result.status())), rows);
 }
 
 std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball) {
-  std::vector<std::string> parts{std::string(name(result.status)), fmt::format("depth {} in the {}", decimal(result.depth), kind(ball))};
-  if (!result.optima.empty()) {
-    parts.push_back("translation " + point_text(result.optima.front().translation));
-    parts.emplace_back(name(result.optima.front().contact.kind));
-  } else if (result.direction) {
-    parts.push_back(direction_label(result) + " " + direction_text(*result.direction));
+  std::vector<std::string> parts{std::string(name(result.status())), fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
+  if (!result.optima().empty()) {
+    parts.push_back("translation " + point_text(result.optima().front().translation));
+    parts.emplace_back(name(result.optima().front().contact.kind));
+  } else if (result.direction()) {
+    parts.push_back(direction_label(result) + " " + direction_text(result.direction()));
   }
-  if (result.optima.size() > 1) parts.push_back(fmt::format("{} ties", result.optima.size()));
+  if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
   if (const std::string flat = flat_text(result.flat_a, result.flat_b); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
 }
 
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {
-  Json object = {{"schema", schema}, {"id", id}, {"status", name(result.status)}};
+  Json object = {{"schema", schema}, {"id", id}, {"status", name(result.status())}};
   object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};
-  object["depth"] = number(result.depth);
-  object["direction"] = result.direction ? exact(*result.direction) : Json();
+  object["depth"] = number(result.depth());
+  object["direction"] = result.direction() ? exact(result.direction()) : Json();
   object["optima"] = optima_array(result);
   object["flat"] = flat_array(result.flat_a, result.flat_b);
   object["rays"] = result.rays;

@@ -39,8 +39,8 @@ std::string study_csv_header() { return row(columns()); }
 
 std::string study_csv_row(const std::string& id, const Study& study) {
   const Depth& depth = study.depth;
-  std::vector<std::string> fields{field(id), std::string(name(depth.status)), exact_text(depth.squared),
-                                  std::to_string(depth.optima.size())};
+  std::vector<std::string> fields{field(id), std::string(name(depth.status())), exact_text(depth.squared()),
+                                  std::to_string(depth.optima().size())};
   for (const Coincidences& all : study.coincidences) fields.push_back(std::to_string(all.count));
   for (const TierCounts& tiers : study.predicates) {
     for (const std::uint64_t count : {tiers.calls, tiers.exact, tiers.zero}) fields.push_back(std::to_string(count));

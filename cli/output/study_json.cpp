@@ -49,9 +49,9 @@ std::string one_line(const Json& object) { return object.dump(-1, ' ', true, Jso
 std::string study_json(const std::string& id, const Study& study) {
   return one_line({{"schema", schema},
                    {"id", id},
-                   {"status", name(study.depth.status)},
-                   {"squared", exact_text(study.depth.squared)},
-                   {"optima", study.depth.optima.size()},
+                   {"status", name(study.depth.status())},
+                   {"squared", exact_text(study.depth.squared())},
+                   {"optima", study.depth.optima().size()},
                    {"bodies", {{"a", size_object(study.a)}, {"b", size_object(study.b)}}},
                    {"predicates", predicates_object(study.predicates)},
                    {"coincidences", coincidences_object(study)}});

@@ -39,11 +39,11 @@ std::string body_text(const BodySize& size) {
 }
 
 std::string status_text(const Depth& depth) {
-  std::string result(name(depth.status));
-  if (depth.status != Status::penetrating) return result;
-  const std::string squared = exact_text(depth.squared);
-  result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared);
-  return result + "; " + count_text(depth.optima.size(), "optimum", "optima");
+  std::string result(name(depth.status()));
+  if (depth.status() != Status::penetrating) return result;
+  const std::string squared = exact_text(depth.squared());
+  result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
+  return result + "; " + count_text(depth.optima().size(), "optimum", "optima");
 }
 
 /// With the gap to the column before.

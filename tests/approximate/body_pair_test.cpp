@@ -15,19 +15,19 @@ TEST(BodyPair, EqualsTheExactPipeline) {
   for (const Case& input : testing::cases_of_all_families(2, 9)) {
     const Depth depth = penetration_depth(input.a.points, input.b.points);
     const BodyPair pair(input.a.points, input.b.points);
-    ASSERT_EQ(pair.status(), depth.status) << input.id;
+    ASSERT_EQ(pair.status(), depth.status()) << input.id;
     EXPECT_EQ(pair.flat_a(), depth.flat_a) << input.id;
     EXPECT_EQ(pair.flat_b(), depth.flat_b) << input.id;
-    if (depth.status != Status::penetrating) {
+    if (depth.status() != Status::penetrating) {
       const mpq_class h = testing::support(input.a.points, input.b.points, *pair.separating());
-      EXPECT_EQ(sgn(h), depth.status == Status::disjoint ? -1 : 0) << input.id;
+      EXPECT_EQ(sgn(h), depth.status() == Status::disjoint ? -1 : 0) << input.id;
       continue;
     }
     ++penetrating;
     EXPECT_FALSE(pair.separating()) << input.id;
     EXPECT_EQ(pair.a().polytope().vertices.size(), depth.extreme_a) << input.id;
     EXPECT_EQ(pair.b().polytope().vertices.size(), depth.extreme_b) << input.id;
-    for (const Optimum& optimum : depth.optima) {
+    for (const Optimum& optimum : depth.optima()) {
       const Vector& n = optimum.direction;
       const mpq_class factor = testing::support(input.a.points, input.b.points, n) * pair.lattice().denominator / dot(n, n);
       EXPECT_EQ(pair.translation(factor, n), optimum.translation) << input.id;

@@ -23,24 +23,24 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
     const Polytope p = testing::differences(lattice);
     for (const Point& u : directions) {
       const DirectionalDepth found = directional_depth(a, b, u);
-      ASSERT_EQ(found.status, exact.status) << input.id;
-      EXPECT_EQ(found.translation, (Point{found.factor * u.x, found.factor * u.y, found.factor * u.z})) << input.id;
-      EXPECT_GE(found.squared, exact.squared) << input.id;
-      if (found.status != Status::penetrating) {
-        EXPECT_EQ(found.factor, 0) << input.id;
-        EXPECT_EQ(sgn(testing::support(a, b, *found.normal)), found.status == Status::disjoint ? -1 : 0) << input.id;
+      ASSERT_EQ(found.status(), exact.status()) << input.id;
+      EXPECT_EQ(found.translation(), (Point{found.factor() * u.x, found.factor() * u.y, found.factor() * u.z})) << input.id;
+      EXPECT_GE(found.squared(), exact.squared()) << input.id;
+      if (found.status() != Status::penetrating) {
+        EXPECT_EQ(found.factor(), 0) << input.id;
+        EXPECT_EQ(sgn(testing::support(a, b, found.normal())), found.status() == Status::disjoint ? -1 : 0) << input.id;
         EXPECT_FALSE(found.contact || found.witness) << input.id;
         continue;
       }
       ++penetrating;
       const Vector scaled{mpq_class(21000 * u.x).get_num(), mpq_class(21000 * u.y).get_num(), mpq_class(21000 * u.z).get_num()};
       const mpq_class factor = testing::factor_naive(p, scaled);
-      EXPECT_EQ(found.factor, factor * 21000 / lattice.denominator) << input.id;
-      EXPECT_TRUE(testing::is_hit(p, *found.normal, factor, scaled)) << input.id;
+      EXPECT_EQ(found.factor(), factor * 21000 / lattice.denominator) << input.id;
+      EXPECT_TRUE(testing::is_hit(p, found.normal(), factor, scaled)) << input.id;
       EXPECT_EQ(found.contact->kind, testing::kind_of(found.contact->a.size(), found.contact->b.size())) << input.id;
       ASSERT_TRUE(found.witness) << input.id;
       const Witness& w = *found.witness;
-      EXPECT_EQ((Point{w.b.x - w.a.x, w.b.y - w.a.y, w.b.z - w.a.z}), found.translation) << input.id;
+      EXPECT_EQ((Point{w.b.x - w.a.x, w.b.y - w.a.y, w.b.z - w.a.z}), found.translation()) << input.id;
       EXPECT_TRUE(testing::in_hull(w.a, a, found.contact->a)) << input.id;
       EXPECT_TRUE(testing::in_hull(w.b, b, found.contact->b)) << input.id;
     }
@@ -52,11 +52,11 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
 TEST(Directional, AlongAnOptimumItIsTheDepth) {
   for (const Case& input : testing::cases_of_all_families(2, 10)) {
     const Depth exact = penetration_depth(input.a.points, input.b.points);
-    for (const Optimum& optimum : exact.optima) {
+    for (const Optimum& optimum : exact.optima()) {
       const DirectionalDepth found = directional_depth(input.a.points, input.b.points, optimum.translation);
-      EXPECT_EQ(found.factor, 1) << input.id;
-      EXPECT_EQ(found.squared, exact.squared) << input.id;
-      EXPECT_EQ(found.normal, optimum.direction) << input.id;
+      EXPECT_EQ(found.factor(), 1) << input.id;
+      EXPECT_EQ(found.squared(), exact.squared()) << input.id;
+      EXPECT_EQ(found.normal(), optimum.direction) << input.id;
       EXPECT_EQ(found.contact, optimum.contact) << input.id;
     }
   }

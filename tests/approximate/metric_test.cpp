@@ -47,19 +47,19 @@ NaiveMetric naive(const Case& input, std::span<const Point> q) {
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
     const std::uint32_t id = hull.input_ids[i];
     const mpq_class factor = testing::factor_naive(p, hull.vertices[i]) * lattice_q.denominator / lattice.denominator;
-    if (!result.translations.empty() && factor > result.depth) continue;
-    if (factor < result.depth) result.translations.clear();
-    result.depth = factor;
+    if (!result.translations.empty() && factor > result.depth()) continue;
+    if (factor < result.depth()) result.translations.clear();
+    result.depth() = factor;
     result.translations[id] = {factor * q[id].x, factor * q[id].y, factor * q[id].z};
   }
   return result;
 }
 
 void expect_equal(const MetricResult& result, const NaiveMetric& twin, const Case& input) {
-  EXPECT_EQ(result.depth, twin.depth) << input.id;
-  ASSERT_EQ(result.optima.size(), twin.translations.size()) << input.id;
+  EXPECT_EQ(result.depth(), twin.depth) << input.id;
+  ASSERT_EQ(result.optima().size(), twin.translations.size()) << input.id;
   auto expected = twin.translations.begin();
-  for (const MetricOptimum& optimum : result.optima) {
+  for (const MetricOptimum& optimum : result.optima()) {
     EXPECT_EQ(optimum.vertex, expected->first) << input.id;
     const Point& t = optimum.translation;
     EXPECT_EQ(t, (expected++)->second) << input.id;
@@ -81,14 +81,14 @@ TEST(Metric, EqualsTheHullOfAllDifferencesOnEveryFamily) {
       const UnitBall ball = unit_ball(q);
       const MetricResult result = metric_depth(input.a.points, input.b.points, ball);
       expect_equal(result, naive(input, q), input);
-      if (result.status != Status::penetrating) {
-        EXPECT_TRUE(result.optima.empty()) << input.id;
+      if (result.status() != Status::penetrating) {
+        EXPECT_TRUE(result.optima().empty()) << input.id;
         EXPECT_EQ(result.rays, 0U) << input.id;
         continue;
       }
       ++penetrating;
       EXPECT_EQ(result.rays, ball.vertices.size()) << input.id;
-      if (result.optima.size() > 1) ++ties;
+      if (result.optima().size() > 1) ++ties;
     }
   }
   EXPECT_GT(penetrating, 100U);
@@ -100,21 +100,21 @@ TEST(Metric, OfTwoBoxes) {
   Case input{"boxes", {cube(1)}, {cube(1)}};
   for (Point& p : input.b.points) p = {p.x + 1, p.y + mpq_class(3, 2), p.z + mpq_class(1, 4)};
   const MetricResult one = metric_depth(input.a.points, input.b.points, unit_ball(octahedron()));
-  EXPECT_EQ(one.depth, mpq_class(1, 2));
-  ASSERT_EQ(one.optima.size(), 1U);
-  EXPECT_EQ(one.optima[0].vertex, 3U);
-  EXPECT_EQ(one.optima[0].translation, (Point{0, mpq_class(-1, 2), 0}));
-  EXPECT_EQ(one.optima[0].contact, (Contact{ContactKind::facet_facet, {2, 3, 6, 7}, {0, 1, 4, 5}}));
+  EXPECT_EQ(one.depth(), mpq_class(1, 2));
+  ASSERT_EQ(one.optima().size(), 1U);
+  EXPECT_EQ(one.optima()[0].vertex, 3U);
+  EXPECT_EQ(one.optima()[0].translation, (Point{0, mpq_class(-1, 2), 0}));
+  EXPECT_EQ(one.optima()[0].contact, (Contact{ContactKind::facet_facet, {2, 3, 6, 7}, {0, 1, 4, 5}}));
   const MetricResult largest = metric_depth(input.a.points, input.b.points, unit_ball(cube(1)));
-  EXPECT_EQ(largest.depth, mpq_class(1, 2));
-  EXPECT_EQ(largest.optima.size(), 4U) << "all corners of the cube's lower facet";
+  EXPECT_EQ(largest.depth(), mpq_class(1, 2));
+  EXPECT_EQ(largest.optima().size(), 4U) << "all corners of the cube's lower facet";
   EXPECT_EQ(metric_depth(input.a.points, input.b.points, unit_ball(cube(2))).depth, mpq_class(1, 4));
 }
 
 // The Euclidean depth lies between those of an inscribed and of a circumscribed ball.
 TEST(Metric, EnclosesTheEuclideanDepth) {
   for (const Case& input : testing::cases_of_all_families(1, 9)) {
-    const mpq_class squared = penetration_depth(input.a.points, input.b.points).squared;
+    const mpq_class squared = penetration_depth(input.a.points, input.b.points).squared();
     const mpq_class inner = metric_depth(input.a.points, input.b.points, unit_ball(octahedron())).depth;
     const mpq_class outer = metric_depth(input.a.points, input.b.points, unit_ball(cube(1))).depth;
     EXPECT_LE(squared, inner * inner) << input.id;
@@ -129,8 +129,8 @@ TEST(Metric, OfTheReflectedBall) {
   for (const Case& input : testing::cases_of_all_families(1, 9)) {
     const MetricResult one = metric_depth(input.a.points, input.b.points, unit_ball(skew_ball()));
     const MetricResult other = metric_depth(input.b.points, input.a.points, unit_ball(reflected));
-    EXPECT_EQ(one.depth, other.depth) << input.id;
-    EXPECT_EQ(one.optima.size(), other.optima.size()) << input.id;
+    EXPECT_EQ(one.depth(), other.depth()) << input.id;
+    EXPECT_EQ(one.optima().size(), other.optima().size()) << input.id;
   }
 }
 

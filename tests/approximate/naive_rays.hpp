@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::testing {

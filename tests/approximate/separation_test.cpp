@@ -25,32 +25,32 @@ mpq_class square(const mpq_class& q) { return q * q; }
 void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<const Point> a, std::span<const Point> b,
                       const std::string& what) {
   const Depth& depth = approx.depth;
-  EXPECT_EQ(depth.status, exact.status) << what;
+  EXPECT_EQ(depth.status(), exact.status()) << what;
   EXPECT_EQ(std::pair(depth.flat_a, depth.flat_b), std::pair(exact.flat_a, exact.flat_b)) << what;
-  EXPECT_TRUE(depth.optima.empty()) << what;
-  EXPECT_EQ(squared_length(depth.translation), depth.squared) << what;
-  EXPECT_LE(exact.squared, depth.squared) << what;
-  EXPECT_LE(depth.squared, square(1 + approx.delta) * approx.bound_squared) << what;
-  EXPECT_LE(approx.bound_squared, exact.squared) << what;
-  if (exact.status != Status::penetrating) {
-    EXPECT_EQ(depth.squared, 0) << what;
-    EXPECT_EQ(approx.bound_squared, 0) << what;
-    EXPECT_EQ(sgn(testing::support(a, b, *depth.direction)), exact.status == Status::disjoint ? -1 : 0) << what;
-    EXPECT_FALSE(depth.contact || depth.witness) << what;
+  EXPECT_TRUE(depth.optima().empty()) << what;
+  EXPECT_EQ(squared_length(depth.translation()), depth.squared()) << what;
+  EXPECT_LE(exact.squared(), depth.squared()) << what;
+  EXPECT_LE(depth.squared(), square(1 + approx.delta) * approx.bound_squared()) << what;
+  EXPECT_LE(approx.bound_squared(), exact.squared()) << what;
+  if (exact.status() != Status::penetrating) {
+    EXPECT_EQ(depth.squared(), 0) << what;
+    EXPECT_EQ(approx.bound_squared(), 0) << what;
+    EXPECT_EQ(sgn(testing::support(a, b, depth.direction())), exact.status() == Status::disjoint ? -1 : 0) << what;
+    EXPECT_FALSE(depth.contact() || depth.witness()) << what;
     return;
   }
-  const Vector& n = *depth.direction;
+  const Vector& n = depth.direction();
   const mpq_class h = testing::support(a, b, n), s = h / dot(n, n);
-  EXPECT_EQ(depth.translation, (Point{s * n.x, s * n.y, s * n.z})) << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
-  ASSERT_TRUE(depth.contact) << what;
-  EXPECT_EQ(depth.contact->kind, testing::kind_of(depth.contact->a.size(), depth.contact->b.size())) << what;
-  if (!depth.witness) return;
+  EXPECT_EQ(depth.translation(), (Point{s * n.x, s * n.y, s * n.z})) << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
+  ASSERT_TRUE(depth.contact()) << what;
+  EXPECT_EQ(depth.contact()->kind, testing::kind_of(depth.contact()->a.size(), depth.contact()->b.size())) << what;
+  if (!depth.witness()) return;
   EXPECT_EQ(
-      (Point{depth.witness->b.x - depth.witness->a.x, depth.witness->b.y - depth.witness->a.y, depth.witness->b.z - depth.witness->a.z}),
-      depth.translation)
+      (Point{depth.witness()->b.x - depth.witness()->a.x, depth.witness()->b.y - depth.witness()->a.y, depth.witness()->b.z - depth.witness()->a.z}),
+      depth.translation())
       << what;
-  EXPECT_TRUE(testing::in_hull(depth.witness->a, a, depth.contact->a)) << what;
-  EXPECT_TRUE(testing::in_hull(depth.witness->b, b, depth.contact->b)) << what;
+  EXPECT_TRUE(testing::in_hull(depth.witness()->a, a, depth.contact()->a)) << what;
+  EXPECT_TRUE(testing::in_hull(depth.witness()->b, b, depth.contact()->b)) << what;
 }
 
 TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
@@ -60,9 +60,9 @@ TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
     for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 4)}) {
       const ApproxDepth approx = approx_depth(input.a.points, input.b.points, delta);
       expect_guarantee(approx, exact, input.a.points, input.b.points, input.id);
-      EXPECT_EQ(approx.rays, exact.status == Status::penetrating ? DirectionGrid(delta).size() : 0) << input.id;
-      if (exact.status == Status::penetrating) ++penetrating;
-      if (exact.squared < approx.depth.squared) ++off;
+      EXPECT_EQ(approx.rays, exact.status() == Status::penetrating ? DirectionGrid(delta).size() : 0) << input.id;
+      if (exact.status() == Status::penetrating) ++penetrating;
+      if (exact.squared() < approx.depth.squared) ++off;
     }
   }
   EXPECT_GT(penetrating, 100U);
@@ -145,7 +145,7 @@ TEST(ApproxWidth, KeepsItsGuaranteeWithHalfOfTheRays) {
     for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 10)}) {
       const ApproxDepth approx = approx_width(points, delta);
       expect_guarantee(approx, exact, points, points, input.id);
-      if (exact.status != Status::penetrating) continue;
+      if (exact.status() != Status::penetrating) continue;
       ++solids;
       EXPECT_EQ(approx.rays, DirectionGrid(delta).size() / 2) << input.id;
     }

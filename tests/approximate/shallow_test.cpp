@@ -23,13 +23,13 @@ using testing::ShallowScene;
 // ---- the answer ----
 
 void expect_same(const Depth& depth, const Depth& exact) {
-  EXPECT_EQ(depth.status, exact.status);
-  EXPECT_EQ(depth.squared, exact.squared);
-  EXPECT_EQ(depth.optima, exact.optima);
-  EXPECT_EQ(depth.direction, exact.direction);
-  EXPECT_EQ(depth.translation, exact.translation);
-  EXPECT_EQ(depth.contact, exact.contact);
-  EXPECT_EQ(depth.witness, exact.witness);
+  EXPECT_EQ(depth.status(), exact.status());
+  EXPECT_EQ(depth.squared(), exact.squared());
+  EXPECT_EQ(depth.optima(), exact.optima());
+  EXPECT_EQ(depth.direction(), exact.direction());
+  EXPECT_EQ(depth.translation(), exact.translation());
+  EXPECT_EQ(depth.contact(), exact.contact());
+  EXPECT_EQ(depth.witness(), exact.witness());
   EXPECT_EQ(depth.flat_a, exact.flat_a);
   EXPECT_EQ(depth.flat_b, exact.flat_b);
   EXPECT_EQ(depth.extreme_a, exact.extreme_a);
@@ -48,8 +48,8 @@ TEST_P(EveryFamily, EqualsTheExactPipeline) {
       validated.validate = true;
       const Depth depth = shallow_depth(input.a.points, input.b.points, validated, seed == 1 ? mpq_class(1, 4) : mpq_class(seed - 1));
       expect_same(depth, exact);
-      EXPECT_EQ(depth.counters.facets_visited > 0, depth.status == Status::penetrating);
-      EXPECT_EQ(depth.counters.rays > 0, depth.status == Status::penetrating);
+      EXPECT_EQ(depth.counters.facets_visited > 0, depth.status() == Status::penetrating);
+      EXPECT_EQ(depth.counters.rays > 0, depth.status() == Status::penetrating);
     }
   }
 }
@@ -64,7 +64,7 @@ TEST(Shallow, EqualsTheExactPipelineOnTheCatalogue) {
     for (const mpq_class& delta : {mpq_class(1, 4), mpq_class(1)}) {
       const Depth depth = shallow_depth(entry.pair.a.points, entry.pair.b.points, {}, delta);
       expect_same(depth, exact);
-      EXPECT_EQ(depth.optima.size(), entry.optima);
+      EXPECT_EQ(depth.optima().size(), entry.optima);
     }
   }
 }
@@ -122,7 +122,7 @@ TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(15, 8));
     const Depth exact = penetration_depth(input.a.points, input.b.points), depth = shallow_depth(input.a.points, input.b.points);
     expect_same(depth, exact);
-    ASSERT_EQ(depth.status, Status::penetrating) << points;
+    ASSERT_EQ(depth.status(), Status::penetrating) << points;
     EXPECT_GE(exact.counters.crossings, 2U * points) << "facets of P; there are others";
     EXPECT_LE(depth.counters.facets_visited, 20U) << points;
   }
@@ -146,7 +146,7 @@ TEST(Shallow, ADeepPenetrationTakesItThroughAllOfP) {
   const Case input{"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)};
   const Depth depth = shallow_depth(input.a.points, input.b.points, {}, 2);
   EXPECT_EQ(depth.counters.facets_visited, 6U);
-  EXPECT_EQ(depth.optima.size(), 6U);
+  EXPECT_EQ(depth.optima().size(), 6U);
 }
 
 // ---- bodies that move ----
@@ -168,15 +168,15 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
       const Depth exact = penetration_depth(families::translated(input.a, by).points, input.b.points);
       const ShallowResult result = bodies.query(shift);
       EXPECT_TRUE(validate(result, scene.a, scene.b, shift).ok());
-      ASSERT_EQ(result.inside, exact.status == Status::penetrating) << name << i;
+      ASSERT_EQ(result.inside, exact.status() == Status::penetrating) << name << i;
       if (!result.inside) {
         EXPECT_TRUE(result.nearest.empty());
         continue;
       }
       ++inside;
-      EXPECT_EQ(testing::quotient(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared) << name << i;
+      EXPECT_EQ(testing::quotient(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
       NormalSet directions;
-      for (const Optimum& o : exact.optima) directions.insert(o.direction);
+      for (const Optimum& o : exact.optima()) directions.insert(o.direction);
       EXPECT_TRUE(std::ranges::equal(directions, result.nearest.directions())) << name << i;
     }
     EXPECT_GT(inside, 0U) << name;
@@ -238,7 +238,7 @@ TEST(Shallow, ReportsProgressAndStopsWhenAsked) {
     return true;
   };
   const Depth depth = shallow_depth(input.a.points, input.b.points, options);
-  ASSERT_EQ(depth.status, Status::penetrating);
+  ASSERT_EQ(depth.status(), Status::penetrating);
   EXPECT_GT(depth.counters.facets_visited, 1000U) << "near ties are all near O";
   EXPECT_GT(calls["hierarchies"], 0);
   EXPECT_GT(calls["facets near the origin"], 2);

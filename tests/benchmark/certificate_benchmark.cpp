@@ -40,7 +40,7 @@ Set make_set(const families::Family& family, unsigned size, std::size_t count) {
   for (std::uint64_t seed = 1; set.cases.size() < count && seed < 20 * count; ++seed) {
     Case input = family.make(seed, size);
     const Depth depth = certified(input);
-    if (depth.status != Status::penetrating) continue;
+    if (depth.status() != Status::penetrating) continue;
     const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
     set.texts.push_back(certificate_text(certificate));
     set.facets += certificate.inner.facets.size();

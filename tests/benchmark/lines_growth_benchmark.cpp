@@ -18,7 +18,7 @@
 #include "kernels/filters/support.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/families/families.hpp"
 

@@ -9,7 +9,7 @@
 #include "fathom/depth.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/hierarchy.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/random_bodies.hpp"
 

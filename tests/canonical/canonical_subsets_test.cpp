@@ -22,7 +22,7 @@ using testing::text;
 // C1 to C4 as the paper states them, under every perturbation, and the sum of products counts the crossings.
 TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
   for (const Case& input : cases_of_all_families(3, 10)) {
-    const bool overlap = penetration_depth(input.a.points, input.b.points).status == Status::penetrating;
+    const bool overlap = penetration_depth(input.a.points, input.b.points).status() == Status::penetrating;
     for (const Perturbation& perturbation : testing::perturbations()) {
       const auto p = prepare(input, perturbation);
       const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);

@@ -217,7 +217,7 @@ const Body edge_up{{{1, 1, 1}, {1, -1, -1}, {-5, 4, 0}, {-5, -4, 1}}}, edge_down
 // The arcs of these two edges cross at (1,0,0), on the equator: the lines lie in the planes x = 1 and x = -1, and no vertical meets both.
 TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
   const Case input{"equator", edge_down, edge_up};
-  EXPECT_EQ(penetration_depth(input.a.points, input.b.points).status, Status::penetrating);
+  EXPECT_EQ(penetration_depth(input.a.points, input.b.points).status(), Status::penetrating);
   for (const Perturbation& perturbation : perturbations()) {
     const auto p = prepare(input, perturbation);
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
@@ -249,7 +249,7 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
     }
     Options options;
     options.perturbation = perturbation;
-    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, options).squared, 1);
+    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, options).squared(), 1);
   }
   EXPECT_GT(parallel, 0U);
 }
@@ -259,8 +259,8 @@ TEST(Errata, LinesOfTouchingBodiesMeet) {
   const Body top{{{-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}}}, bottom{{{0, -1, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}}};
   const Case input{"touching", top, bottom};
   const Depth depth = penetration_depth(input.a.points, input.b.points);
-  EXPECT_EQ(depth.status, Status::touching);
-  EXPECT_EQ(depth.squared, 0);
+  EXPECT_EQ(depth.status(), Status::touching);
+  EXPECT_EQ(depth.squared(), 0);
   const auto p = prepare(input);
   const Pair pair = edges_towards(p->a, p->b, {0, 0, -1});
   const Arc& e = p->of_b.arcs[pair.of_b];
@@ -277,24 +277,24 @@ const Body cube{{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, 1, -1}
 TEST(Errata, AFlatAHasAPositiveDepthThroughP) {
   const Depth depth = penetration_depth(point.points, cube.points), swapped = penetration_depth(cube.points, point.points);
   EXPECT_TRUE(depth.flat_a && !depth.flat_b);
-  EXPECT_EQ(depth.status, Status::penetrating);
-  EXPECT_EQ(depth.squared, 1);
-  EXPECT_EQ(swapped.squared, 1) << "a flat B: both definitions agree, and so do both orders here";
+  EXPECT_EQ(depth.status(), Status::penetrating);
+  EXPECT_EQ(depth.squared(), 1);
+  EXPECT_EQ(swapped.squared(), 1) << "a flat B: both definitions agree, and so do both orders here";
 }
 
 // A and B intersect, but so do all translates that slide in their plane: P is flat, O on its boundary as every point of P is.
 TEST(Errata, IntersectingBodiesInOnePlaneOnlyTouch) {
   const Body square{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}}, beside{{{1, 1, 0}, {3, 1, 0}, {1, 3, 0}, {3, 3, 0}}};
   const Depth depth = penetration_depth(square.points, beside.points);
-  EXPECT_EQ(depth.status, Status::touching);
-  EXPECT_EQ(depth.squared, 0);
+  EXPECT_EQ(depth.status(), Status::touching);
+  EXPECT_EQ(depth.squared(), 0);
 }
 
 // Outside P the distance to its boundary is positive, and the depth is not.
 TEST(Errata, ThroughTheDistanceToTheBoundaryOnlyInsideP) {
   const Depth depth = penetration_depth(std::vector<Point>{{5, 0, 0}}, cube.points);
-  EXPECT_EQ(depth.status, Status::disjoint);
-  EXPECT_EQ(depth.squared, 0);
+  EXPECT_EQ(depth.status(), Status::disjoint);
+  EXPECT_EQ(depth.squared(), 0);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ Certificate certificate_of(const Case& input) {
 }
 
 std::string accepted_line(const Depth& depth) {
-  std::string line = depth.status == Status::penetrating ? "penetrating" : depth.status == Status::touching ? "touching" : "disjoint";
-  line = "s VERIFIED " + line + " depth_squared=" + depth.squared.get_str();
-  if (depth.status == Status::penetrating) line += " optima=" + std::to_string(depth.optima.size());
+  std::string line = depth.status() == Status::penetrating ? "penetrating" : depth.status() == Status::touching ? "touching" : "disjoint";
+  line = "s VERIFIED " + line + " depth_squared=" + depth.squared().get_str();
+  if (depth.status() == Status::penetrating) line += " optima=" + std::to_string(depth.optima().size());
   return line + " name";
 }
 
@@ -115,15 +115,15 @@ Body around_the_sphere(int count) {
 TEST(Certificate, OfManyOptima) {
   const Case input{"many ties", {{{0, 0, 0}}}, around_the_sphere(150)};
   const Depth depth = penetration_depth(input.a.points, input.b.points);
-  EXPECT_EQ(depth.squared, 1);
-  EXPECT_EQ(depth.optima.size(), 150U);
+  EXPECT_EQ(depth.squared(), 1);
+  EXPECT_EQ(depth.optima().size(), 150U);
   const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
   EXPECT_GE(certificate.inner.facets.size(), 150U);
   EXPECT_EQ(verdict(certificate), accepted_line(depth));
   Options options;
   options.method = Method::certificate;
   const Depth certified = penetration_depth(input.a.points, input.b.points, options);
-  EXPECT_EQ(certified.optima, depth.optima);
+  EXPECT_EQ(certified.optima(), depth.optima());
 }
 
 TEST(Certificate, ContradictsAWrongAnswer) {
@@ -133,26 +133,26 @@ TEST(Certificate, ContradictsAWrongAnswer) {
     EXPECT_THROW(static_cast<void>(make_certificate(a.points, of_b.points, answer)), std::logic_error);
   };
   Depth wrong = right;
-  wrong.squared += mpq_class(1, 1000000);
+  wrong.squared() += mpq_class(1, 1000000);
   refused(wrong, b);
   wrong = right;
-  wrong.optima.pop_back();
+  wrong.optima().pop_back();
   refused(wrong, b);
   wrong = right;
-  std::swap(wrong.optima[0], wrong.optima[1]);
+  std::swap(wrong.optima()[0], wrong.optima()[1]);
   refused(wrong, b);
   refused(right, box(2, 3));
   refused(right, box(4, 5));
   wrong = right;
-  wrong.status = Status::touching;
+  wrong.status() = Status::touching;
   refused(wrong, b);
-  wrong.status = Status::disjoint;
+  wrong.status() = Status::disjoint;
   refused(wrong, b);
-  wrong.direction.reset();
+  wrong.direction().reset();
   refused(wrong, b);
   wrong = penetration_depth(a.points, box(2, 3).points);
-  ASSERT_EQ(wrong.status, Status::touching);
-  wrong.direction = Vector{0, 0, 1};
+  ASSERT_EQ(wrong.status(), Status::touching);
+  wrong.direction() = Vector{0, 0, 1};
   refused(wrong, box(2, 3));
 }
 
@@ -198,12 +198,12 @@ TEST(BoundsCertificate, HoldsWhateverTheBoundsAre) {
     const auto bounds = [&](const mpq_class& low, const mpq_class& high) {
       return make_bounds_certificate(input.a.points, input.b.points, low, high);
     };
-    if (depth.status != Status::penetrating) {
+    if (depth.status() != Status::penetrating) {
       EXPECT_THROW(bounds(0, 1), std::invalid_argument) << input.id;
       continue;
     }
     ++made;
-    const mpq_class& q = depth.squared;
+    const mpq_class& q = depth.squared();
     for (const auto& [low, high] :
          {std::pair<mpq_class, mpq_class>{0, q}, {q, q}, {q * mpq_class(9, 10), q * mpq_class(11, 10)}, {0, q * 100}}) {
       const Certificate certificate = bounds(low, high);

@@ -20,13 +20,13 @@ Options certificate_method() {
 }
 
 void expect_same(const Depth& x, const Depth& y) {
-  EXPECT_EQ(x.status, y.status);
-  EXPECT_EQ(x.squared, y.squared);
-  EXPECT_EQ(x.optima, y.optima);
-  EXPECT_EQ(x.direction, y.direction);
-  EXPECT_EQ(x.translation, y.translation);
-  EXPECT_EQ(x.contact, y.contact);
-  EXPECT_EQ(x.witness, y.witness);
+  EXPECT_EQ(x.status(), y.status());
+  EXPECT_EQ(x.squared(), y.squared());
+  EXPECT_EQ(x.optima(), y.optima());
+  EXPECT_EQ(x.direction(), y.direction());
+  EXPECT_EQ(x.translation(), y.translation());
+  EXPECT_EQ(x.contact(), y.contact());
+  EXPECT_EQ(x.witness(), y.witness());
   EXPECT_EQ(x.flat_a, y.flat_a);
   EXPECT_EQ(x.flat_b, y.flat_b);
 }
@@ -86,7 +86,7 @@ TEST(CertifiedDepth, ClosesWithinItsBudgetAlmostAlways) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Case input = family.make(seed, 30);
       const Depth depth = penetration_depth(input.a.points, input.b.points, certificate_method());
-      if (depth.status != Status::penetrating) continue;
+      if (depth.status() != Status::penetrating) continue;
       const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
       ++here;
       within += depth.inner ? 1U : 0U;

@@ -12,7 +12,7 @@
 
 #include "reference/certificate/certificate.hpp"
 #include "reference/files/body.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/check/check.hpp"
 
 namespace fathom {
@@ -72,28 +72,28 @@ Options with(Method method) {
 }
 
 void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor) {
-  EXPECT_EQ(depth.status, large.status);
-  EXPECT_EQ(depth.squared * factor * factor, large.squared);
+  EXPECT_EQ(depth.status(), large.status());
+  EXPECT_EQ(depth.squared() * factor * factor, large.squared());
   EXPECT_EQ(depth.flat_a, large.flat_a);
   EXPECT_EQ(depth.flat_b, large.flat_b);
-  EXPECT_EQ(times(depth.translation, factor), large.translation);
-  EXPECT_EQ(depth.contact, large.contact);
-  ASSERT_EQ(depth.optima.size(), large.optima.size());
-  for (std::size_t i = 0; i < depth.optima.size(); ++i) {
-    EXPECT_EQ(depth.optima[i].direction, large.optima[i].direction);
-    EXPECT_EQ(times(depth.optima[i].translation, factor), large.optima[i].translation);
-    EXPECT_EQ(depth.optima[i].contact, large.optima[i].contact);
+  EXPECT_EQ(times(depth.translation(), factor), large.translation());
+  EXPECT_EQ(depth.contact(), large.contact());
+  ASSERT_EQ(depth.optima().size(), large.optima().size());
+  for (std::size_t i = 0; i < depth.optima().size(); ++i) {
+    EXPECT_EQ(depth.optima()[i].direction, large.optima()[i].direction);
+    EXPECT_EQ(times(depth.optima()[i].translation, factor), large.optima()[i].translation);
+    EXPECT_EQ(depth.optima()[i].contact, large.optima()[i].contact);
   }
-  if (depth.status == Status::penetrating) {
-    EXPECT_EQ(depth.direction, large.direction);
-    EXPECT_EQ(times(depth.witness->a, factor), large.witness->a);
-    EXPECT_EQ(times(depth.witness->b, factor), large.witness->b);
+  if (depth.status() == Status::penetrating) {
+    EXPECT_EQ(depth.direction(), large.direction());
+    EXPECT_EQ(times(depth.witness()->a, factor), large.witness()->a);
+    EXPECT_EQ(times(depth.witness()->b, factor), large.witness()->b);
   }
-  ASSERT_EQ(depth.distance.has_value(), large.distance.has_value());
-  if (!depth.distance) return;
-  EXPECT_EQ(depth.distance->squared * factor * factor, large.distance->squared);
-  EXPECT_EQ(depth.distance->direction, large.distance->direction);
-  EXPECT_EQ(times(depth.distance->translation, factor), large.distance->translation);
+  ASSERT_EQ(depth.distance().has_value(), large.distance().has_value());
+  if (!depth.distance()) return;
+  EXPECT_EQ(depth.distance()->squared * factor * factor, large.distance()->squared);
+  EXPECT_EQ(depth.distance()->direction, large.distance()->direction);
+  EXPECT_EQ(times(depth.distance()->translation, factor), large.distance()->translation);
 }
 
 /// By every method, against integers; with the proof.
@@ -103,7 +103,7 @@ void expect_right(const Points& a, const Points& b, Status status) {
   Options plain;
   plain.method = Method::certificate;
   const Depth large = penetration_depth(times(a, factor), times(b, factor), plain);
-  EXPECT_EQ(large.status, status);
+  EXPECT_EQ(large.status(), status);
   for (const Method method : {Method::exact, Method::certificate, Method::naive}) {
     const Depth depth = penetration_depth(a, b, with(method));
     expect_same(depth, large, factor);

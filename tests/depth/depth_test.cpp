@@ -34,7 +34,7 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
       const Case input = GetParam().make(seed, size);
       const Depth depth = solve(input, validated), twin = solve(input, naive);
       EXPECT_EQ(answer_of(depth), answer_of(twin)) << input.id;
-      EXPECT_EQ(depth.optima, twin.optima) << input.id;
+      EXPECT_EQ(depth.optima(), twin.optima()) << input.id;
       const Report report = check(depth, input.a.points, input.b.points);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
     }
@@ -52,8 +52,8 @@ TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
       options.validate = true;
       const Depth other = solve(input, options);
       EXPECT_EQ(answer_of(other), answer_of(depth)) << input.id;
-      EXPECT_EQ(other.optima, depth.optima) << input.id;
-      EXPECT_EQ(other.witness, depth.witness) << input.id;
+      EXPECT_EQ(other.optima(), depth.optima()) << input.id;
+      EXPECT_EQ(other.witness(), depth.witness()) << input.id;
     }
   }
 }
@@ -62,7 +62,7 @@ TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 14);
     const Depth depth = solve(input);
-    if (depth.status != Status::penetrating) continue;
+    if (depth.status() != Status::penetrating) continue;
     const auto p = testing::prepare(input);
     const NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
     const std::vector<Vector> directions = answer_of(depth).directions;
@@ -101,12 +101,12 @@ TEST(Depth, UnitCubesAThirdDeep) {
     b.push_back({(i & 1) + mpq_class(2, 3), i >> 1 & 1, i >> 2 & 1});
   }
   const Depth depth = penetration_depth(a, b);
-  EXPECT_EQ(depth.status, Status::penetrating);
-  EXPECT_EQ(depth.squared, mpq_class(1, 9));
-  ASSERT_EQ(depth.optima.size(), 1U);
-  EXPECT_EQ(depth.optima[0].direction, (Vector{-1, 0, 0})) << "A has to move away from B";
-  EXPECT_EQ(depth.optima[0].translation, (Point{mpq_class(-1, 3), 0, 0}));
-  EXPECT_EQ(depth.optima[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
+  EXPECT_EQ(depth.status(), Status::penetrating);
+  EXPECT_EQ(depth.squared(), mpq_class(1, 9));
+  ASSERT_EQ(depth.optima().size(), 1U);
+  EXPECT_EQ(depth.optima()[0].direction, (Vector{-1, 0, 0})) << "A has to move away from B";
+  EXPECT_EQ(depth.optima()[0].translation, (Point{mpq_class(-1, 3), 0, 0}));
+  EXPECT_EQ(depth.optima()[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
 }
 
 TEST(Depth, ProgressCanStopTheRun) {

@@ -27,8 +27,8 @@ TEST(LatticePairs, TenThousandEqualTheOracles) {
     if (i % 10 == 0) {
       ASSERT_EQ(mine, oracles::cdd_oracle(a, b)) << "pair " << i;
     }
-    penetrating += depth.status == Status::penetrating;
-    ties += depth.optima.size() > 1;
+    penetrating += depth.status() == Status::penetrating;
+    ties += depth.optima().size() > 1;
     for (const TierCounts& tiers : depth.counters.predicates) symbolic += tiers.zero > 0;
   }
   EXPECT_GT(penetrating, 3000U);

@@ -28,7 +28,7 @@ std::vector<Point> image(const std::vector<Point>& points, const Map& map) {
 // Directions as the primitive vectors of their images under a linear map that scales all lengths alike.
 std::vector<Vector> directions(const Depth& depth, const Map& linear) {
   std::vector<Vector> result;
-  for (const Optimum& o : depth.optima) {
+  for (const Optimum& o : depth.optima()) {
     const Point q = linear({o.direction.x, o.direction.y, o.direction.z});
     const mpz_class common = lcm(lcm(q.x.get_den(), q.y.get_den()), q.z.get_den());
     const mpq_class x = q.x * common, y = q.y * common, z = q.z * common;
@@ -46,8 +46,8 @@ Map identity() {
 void expect_similar(const Case& input, const Map& linear, const Map& affine, const mpq_class& squared_scale, const char* law) {
   const Depth before = solve(input.a.points, input.b.points);
   const Depth after = solve(image(input.a.points, affine), image(input.b.points, affine));
-  EXPECT_EQ(after.status, before.status) << law << " " << input.id;
-  EXPECT_EQ(after.squared, mpq_class(before.squared * squared_scale)) << law << " " << input.id;
+  EXPECT_EQ(after.status(), before.status()) << law << " " << input.id;
+  EXPECT_EQ(after.squared(), mpq_class(before.squared() * squared_scale)) << law << " " << input.id;
   EXPECT_EQ(directions(after, identity()), directions(before, linear)) << law << " " << input.id;
 }
 
@@ -55,8 +55,8 @@ TEST(Metamorphic, SwappingTheBodiesNegatesTheDirections) {
   const Map negation = [](const Point& p) { return Point{-p.x, -p.y, -p.z}; };
   for (const Case& input : cases_of_all_families(2, 12)) {
     const Depth before = solve(input.a.points, input.b.points), after = solve(input.b.points, input.a.points);
-    EXPECT_EQ(after.status, before.status) << input.id;
-    EXPECT_EQ(after.squared, before.squared) << input.id;
+    EXPECT_EQ(after.status(), before.status()) << input.id;
+    EXPECT_EQ(after.squared(), before.squared()) << input.id;
     EXPECT_EQ(directions(after, identity()), directions(before, negation)) << input.id;
   }
 }
@@ -121,8 +121,8 @@ TEST(Metamorphic, DuplicatesInteriorPointsAndOrderChangeNothing) {
       for (std::size_t i = body->size(); i > 1; --i) std::swap((*body)[i - 1], (*body)[random.next() % i]);
     }
     const Depth after = solve(a, b);
-    EXPECT_EQ(after.status, before.status) << input.id;
-    EXPECT_EQ(after.squared, before.squared) << input.id;
+    EXPECT_EQ(after.status(), before.status()) << input.id;
+    EXPECT_EQ(after.squared(), before.squared()) << input.id;
     EXPECT_EQ(directions(after, identity()), directions(before, identity())) << input.id;
   }
 }
@@ -131,15 +131,15 @@ TEST(Metamorphic, DuplicatesInteriorPointsAndOrderChangeNothing) {
 TEST(Metamorphic, TheTranslationSeparates) {
   for (const Case& input : cases_of_all_families(2, 12)) {
     const Depth depth = solve(input.a.points, input.b.points);
-    for (const Optimum& o : depth.optima) {
+    for (const Optimum& o : depth.optima()) {
       const auto moved = [&](const mpq_class& s) {
         return image(input.a.points, [&](const Point& p) {
           return Point{p.x + s * o.translation.x, p.y + s * o.translation.y, p.z + s * o.translation.z};
         });
       };
-      EXPECT_EQ(solve(moved(1), input.b.points).status, Status::touching) << input.id;
-      EXPECT_EQ(solve(moved(mpq_class(1023, 1024)), input.b.points).status, Status::penetrating) << input.id;
-      EXPECT_EQ(solve(moved(mpq_class(1025, 1024)), input.b.points).status, Status::disjoint) << input.id;
+      EXPECT_EQ(solve(moved(1), input.b.points).status(), Status::touching) << input.id;
+      EXPECT_EQ(solve(moved(mpq_class(1023, 1024)), input.b.points).status(), Status::penetrating) << input.id;
+      EXPECT_EQ(solve(moved(mpq_class(1025, 1024)), input.b.points).status(), Status::disjoint) << input.id;
     }
   }
 }

@@ -16,7 +16,8 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
+#include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 

@@ -36,9 +36,9 @@ TEST_P(Bundles, EqualTheHullOfAllDifferences) {
     const Case input = find_family(GetParam().family)->make(n, n);
     const Depth depth = penetration_depth(input.a.points, input.b.points, validated);
     const Depth twin = penetration_depth(input.a.points, input.b.points, naive);
-    EXPECT_EQ(depth.status, Status::penetrating) << input.id;
-    EXPECT_EQ(depth.squared, twin.squared) << input.id;
-    EXPECT_EQ(depth.optima, twin.optima) << input.id;
+    EXPECT_EQ(depth.status(), Status::penetrating) << input.id;
+    EXPECT_EQ(depth.squared(), twin.squared()) << input.id;
+    EXPECT_EQ(depth.optima(), twin.optima()) << input.id;
   }
 }
 
@@ -50,11 +50,11 @@ TEST_P(Bundles, CrossLikeAGridAndTwoEdgesDecide) {
     EXPECT_GT(crossings, grid * (1 - 8.0 / n)) << input.id;
     EXPECT_LT(crossings, grid * (1 + 32.0 / n)) << input.id;
     EXPECT_LE(depth.counters.edges_a + depth.counters.edges_b, 8 * n + 64) << input.id;
-    ASSERT_EQ(depth.status, Status::penetrating) << input.id;
-    for (const Optimum& optimum : depth.optima) EXPECT_EQ(optimum.contact.kind, ContactKind::edge_edge) << input.id;
+    ASSERT_EQ(depth.status(), Status::penetrating) << input.id;
+    for (const Optimum& optimum : depth.optima()) EXPECT_EQ(optimum.contact.kind, ContactKind::edge_edge) << input.id;
     const auto p = fathom::testing::prepare(input);
     const NearestPlanes scan = nearest_facets_scan(p->a, p->b, p->exponent);
-    EXPECT_TRUE(std::ranges::equal(scan.directions(), depth.optima, {}, {}, &Optimum::direction)) << input.id;
+    EXPECT_TRUE(std::ranges::equal(scan.directions(), depth.optima(), {}, {}, &Optimum::direction)) << input.id;
   }
 }
 

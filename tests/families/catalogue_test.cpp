@@ -34,10 +34,10 @@ class EveryEntry : public ::testing::TestWithParam<CatalogueEntry> {};
 TEST_P(EveryEntry, IsWhatItSays) {
   const CatalogueEntry& entry = GetParam();
   const Depth depth = solve(entry.pair);
-  EXPECT_EQ(depth.status, entry.status);
-  EXPECT_EQ(depth.optima.size(), entry.optima);
+  EXPECT_EQ(depth.status(), entry.status);
+  EXPECT_EQ(depth.optima().size(), entry.optima);
   std::set<ContactKind> kinds;
-  for (const Optimum& optimum : depth.optima) kinds.insert(optimum.contact.kind);
+  for (const Optimum& optimum : depth.optima()) kinds.insert(optimum.contact.kind);
   EXPECT_EQ(kinds.size() == 1, entry.kind.has_value());
   if (entry.kind) {
     EXPECT_EQ(*kinds.begin(), *entry.kind);
@@ -49,9 +49,9 @@ TEST_P(EveryEntry, IsWhatItSays) {
 TEST_P(EveryEntry, EqualsItsTwinAndTheOracle) {
   const Case& pair = GetParam().pair;
   const Depth depth = solve(pair), naive = solve(pair, Method::naive);
-  EXPECT_EQ(depth.status, naive.status);
-  EXPECT_EQ(depth.squared, naive.squared);
-  EXPECT_EQ(depth.optima, naive.optima);
+  EXPECT_EQ(depth.status(), naive.status());
+  EXPECT_EQ(depth.squared(), naive.squared());
+  EXPECT_EQ(depth.optima(), naive.optima());
   if (pair.a.points.size() * pair.b.points.size() > 150) return;
   EXPECT_EQ(oracles::answer_of(depth), oracles::cdd_oracle(pair.a.points, pair.b.points));
 }
@@ -61,7 +61,7 @@ TEST_P(EveryEntry, IsApproached) {
   if (pair.a.points.size() > 16 || pair.b.points.size() > 16) return;
   for (const unsigned k : {3u, 60u}) {
     const Case near = approach(pair, k, 5);
-    EXPECT_EQ(solve(near).optima, solve(near, Method::naive).optima) << near.id;
+    EXPECT_EQ(solve(near).optima(), solve(near, Method::naive).optima()) << near.id;
     const mpq_class bound = times_power_of_two(1, -static_cast<long>(k));
     for (Body Case::*body : {&Case::a, &Case::b})
       for (std::size_t i = 0; i < (pair.*body).points.size(); ++i) {
@@ -103,8 +103,8 @@ TEST(Catalogue, FlatEntriesHaveTheNamedRanks) {
 TEST(Catalogue, NearOnesAreOffBy2ToTheMinus1000) {
   const Depth apart = solve(find_catalogue_entry("nearly_touching_apart")->pair);
   const Depth deep = solve(find_catalogue_entry("nearly_touching_deep")->pair);
-  EXPECT_EQ(apart.status, Status::disjoint);
-  EXPECT_EQ(deep.squared, times_power_of_two(1, -2000));
+  EXPECT_EQ(apart.status(), Status::disjoint);
+  EXPECT_EQ(deep.squared(), times_power_of_two(1, -2000));
 }
 
 TEST(Approach, IsGenericAndReproducible) {
@@ -115,7 +115,7 @@ TEST(Approach, IsGenericAndReproducible) {
   EXPECT_EQ(near.id, "identical_cubes-k80-s1");
   const Polytope hull = convex_hull(common_lattice(near.a.points, near.a.points).a);
   EXPECT_TRUE(std::ranges::all_of(hull.facets, [](const Facet& f) { return f.end - f.begin == 3; })) << "no coplanar points are left";
-  EXPECT_EQ(solve(near).optima.size(), 1U) << "no tie is left";
+  EXPECT_EQ(solve(near).optima().size(), 1U) << "no tie is left";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "fathom/depth.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 
@@ -106,7 +106,7 @@ bool have_coplanar_facets(const Shape& s) {
 bool ties_come_in_pairs(const Case& pair) {
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
   std::vector<Vector> found;
-  for (const Optimum& o : depth.optima) found.push_back(o.direction);
+  for (const Optimum& o : depth.optima()) found.push_back(o.direction);
   return !found.empty() && std::ranges::all_of(found, [&](const Vector& n) { return std::ranges::find(found, -n) != found.end(); });
 }
 
@@ -154,7 +154,7 @@ const std::map<Degradation, Law>& laws() {
       {Degradation::identical_bodies, [](const Case& pair) { return pair.a.points == pair.b.points; }},
       {Degradation::tie_by_reflection, ties_come_in_pairs},
       {Degradation::touching_translation,
-       [](const Case& pair) { return penetration_depth(pair.a.points, pair.b.points).status == Status::touching; }},
+       [](const Case& pair) { return penetration_depth(pair.a.points, pair.b.points).status() == Status::touching; }},
       {Degradation::snapped_to_lattice, [](const Case& pair) { return is_coarse(pair, 40); }},
   };
   return all;

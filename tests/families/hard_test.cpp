@@ -12,7 +12,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"
@@ -87,13 +87,13 @@ void expect_hard_to_round(const char* family) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Case input = find_family(family)->make(seed, seed % 3 ? 6 : 14);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.status, Status::penetrating) << input.id;
-    EXPECT_EQ(depth.optima.size(), 1U) << input.id;
-    const Neighbours<T> around(depth.squared);
+    ASSERT_EQ(depth.status(), Status::penetrating) << input.id;
+    EXPECT_EQ(depth.optima().size(), 1U) << input.id;
+    const Neighbours<T> around(depth.squared());
     const mpq_class ulp = around.below == around.above ? mpq_class(around.below) : mpq_class(around.above - around.below);
     Closeness best;
     for (const mpq_class* boundary : {&around.below, &around.above, &around.middle}) {
-      const Closeness here = closeness(depth.squared, *boundary, ulp);
+      const Closeness here = closeness(depth.squared(), *boundary, ulp);
       best = {best.on_it || here.on_it, std::max(best.k, here.k)};
     }
     EXPECT_TRUE(best.on_it || best.k >= 1) << input.id;
@@ -121,13 +121,13 @@ TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Case input = find_family("hair_overlap")->make(seed, 8);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.optima.size(), 1U) << input.id;
-    kinds.insert(depth.contact->kind);
-    const mpq_class share = depth.squared / dot(*depth.direction, *depth.direction);
+    ASSERT_EQ(depth.optima().size(), 1U) << input.id;
+    kinds.insert(depth.contact()->kind);
+    const mpq_class share = depth.squared() / dot(depth.direction(), depth.direction());
     const long log = binary_logarithm(share) / 2;
     EXPECT_LE(log, -38) << input.id;
     thinnest = std::min(thinnest, log);
-    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, depth), times_power_of_two(depth.squared, 40)) << input.id;
+    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, depth), times_power_of_two(depth.squared(), 40)) << input.id;
   }
   EXPECT_EQ(kinds.size(), 6U);
   EXPECT_LT(thinnest, -180);
@@ -138,9 +138,9 @@ TEST(Hair, GapsAreBetweenTheFeatures) {
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
     const Case input = find_family("hair_gap")->make(seed, 8);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.status, Status::disjoint) << input.id;
-    const Vector& n = depth.distance->direction;
-    EXPECT_LE(binary_logarithm(depth.distance->squared / dot(n, n)) / 2, -58) << input.id;
+    ASSERT_EQ(depth.status(), Status::disjoint) << input.id;
+    const Vector& n = depth.distance()->direction;
+    EXPECT_LE(binary_logarithm(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
     const Lattice lattice = common_lattice(input.a.points, input.b.points);
     const std::size_t a = extreme_points_naive(lattice.a, -n).size(), b = extreme_points_naive(lattice.b, n).size();
     features.emplace(std::min<std::size_t>(a, 3), std::min<std::size_t>(b, 3));
@@ -152,9 +152,9 @@ TEST(Deep, IsNearlyTheSumOfTheRadii) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Case input = find_family("deep")->make(seed, 60);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.status, Status::penetrating);
-    EXPECT_GT(depth.squared, ratio(1, 4)) << input.id;
-    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, depth), depth.squared * ratio(3, 2)) << input.id;
+    ASSERT_EQ(depth.status(), Status::penetrating);
+    EXPECT_GT(depth.squared(), ratio(1, 4)) << input.id;
+    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, depth), depth.squared() * ratio(3, 2)) << input.id;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(Stretched, ReachesARatioOfABillion) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case input = find_family("stretched")->make(seed, 12);
     const Depth thickness = penetration_depth(input.a.points, input.a.points);
-    const double ratio = 1 / std::sqrt(thickness.squared.get_d());
+    const double ratio = 1 / std::sqrt(thickness.squared().get_d());
     EXPECT_GT(ratio, 1e3) << input.id;
     greatest = std::max(greatest, ratio);
   }

@@ -9,7 +9,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"
 
@@ -43,10 +43,10 @@ TEST(Inverse, HasTheKindAndTheGapThatWereChosen) {
       for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Case input = find_family(name)->make(100 * size + seed, size);
         const Depth depth = solved(input);
-        ASSERT_EQ(depth.optima.size(), 1U) << input.id;
-        EXPECT_EQ(depth.contact->kind, kind) << input.id;
+        ASSERT_EQ(depth.optima().size(), 1U) << input.id;
+        EXPECT_EQ(depth.contact()->kind, kind) << input.id;
         const std::optional<mpq_class> next = second_nearest_squared_naive(input.a.points, input.b.points);
-        const std::optional<std::size_t> k = exact_gap(*next / depth.squared);
+        const std::optional<std::size_t> k = exact_gap(*next / depth.squared());
         ASSERT_TRUE(k.has_value()) << input.id;
         EXPECT_TRUE(*k >= 8 && *k <= 200) << input.id;
         gaps.insert(*k);
@@ -64,13 +64,13 @@ TEST(Inverse, TheNextFacetLiesOppositeAndIsOfAnyKind) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     Case input = find_family("inverse_edge_edge")->make(seed, 8);
     const Depth before = solved(input);
-    const Point& t = before.translation;
+    const Point& t = before.translation();
     const mpq_class part = ratio(1, 100);
     input.b = translated(input.b, {mpq_class(t.x * part), mpq_class(t.y * part), mpq_class(t.z * part)});
     const Depth after = solved(input);
-    ASSERT_EQ(after.optima.size(), 1U) << input.id;
-    EXPECT_EQ(*after.direction, -*before.direction) << input.id;
-    seen.insert(after.contact->kind);
+    ASSERT_EQ(after.optima().size(), 1U) << input.id;
+    EXPECT_EQ(*after.direction(), -*before.direction()) << input.id;
+    seen.insert(after.contact()->kind);
   }
   EXPECT_EQ(seen.size(), 6U);
 }
@@ -79,10 +79,10 @@ TEST(Inverse, TiesAreExactAndOfTwoKinds) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Case input = find_family("inverse_tie")->make(seed, 10);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.optima.size(), 2U) << input.id;
-    EXPECT_EQ(depth.optima[0].direction, -depth.optima[1].direction) << input.id;
-    EXPECT_NE(depth.optima[0].contact.kind, depth.optima[1].contact.kind) << input.id;
-    EXPECT_GT(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared * ratio(129, 128)) << input.id;
+    ASSERT_EQ(depth.optima().size(), 2U) << input.id;
+    EXPECT_EQ(depth.optima()[0].direction, -depth.optima()[1].direction) << input.id;
+    EXPECT_NE(depth.optima()[0].contact.kind, depth.optima()[1].contact.kind) << input.id;
+    EXPECT_GT(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared() * ratio(129, 128)) << input.id;
   }
 }
 
@@ -95,14 +95,14 @@ TEST(Inverse, RidgesHaveTheGapNearly) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Case input = find_family("inverse_ridge")->make(seed, seed % 2 ? 12 : 5);
     const Depth depth = solved(input);
-    ASSERT_EQ(depth.optima.size(), 1U) << input.id;
-    const mpq_class gap = relative_gap(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared);
+    ASSERT_EQ(depth.optima().size(), 1U) << input.id;
+    const mpq_class gap = relative_gap(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());
     long k = 1;
     while (times_power_of_two(gap, k) < ratio(3, 4)) ++k;
     EXPECT_LT(abs(times_power_of_two(gap, k) - 1), ratio(1, 1 << 16)) << input.id;
     EXPECT_TRUE(k >= 8 && k <= 200) << input.id;
     gaps.insert(k);
-    seen.insert(depth.contact->kind);
+    seen.insert(depth.contact()->kind);
   }
   EXPECT_GT(gaps.size(), 40U);
   EXPECT_EQ(seen.size(), 3U) << "points in general position";

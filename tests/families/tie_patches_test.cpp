@@ -42,8 +42,8 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
     EXPECT_LT(others.count, 16 * n) << input.id;
     EXPECT_GT(others.least, 2 * grid.greatest) << input.id;
     const Depth depth = penetration_depth(input.a.points, input.b.points);
-    EXPECT_EQ(depth.squared, grid.least / (p->lattice.denominator * p->lattice.denominator)) << input.id;
-    EXPECT_EQ(depth.contact->kind, ContactKind::edge_edge) << input.id;
+    EXPECT_EQ(depth.squared(), grid.least / (p->lattice.denominator * p->lattice.denominator)) << input.id;
+    EXPECT_EQ(depth.contact()->kind, ContactKind::edge_edge) << input.id;
   }
 }
 

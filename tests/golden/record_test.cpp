@@ -34,20 +34,20 @@ Case points_of(const Record& record) {
 }
 
 void expect_answer(const Json& expected, const Depth& depth, const std::string& id) {
-  EXPECT_EQ(expected["status"], name(depth.status)) << id;
-  EXPECT_EQ(expected["depth"]["squared"], exact_text(depth.squared)) << id;
+  EXPECT_EQ(expected["status"], name(depth.status())) << id;
+  EXPECT_EQ(expected["depth"]["squared"], exact_text(depth.squared())) << id;
   EXPECT_EQ(expected["flat"].size(), std::size_t{depth.flat_a} + std::size_t{depth.flat_b}) << id;
-  ASSERT_EQ(expected["optima"].size(), depth.optima.size()) << id;
-  for (std::size_t i = 0; i < depth.optima.size(); ++i) {
+  ASSERT_EQ(expected["optima"].size(), depth.optima().size()) << id;
+  for (std::size_t i = 0; i < depth.optima().size(); ++i) {
     const Json& listed = expected["optima"][i];
-    const Optimum& optimum = depth.optima[i];
+    const Optimum& optimum = depth.optima()[i];
     EXPECT_EQ(listed["direction"], texts(optimum.direction)) << id;
     EXPECT_EQ(listed["translation"], texts(optimum.translation)) << id;
     EXPECT_EQ(listed["contact"], Json({{"kind", name(optimum.contact.kind)}, {"a", optimum.contact.a}, {"b", optimum.contact.b}})) << id;
   }
-  if (!depth.distance) return;
-  EXPECT_EQ(expected["distance"]["squared"], exact_text(depth.distance->squared)) << id;
-  EXPECT_EQ(expected["direction"], texts(depth.distance->direction)) << id;
+  if (!depth.distance()) return;
+  EXPECT_EQ(expected["distance"]["squared"], exact_text(depth.distance()->squared)) << id;
+  EXPECT_EQ(expected["direction"], texts(depth.distance()->direction)) << id;
 }
 
 TEST(Record, AgreesWithTheNaiveAndTheExactMethod) {

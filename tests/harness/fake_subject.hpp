@@ -17,10 +17,10 @@ namespace fathom::testing {
 /// The right answer, rounded: depth and direction.
 inline Reply right_reply(const Depth& truth) {
   Reply reply;
-  reply.overlap = truth.status == Status::penetrating;
+  reply.overlap = truth.status() == Status::penetrating;
   if (!reply.overlap) return reply;
-  reply.depth = root_binary64(truth.squared, Rounding::rn);
-  const Vector& n = truth.optima.front().direction;
+  reply.depth = root_binary64(truth.squared(), Rounding::rn);
+  const Vector& n = truth.optima().front().direction;
   const mpq_class length_squared = dot(n, n);
   const auto component = [&](const mpz_class& x) {
     const double size = root_binary64(mpq_class(x * x) / length_squared, Rounding::rn);

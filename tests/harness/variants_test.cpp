@@ -45,8 +45,8 @@ TEST_P(OfEachPrecision, TheLawHoldsWhenEachVariantIsSolvedAnew) {
     const Depth depth = truth_about(pair.a.points, pair.b.points).depth;
     for (const Variant& variant : variants(pair, GetParam(), all_names)) {
       const Depth anew = truth_about(variant.seen.a.points, variant.seen.b.points).depth;
-      EXPECT_EQ(anew.squared, depth_squared_of(variant, depth.squared)) << pair.id << ' ' << variant.name;
-      EXPECT_EQ(anew.status, depth.status) << pair.id << ' ' << variant.name;
+      EXPECT_EQ(anew.squared(), depth_squared_of(variant, depth.squared())) << pair.id << ' ' << variant.name;
+      EXPECT_EQ(anew.status(), depth.status()) << pair.id << ' ' << variant.name;
       EXPECT_EQ(variant.seen.id, pair.id);
       for_each_coordinate(variant.seen, [&](const mpq_class& value) { EXPECT_TRUE(representable(value, GetParam())) << pair.id; });
       ++seen;

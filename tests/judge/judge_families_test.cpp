@@ -45,18 +45,18 @@ Tolerance some_tolerance(Random& random) {
 Triple some_direction(const Depth& depth, Random& random) {
   const auto k = random.between(0, 5);
   if (k == 0) return {0, 0, 0};
-  if (k <= 2 || !depth.direction) {
+  if (k <= 2 || !depth.direction()) {
     const double x = static_cast<double>(random.between(-2, 2)), y = static_cast<double>(random.between(-2, 2));
     return {x, y, static_cast<double>(random.between(-1, 1))};
   }
-  const Triple u = unit(*depth.direction);
+  const Triple u = unit(depth.direction());
   return k == 3 ? opposite(u) : u;
 }
 
 /// Points where the optimum has them, rounded; some moved from their body, or from each other, by what is just allowed, or not quite.
 void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
-  if (!truth.depth.witness || truth.a.size() > 8 || truth.b.size() > 8) return;
-  const Vector& n = *truth.depth.direction;
+  if (!truth.depth.witness() || truth.a.size() > 8 || truth.b.size() > 8) return;
+  const Vector& n = truth.depth.direction();
   const mpf_class length = sqrt(mpf_class(dot(n, n), 600));
   const auto moved = [&](const Point& p, const mpf_class& way) {
     const auto number = [&](const mpq_class& x, const mpz_class& component) {
@@ -68,8 +68,8 @@ void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& na
   const auto some_way = [&] {
     return mpf_class((random.coin() ? naive.witness_tol() : naive.gap_tol()) * static_cast<int>(random.between(-1, 1)));
   };
-  if (random.between(0, 3) != 0) reply.witness_a = moved(truth.depth.witness->a, some_way());
-  if (random.between(0, 3) != 0) reply.witness_b = moved(truth.depth.witness->b, some_way());
+  if (random.between(0, 3) != 0) reply.witness_a = moved(truth.depth.witness()->a, some_way());
+  if (random.between(0, 3) != 0) reply.witness_b = moved(truth.depth.witness()->b, some_way());
 }
 
 // Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the tolerance.
@@ -119,16 +119,16 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
 TEST(JudgeFamilies, RightAnswersPassWithEveryOptimum) {
   std::size_t penetrating = 0;
   for (const Truth& truth : truths(2, 8)) {
-    const std::size_t ties = std::max<std::size_t>(truth.depth.optima.size(), 1);
+    const std::size_t ties = std::max<std::size_t>(truth.depth.optima().size(), 1);
     for (std::size_t k = 0; k < std::min<std::size_t>(ties, 8); ++k) {
       const Judgement result =
           judge(truth, right_answer(truth.depth, k), {}, Precision::binary64, {mpq_class(1, 100'000'000), mpq_class(1, 1'000'000'000), 8});
       EXPECT_TRUE(passes(result.verdict)) << result.sentence;
-      if (truth.depth.status != Status::penetrating) continue;
+      if (truth.depth.status() != Status::penetrating) continue;
       ++penetrating;
       EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded) << result.sentence;
       EXPECT_LE(*result.travel_squared, *result.price_squared);
-      EXPECT_GE(*result.travel_squared, truth.depth.squared);
+      EXPECT_GE(*result.travel_squared, truth.depth.squared());
     }
   }
   EXPECT_GT(penetrating, 100U);
@@ -138,7 +138,7 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
   const Tolerance tolerance{mpq_class(1, 1000), 0, 0};
   std::size_t penetrating = 0, reversible = 0;
   for (const Truth& truth : truths(1, 9)) {
-    if (truth.depth.status != Status::penetrating) continue;
+    if (truth.depth.status() != Status::penetrating) continue;
     Reply reply = right_answer(truth.depth);
     reply.witness_a = reply.witness_b = {};
     const auto verdict = [&](const Reply& r) { return judge(truth, r, {}, Precision::binary64, tolerance).verdict; };
@@ -155,8 +155,8 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
     ++penetrating;
     // Where the way back is about as short, the reversed direction is right too.
     const mpq_class back = *judge(truth, reversed).price_squared;
-    const mpq_class slack = 32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared, Precision::binary64, 0).direction;
-    if (back < truth.depth.squared * mpq_class(11, 10) || back < slack * slack) continue;
+    const mpq_class slack = 32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared(), Precision::binary64, 0).direction;
+    if (back < truth.depth.squared() * mpq_class(11, 10) || back < slack * slack) continue;
     EXPECT_EQ(verdict(reversed), Verdict::wrong_sign);
     ++reversible;
   }
@@ -171,11 +171,11 @@ TEST(JudgeFamilies, ResidualsAreThoseOfTheClaim) {
     if (!reply.depth) continue;
     *reply.depth *= 1 + 1e-2 * static_cast<double>(random.between(-50, 50));
     const Judgement result = judge(truth, reply);
-    const double depth = root_binary64(truth.depth.squared, Rounding::rn);
+    const double depth = root_binary64(truth.depth.squared(), Rounding::rn);
     EXPECT_NEAR(*result.error / depth, *reply.depth / depth - 1, 1e-15);
     EXPECT_NEAR(*result.error_relative, *reply.depth / depth - 1, 1e-15);
-    EXPECT_EQ(result.status, truth.depth.status);
-    EXPECT_EQ(result.depth_squared, truth.depth.squared);
+    EXPECT_EQ(result.status, truth.depth.status());
+    EXPECT_EQ(result.depth_squared, truth.depth.squared());
   }
 }
 

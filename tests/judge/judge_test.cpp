@@ -33,7 +33,7 @@ Reply with_witness(Reply reply, std::optional<Triple> a, std::optional<Triple> b
 Findings findings(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, const Tolerance& tolerance = {}) {
   const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
   EXPECT_EQ(result.verdict, !result.findings.empty()                 ? result.findings.front()
-                            : truth.depth.status == Status::touching ? Verdict::touching_by_convention
+                            : truth.depth.status() == Status::touching ? Verdict::touching_by_convention
                                                                      : Verdict::pass);
   EXPECT_EQ(result.sentence.find('\n'), std::string::npos);
   EXPECT_FALSE(result.sentence.empty());
@@ -257,7 +257,7 @@ TEST(Judge, ABinary32SubjectIsJudgedOnWhatItSees) {
   const Truth truth = truth_about(*seen(a, Precision::binary32), *seen(b, Precision::binary32));
   EXPECT_EQ(truth.b.front().x, exact_value(0.4F));
   const mpq_class depth = 1 - exact_value(0.4F);
-  ASSERT_EQ(truth.depth.squared, depth * depth);
+  ASSERT_EQ(truth.depth.squared(), depth * depth);
   const double claimed = round_binary32(depth, Rounding::rn);
   const Judgement result = judge(truth, overlap(claimed, left), {}, Precision::binary32);
   EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded);

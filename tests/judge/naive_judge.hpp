@@ -23,17 +23,17 @@ class NaiveJudge {
         tolerance_(tolerance),
         p_(differences(common_lattice(truth.a, truth.b))) {
     denominator_ = common_lattice(truth.a, truth.b).denominator;
-    depth_ = root(real(truth.depth.squared));
-    distance_ = truth.depth.distance ? root(real(truth.depth.distance->squared)) : real(0);
+    depth_ = root(real(truth.depth.squared()));
+    distance_ = truth.depth.distance() ? root(real(truth.depth.distance()->squared)) : real(0);
     tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),
-                     real(real(mpq_class(tolerance.ulps)) * ulp(truth.depth.squared))});
+                     real(real(mpq_class(tolerance.ulps)) * ulp(truth.depth.squared()))});
     measure_slack();
   }
 
   /// For finite numbers. Witness points are judged if their bodies are small.
   std::vector<Verdict> findings(const Reply& reply) const {
     std::vector<Verdict> found;
-    const Status status = truth_.depth.status;
+    const Status status = truth_.depth.status();
     const bool overlap = reply.overlap, has_depth = overlap && reply.depth.has_value();
     mpf_class d = has_depth ? real(exact_value(*reply.depth)) : real(0);
     if (conventions_.depth == Conventions::Sign::negative) d = -d;
@@ -70,7 +70,7 @@ class NaiveJudge {
     return real(real(mpq_class(high - low)) / length(u));
   }
   [[nodiscard]] mpf_class travel(const Point& u) const {
-    if (truth_.depth.status != Status::penetrating) return real(0);
+    if (truth_.depth.status() != Status::penetrating) return real(0);
     const mpz_class d = lcm(lcm(u.x.get_den(), u.y.get_den()), u.z.get_den());
     const Vector v{mpq_class(d * u.x).get_num(), mpq_class(d * u.y).get_num(), mpq_class(d * u.z).get_num()};
     return real(real(mpq_class(factor_naive(p_, v) * d / denominator_)) * length(u));
@@ -104,7 +104,7 @@ class NaiveJudge {
     const Point opposite{-given.x, -given.y, -given.z}, u = b_moves ? opposite : given, v = b_moves ? given : opposite;
     const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), direction_tol_); };
     const auto separates = [&](const Point& x) {
-      return truth_.depth.status != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
+      return truth_.depth.status() != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
     };
     if (consistent(u) && separates(u)) return u;
     if (consistent(v) && separates(v)) {
@@ -145,7 +145,7 @@ class NaiveJudge {
     }
     const mpq_class u = precision_ == Precision::binary64 ? exact_value(0x1p-53) : exact_value(0x1p-24);
     const mpf_class numbers = real(tolerance_.ulps == 0 ? mpq_class(1, 2) : mpq_class(tolerance_.ulps)),
-                    far = real(numbers * ulp(farthest * farthest)), of_depth = real(numbers * ulp(truth_.depth.squared));
+                    far = real(numbers * ulp(farthest * farthest)), of_depth = real(numbers * ulp(truth_.depth.squared()));
     depth_tol_ = std::max(tol_, of_depth);
     direction_tol_ = std::max(tol_, real(of_depth + numbers * real(mpq_class(4 * u * reach))));
     witness_tol_ = std::max(tol_, real(far * 7 / 4));

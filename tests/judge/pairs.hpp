@@ -66,12 +66,12 @@ inline Triple opposite(const Triple& u) { return {-u[0], -u[1], -u[2]}; }
 
 /// The right answer with the k-th optimum; of bodies that do not penetrate, the right classification (of touching ones: overlap).
 inline Reply right_answer(const Depth& depth, std::size_t k = 0) {
-  if (depth.status == Status::disjoint) return {};
-  if (depth.status == Status::touching) return overlap({});
-  Reply reply = overlap(root_binary64(depth.squared, Rounding::rn), unit(depth.optima[k].direction));
-  if (k == 0 && depth.witness) {
-    reply.witness_a = rounded(depth.witness->a);
-    reply.witness_b = rounded(depth.witness->b);
+  if (depth.status() == Status::disjoint) return {};
+  if (depth.status() == Status::touching) return overlap({});
+  Reply reply = overlap(root_binary64(depth.squared(), Rounding::rn), unit(depth.optima()[k].direction));
+  if (k == 0 && depth.witness()) {
+    reply.witness_a = rounded(depth.witness()->a);
+    reply.witness_b = rounded(depth.witness()->b);
   }
   return reply;
 }

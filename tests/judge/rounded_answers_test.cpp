@@ -41,11 +41,11 @@ struct Rounded {
   }
   /// The k-th optimum of bodies that overlap; of bodies that touch, a direction that separates them.
   [[nodiscard]] Reply answer(const Depth& depth, std::size_t k) const {
-    const bool touching = depth.status == Status::touching;
-    Reply reply = testing::overlap(root(depth.squared), unit(touching ? *depth.direction : depth.optima[k].direction));
-    if (k > 0 || !depth.witness) return reply;
-    reply.witness_a = point(depth.witness->a);
-    reply.witness_b = point(depth.witness->b);
+    const bool touching = depth.status() == Status::touching;
+    Reply reply = testing::overlap(root(depth.squared()), unit(touching ? depth.direction() : depth.optima()[k].direction));
+    if (k > 0 || !depth.witness()) return reply;
+    reply.witness_a = point(depth.witness()->a);
+    reply.witness_b = point(depth.witness()->b);
     return reply;
   }
   /// `steps` numbers away from zero.
@@ -89,7 +89,7 @@ const std::vector<Placed>& pairs_everywhere() {
         for (const char* scale : precision == Precision::binary64 ? scales_of_binary64 : scales_of_binary32) {
           for (const long offset : {0L, 1000L, 1'000'000L}) {
             auto pair = placed(input, precision, offset, scale);
-            if (pair && pair->truth.depth.status != Status::disjoint) pairs.push_back(std::move(*pair));
+            if (pair && pair->truth.depth.status() != Status::disjoint) pairs.push_back(std::move(*pair));
           }
         }
       }
@@ -109,16 +109,16 @@ TEST(RoundedAnswers, PassWithNoToleranceAtAll) {
   for (const Placed& pair : pairs_everywhere()) {
     const Depth& depth = pair.truth.depth;
     const Rounded nearest{pair.precision};
-    for (std::size_t k = 0; k == 0 || k < std::min<std::size_t>(depth.optima.size(), 4); ++k) {
+    for (std::size_t k = 0; k == 0 || k < std::min<std::size_t>(depth.optima().size(), 4); ++k) {
       Reply reply = nearest.answer(depth, k);
       ASSERT_TRUE(std::isfinite(*reply.depth));
       for (const Tolerance& tolerance : {strictest, Tolerance{0, 0, 1}, Tolerance{}}) expect_passes(pair, reply, tolerance);
       reply.direction.reset();
       expect_passes(pair, reply, strictest);
-      ++seen[depth.status == Status::touching ? "touching" : "penetrating"];
+      ++seen[depth.status() == Status::touching ? "touching" : "penetrating"];
       const double least = pair.precision == Precision::binary64 ? 0x1p-1022 : 0x1p-126;
       seen["subnormal"] += *reply.depth > 0 && *reply.depth < least;
-      seen["vanishing"] += depth.squared > 0 && *reply.depth == 0;
+      seen["vanishing"] += depth.squared() > 0 && *reply.depth == 0;
     }
   }
   EXPECT_GT(seen["penetrating"], 1000U);
@@ -136,9 +136,9 @@ TEST(RoundedAnswers, RoundedUpOrDownPassWithOneUlp) {
 
 TEST(RoundedAnswers, ADepthTwoNumbersAwayFails) {
   for (const Placed& pair : pairs_everywhere()) {
-    if (pair.truth.depth.status != Status::penetrating) continue;
+    if (pair.truth.depth.status() != Status::penetrating) continue;
     const Rounded nearest{pair.precision};
-    Reply reply = testing::overlap(nearest.stepped(nearest.root(pair.truth.depth.squared), 2));
+    Reply reply = testing::overlap(nearest.stepped(nearest.root(pair.truth.depth.squared()), 2));
     EXPECT_EQ(judge(pair.truth, reply, {}, pair.precision, strictest).findings, std::vector<Verdict>{Verdict::too_deep}) << pair.text;
     EXPECT_TRUE(passes(judge(pair.truth, reply, {}, pair.precision, {0, 0, 5}).verdict)) << pair.text;
   }
@@ -163,7 +163,7 @@ TEST(RoundedAnswers, WitnessPointsSixteenUlpsAwayFail) {
   for (const Placed& pair : pairs_everywhere()) {
     const Reply right = Rounded{pair.precision}.answer(pair.truth.depth, 0);
     const double by = 16 * ulp_of_points(pair);
-    if (pair.truth.depth.status != Status::penetrating || !right.witness_a || !std::isfinite(by)) continue;
+    if (pair.truth.depth.status() != Status::penetrating || !right.witness_a || !std::isfinite(by)) continue;
     Reply out = right, apart = right;  // out of A against the way that it moves; A's point along it
     out.witness_b.reset();
     out.witness_a = moved_along(*right.witness_a, *right.direction, -by);
@@ -194,10 +194,10 @@ TEST(RoundedAnswers, ReachAGoodPartOfTheSlack) {
   std::map<std::string, std::size_t> beyond;
   for (const Placed& pair : pairs_everywhere()) {
     const Depth& depth = pair.truth.depth;
-    if (depth.status != Status::penetrating) continue;
+    if (depth.status() != Status::penetrating) continue;
     const Reply reply = Rounded{pair.precision}.answer(depth, 0);
     const Judgement result = judge(pair.truth, reply, {}, pair.precision, strictest);
-    const Slack slack = rounding_slack(sizes_of(pair.truth.a, pair.truth.b), depth.squared, pair.precision, 0);
+    const Slack slack = rounding_slack(sizes_of(pair.truth.a, pair.truth.b), depth.squared(), pair.precision, 0);
     const auto is_more = [](const mpq_class& squared, const mpq_class& length) { return squared > length * length; };
     beyond["depth"] += std::abs(*result.error) > mpq_class(slack.depth * mpq_class(9, 10));
     beyond["direction"] += std::abs(*result.inconsistency) > mpq_class(slack.direction / 4);

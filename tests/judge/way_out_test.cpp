@@ -20,14 +20,14 @@ TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
     if (!depth.inner) continue;
     const Lattice lattice = common_lattice(a, b);
     std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {1, 1, 1}, {3, -2, 1}, {1, 0, 1000000}};
-    for (const Optimum& optimum : depth.optima) directions.push_back(optimum.direction);
+    for (const Optimum& optimum : depth.optima()) directions.push_back(optimum.direction);
     for (const Difference& d : depth.inner->vertices) directions.push_back(lattice.b[d.second] - lattice.a[d.first]);
     if (directions.size() > 12) directions.resize(12);
     for (const Vector& u : directions) {
       ++rays;
       const DirectionalDepth expected = directional_depth(a, b, {u.x, u.y, u.z});
       const std::optional<mpq_class> found = way_out(lattice, *depth.inner, u);
-      if (found) EXPECT_EQ(*found / lattice.denominator, expected.factor) << input.id;
+      if (found) EXPECT_EQ(*found / lattice.denominator, expected.factor()) << input.id;
       else ++given_up;
     }
   }

@@ -69,7 +69,7 @@ TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
 TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
   std::size_t checked = 0;
   for (const Case& input : cases_of_all_families(3, 10)) {
-    if (penetration_depth(input.a.points, input.b.points).status != Status::penetrating) continue;
+    if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const auto p = prepare(input);
     const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
     for (const Charts& charts : p->charts) {
@@ -116,8 +116,8 @@ TEST(ClosestLines, TheFirstBitsOfLongCoordinatesLeaveFewPairs) {
   for (const long k : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L})
     bodies = families::rotated(bodies, families::rotation((1L << 30) + k, (1L << 29) - k, (1L << 30) - 7 * k, (1L << 28) + 3 * k));
   const Depth depth = penetration_depth(bodies.a.points, bodies.b.points), unturned = penetration_depth(input.a.points, input.b.points);
-  EXPECT_EQ(depth.squared, unturned.squared);
-  EXPECT_EQ(depth.contact, unturned.contact);
+  EXPECT_EQ(depth.squared(), unturned.squared());
+  EXPECT_EQ(depth.contact(), unturned.contact());
   EXPECT_GE(depth.counters.pairs_evaluated, 100000U);
   EXPECT_LE(depth.counters.pairs_exact, depth.counters.pairs_evaluated / 100);
 }

@@ -20,7 +20,7 @@ TEST(Grid, IsValidOnAllFamilies) {
   const std::vector<Perturbation> perturbations = testing::perturbations();
   unsigned k = 0;
   for (const Case& input : cases_of_all_families(2, 14)) {
-    if (penetration_depth(input.a.points, input.b.points).status != Status::penetrating) continue;
+    if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const auto p = prepare(input, perturbations[k++ % perturbations.size()]);
     const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
     for (const Charts& charts : p->charts) {
@@ -66,7 +66,7 @@ TEST(Grid, ValidationNoticesDisorder) {
 TEST(Grid, EveryCrossingSupportsP) {
   std::size_t crossings = 0;
   for (const Case& input : cases_of_all_families(1, 10)) {
-    if (penetration_depth(input.a.points, input.b.points).status != Status::penetrating) continue;
+    if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const PreparedGrids grids(input);
     grids.for_each([&](const Grid& grid, const Charts&) {
       for (std::size_t i = 0; i < grid.rows(); ++i) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reference/depth/naive_depth.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "tests/oracles/oracle.hpp"
 
 namespace fathom::oracles {

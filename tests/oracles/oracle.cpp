@@ -7,8 +7,8 @@
 namespace fathom::oracles {
 
 OracleAnswer answer_of(const Depth& depth) {
-  OracleAnswer answer{depth.status, depth.squared, {}};
-  for (const Optimum& optimum : depth.optima) answer.directions.push_back(optimum.direction);
+  OracleAnswer answer{depth.status(), depth.squared(), {}};
+  for (const Optimum& optimum : depth.optima()) answer.directions.push_back(optimum.direction);
   return answer;
 }
 

@@ -136,12 +136,12 @@ Case moved(Case pair, const Point& t) {
 TEST(Distance, TranslationBringsTheBodiesIntoTouch) {
   std::size_t disjoint = 0;
   for (Case input : testing::cases_of_all_families(2, 9)) {
-    if (depth_of(input).status != Status::disjoint) input = moved(input, {mpq_class(7, 3), 1, 40});
+    if (depth_of(input).status() != Status::disjoint) input = moved(input, {mpq_class(7, 3), 1, 40});
     const Depth depth = depth_of(input);
-    EXPECT_EQ(depth.distance.has_value(), depth.status == Status::disjoint) << input.id;
-    if (!depth.distance) continue;
+    EXPECT_EQ(depth.distance().has_value(), depth.status() == Status::disjoint) << input.id;
+    if (!depth.distance()) continue;
     ++disjoint;
-    const Distance& d = *depth.distance;
+    const Distance& d = *depth.distance();
     const Point& t = d.translation;
     EXPECT_EQ(t.x * t.x + t.y * t.y + t.z * t.z, d.squared) << input.id;
     EXPECT_EQ(signed_square(depth), -d.squared) << input.id;
@@ -155,7 +155,7 @@ TEST(Distance, TranslationBringsTheBodiesIntoTouch) {
     for (std::uint32_t i = 0; i < all_b.size(); ++i) all_b[i] = i;
     EXPECT_TRUE(testing::in_hull(a, input.a.points, all_a)) << input.id;
     EXPECT_TRUE(testing::in_hull(b, input.b.points, all_b)) << input.id;
-    EXPECT_EQ(depth_of(moved(input, t)).status, Status::touching) << input.id;
+    EXPECT_EQ(depth_of(moved(input, t)).status(), Status::touching) << input.id;
     const mpq_class half(1, 2);
     EXPECT_EQ(signed_square(depth_of(moved(input, {half * t.x, half * t.y, half * t.z}))), -d.squared / 4) << input.id;
   }
@@ -172,9 +172,9 @@ TEST(Distance, OneSignedFunctionAcrossContact) {
     for (Point& p : b) p.x += 1 + gap;
     const Depth depth = penetration_depth(a, b);
     EXPECT_EQ(signed_square(depth), step > 0 ? mpq_class(-gap * gap) : mpq_class(gap * gap));
-    EXPECT_EQ(depth.status, step > 0 ? Status::disjoint : step == 0 ? Status::touching : Status::penetrating);
+    EXPECT_EQ(depth.status(), step > 0 ? Status::disjoint : step == 0 ? Status::touching : Status::penetrating);
     if (step > 0) {
-      EXPECT_EQ(depth.distance->direction, (Vector{-1, 0, 0}));
+      EXPECT_EQ(depth.distance()->direction, (Vector{-1, 0, 0}));
     }
   }
 }

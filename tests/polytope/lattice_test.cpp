@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -8,7 +8,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/report.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
 
@@ -56,40 +56,40 @@ inline Report check(const Depth& depth, std::span<const Point> a, std::span<cons
   const Lattice lattice = common_lattice(a, b);
   const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
   report.expect(depth.flat_a == (hull_a.rank < 3) && depth.flat_b == (hull_b.rank < 3), "flat flags");
-  if (depth.status != Status::penetrating) {
-    report.expect(depth.squared == 0 && depth.optima.empty() && !depth.contact && depth.translation == Point{}, "nothing but zero");
-    if (report.expect(depth.direction.has_value(), "no separating direction")) {
-      const int sign = sgn(support(a, b, *depth.direction));
-      report.expect(!is_zero(*depth.direction) && (depth.status == Status::touching ? sign == 0 : sign < 0),
+  if (depth.status() != Status::penetrating) {
+    report.expect(depth.squared() == 0 && depth.optima().empty() && !depth.contact() && depth.translation() == Point{}, "nothing but zero");
+    if (report.expect(depth.direction().has_value(), "no separating direction")) {
+      const int sign = sgn(support(a, b, depth.direction()));
+      report.expect(!is_zero(depth.direction()) && (depth.status() == Status::touching ? sign == 0 : sign < 0),
                     "h of the separating direction");
     }
-    report.expect(depth.witness.has_value() == (depth.status == Status::touching), "a common point exactly when touching");
-    if (depth.witness) {
-      report.expect(depth.witness->a == depth.witness->b, "the common point is one point");
-      report.expect(in_hull(depth.witness->a, a, hull_a.input_ids) && in_hull(depth.witness->b, b, hull_b.input_ids),
+    report.expect(depth.witness().has_value() == (depth.status() == Status::touching), "a common point exactly when touching");
+    if (depth.witness()) {
+      report.expect(depth.witness()->a == depth.witness()->b, "the common point is one point");
+      report.expect(in_hull(depth.witness()->a, a, hull_a.input_ids) && in_hull(depth.witness()->b, b, hull_b.input_ids),
                     "common point in both");
     }
     return report;
   }
-  report.expect(!depth.optima.empty() && depth.squared > 0, "a penetrating pair has an optimum");
-  report.expect(std::ranges::is_sorted(depth.optima, lexicographically_less, &Optimum::direction), "optima are sorted");
-  for (const Optimum& o : depth.optima) {
+  report.expect(!depth.optima().empty() && depth.squared() > 0, "a penetrating pair has an optimum");
+  report.expect(std::ranges::is_sorted(depth.optima(), lexicographically_less, &Optimum::direction), "optima are sorted");
+  for (const Optimum& o : depth.optima()) {
     const Vector& n = o.direction;
     const mpq_class h = support(a, b, n), square(dot(n, n));
     report.expect(primitive(n) == n, "direction is not primitive");
-    report.expect(h > 0 && h * h == depth.squared * square, "h(n)^2 = q <n,n>");
+    report.expect(h > 0 && h * h == depth.squared() * square, "h(n)^2 = q <n,n>");
     report.expect(o.translation == Point{h / square * n.x, h / square * n.y, h / square * n.z}, "translation");
     report.expect(o.contact.a == face(a, hull_a.input_ids, -n) && o.contact.b == face(b, hull_b.input_ids, n), "contact features");
     report.expect(o.contact.kind == kind_of(o.contact.a.size(), o.contact.b.size()), "contact kind");
   }
-  const Optimum& first = depth.optima.front();
-  report.expect(depth.direction == first.direction && depth.translation == first.translation && depth.contact == first.contact,
+  const Optimum& first = depth.optima().front();
+  report.expect(depth.direction() == first.direction && depth.translation() == first.translation && depth.contact() == first.contact,
                 "first optimum");
-  if (report.expect(depth.witness.has_value(), "no witness")) {
-    const Point& p = depth.witness->a;
-    const Point& q = depth.witness->b;
+  if (report.expect(depth.witness().has_value(), "no witness")) {
+    const Point& p = depth.witness()->a;
+    const Point& q = depth.witness()->b;
     const Point difference{q.x - p.x, q.y - p.y, q.z - p.z};
-    report.expect(difference == depth.translation, "witness points do not differ by the translation");
+    report.expect(difference == depth.translation(), "witness points do not differ by the translation");
     report.expect(in_hull(p, a, first.contact.a) && in_hull(q, b, first.contact.b), "witness point off its face");
   }
   return report;

@@ -18,11 +18,11 @@ TEST(Width, EqualsCgalsCalipers) {
     const Report report = testing::check(depth, input.a.points, input.a.points);
     EXPECT_TRUE(report.ok()) << input.id << "\n" << testing::text(report);
     if (depth.flat_a) {
-      EXPECT_EQ(depth.status, Status::touching) << input.id;
+      EXPECT_EQ(depth.status(), Status::touching) << input.id;
       continue;
     }
     const oracles::OracleAnswer oracle = oracles::width_oracle(input.a.points);
-    EXPECT_EQ(depth.squared, oracle.squared) << input.id;
+    EXPECT_EQ(depth.squared(), oracle.squared) << input.id;
     ++solids;
   }
   EXPECT_GT(solids, 60U);
@@ -34,10 +34,10 @@ TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
     for (const unsigned size : {100U, 400U}) {
       const Case input = families::find_family(name)->make(1, size);
       const mpq_class calipers = oracles::width_oracle(input.a.points).squared;
-      EXPECT_EQ(width(input.a.points).squared, calipers) << input.id;
+      EXPECT_EQ(width(input.a.points).squared(), calipers) << input.id;
       Options options;
       options.method = Method::certificate;
-      EXPECT_EQ(width(input.a.points, options).squared, calipers) << input.id;
+      EXPECT_EQ(width(input.a.points, options).squared(), calipers) << input.id;
     }
   }
 }
@@ -46,10 +46,10 @@ TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
 TEST(Width, OptimaComeInOppositePairs) {
   for (const Case& input : testing::cases_of_all_families(1, 14)) {
     const Depth depth = width(input.a.points);
-    const std::size_t n = depth.optima.size();
+    const std::size_t n = depth.optima().size();
     for (std::size_t i = 0; i < n; ++i) {
-      EXPECT_EQ(depth.optima[i].direction, -depth.optima[n - 1 - i].direction) << input.id;
-      EXPECT_EQ(depth.optima[i].contact.a, depth.optima[n - 1 - i].contact.b) << input.id;
+      EXPECT_EQ(depth.optima()[i].direction, -depth.optima()[n - 1 - i].direction) << input.id;
+      EXPECT_EQ(depth.optima()[i].contact.a, depth.optima()[n - 1 - i].contact.b) << input.id;
     }
   }
 }
@@ -57,7 +57,7 @@ TEST(Width, OptimaComeInOppositePairs) {
 TEST(Width, OfABoxIsItsShortestSide) {
   std::vector<Point> box;
   for (int i = 0; i < 8; ++i) box.push_back({i & 1 ? mpq_class(5, 2) : mpq_class(0), i & 2 ? 3 : 0, i & 4 ? 4 : 0});
-  EXPECT_EQ(width(box).squared, mpq_class(25, 4));
+  EXPECT_EQ(width(box).squared(), mpq_class(25, 4));
 }
 
 }  // namespace

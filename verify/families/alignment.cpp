@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/families/alignment.hpp"
 
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::families {
@@ -29,7 +29,7 @@ Point crossed(const Point& p, const Point& q) {
 }
 
 Features features(const Body& body) {
-  const Polytope hull = convex_hull(common_lattice(body.points, body.points).a);
+  const Polytope hull = convex_hull(place(body.points, body.points).a.points());
   const auto vertex = [&](std::uint32_t i) { return body.points[hull.input_ids[i]]; };
   Features result;
   for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) result.vertices.push_back(vertex(i));

@@ -115,11 +115,11 @@ void tie_by_reflection(Bodies& bodies, Random&) {
 // Bodies that do not meet get a common centre first.
 void touching_translation(Bodies& bodies, Random&) {
   Depth depth = penetration_depth(bodies.a.points, bodies.b.points);
-  if (depth.status == Status::disjoint) {
+  if (depth.status() == Status::disjoint) {
     bodies.a = translated(bodies.a, combined(1, centre(bodies.b), -1, centre(bodies.a)));
     depth = penetration_depth(bodies.a.points, bodies.b.points);
   }
-  bodies.a = translated(bodies.a, depth.translation);
+  bodies.a = translated(bodies.a, depth.translation());
 }
 
 void snapped_to_lattice(Bodies& bodies, Random&) {

@@ -9,7 +9,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/families/inverse_lenses.hpp"
 #include "verify/families/random_bodies.hpp"
 
@@ -55,13 +55,11 @@ Point between(const Ridge& ridge, const mpq_class& on_left, const mpq_class& on_
 
 /// Whether the left facet is the nearest one, and the next one farther by the factor 1 + 2^-k, nearly.
 bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
-  Options options;
-  options.method = Method::certificate;
-  const Depth depth = penetration_depth(bodies.a.points, bodies.b.points, options);
-  if (depth.optima.size() != 1 || depth.optima.front().direction != ridge.left) return false;
+  const Depth depth = penetration_depth(bodies.a.points, bodies.b.points);
+  if (depth.optima().size() != 1 || depth.optima().front().direction != ridge.left) return false;
   const std::optional<mpq_class> next = second_nearest_squared(bodies.a.points, bodies.b.points, depth);
   if (!next) return false;
-  const mpq_class gap = quotient_of_roots(*next, depth.squared, k + 24) - 1;
+  const mpq_class gap = quotient_of_roots(*next, depth.squared(), k + 24) - 1;
   return abs(mpq_class(times_power_of_two(gap, k) - 1)) < ratio(1, 1 << 17);
 }
 
@@ -70,18 +68,18 @@ bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
 Bodies inverse_ridge(Random& random, unsigned n) {
   const Body a = random_sphere_body(random, std::max(4u, n)), b = random_sphere_body(random, std::max(4u, n));
   const long k = random.between(8, 200);
-  const Lattice lattice = common_lattice(a.points, b.points);
-  const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+  const PlacedPair pair = place(a.points, b.points);
+  const Polytope hull_a = convex_hull(pair.a.points()), hull_b = convex_hull(pair.b.points());
   for (long closer = 3; closer < 24 && hull_a.rank == 3 && hull_b.rank == 3; ++closer) {
     const Ridge ridge = any_ridge(hull_a, hull_b, random);
     const mpq_class left_squared(dot(ridge.left, ridge.left)), right_squared(dot(ridge.right, ridge.right));
-    const mpq_class distance = times_power_of_two(mpq_class(lattice.denominator), -closer);  // radii are 1
+    const mpq_class distance = times_power_of_two(mpq_class(pair.denominator), -closer);  // radii are 1
     const long bits = k + 40 + closer;
     const mpq_class on_left = distance * quotient_of_roots(left_squared, 1, bits);
     const mpq_class on_right = distance * (1 + times_power_of_two(1, -k)) * quotient_of_roots(right_squared, 1, bits);
     const Point x = between(ridge, on_left, on_right, bits);
     const auto shift = [&](const mpq_class& from_middle, const mpz_class& twice_middle) {
-      return mpq_class((from_middle - ratio(twice_middle, 2)) / mpq_class(lattice.denominator));
+      return mpq_class((from_middle - ratio(twice_middle, 2)) / mpq_class(pair.denominator));
     };
     Bodies result{a, translated(b, {shift(x.x, ridge.twice_middle.x), shift(x.y, ridge.twice_middle.y), shift(x.z, ridge.twice_middle.z)})};
     if (as_planned(result, ridge, k)) return result;

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "kernels/number/rounding.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::harness {
@@ -36,8 +36,7 @@ void add_body(std::string& text, const Body& body, Precision precision, bool wit
 }  // namespace
 
 Faces faces_of(const std::vector<Point>& points) {
-  const Lattice lattice = common_lattice(points, points);
-  const Polytope hull = convex_hull(lattice.a);
+  const Polytope hull = convex_hull(place(points, points).a.points());
   Faces faces;
   if (hull.rank < 3) return faces;
   for (const Facet& facet : hull.facets) {

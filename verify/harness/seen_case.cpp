@@ -77,6 +77,17 @@ Outcome outcome_for(const Case& seen) {
   return outcome;
 }
 
+/// Stops the library when `stop` says so; it may be empty.
+class StopWhen final : public Monitor {
+ public:
+  explicit StopWhen(const std::function<bool()>& stop) : stop_(stop) {}
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool stopped() override { return stop_ && stop_(); }
+
+ private:
+  const std::function<bool()>& stop_;
+};
+
 Outcome overflowed(const Case& pair, Precision precision) {
   Outcome outcome = outcome_for(pair);
   outcome.verdict = Verdict::unsupported;
@@ -96,9 +107,9 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
     outcome.detail = failed->why;
     return;
   }
+  StopWhen stopping(stop);
   Options options;
-  options.method = Method::certificate;
-  options.progress = [&stop](const std::string&, double) { return !stop || !stop(); };
+  options.monitor = &stopping;
   outcome.reply = std::get<Reply>(answer.said);
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);
   outcome.judgement = judge(truth, *outcome.reply, info.conventions, info.precision, tolerance);

@@ -25,12 +25,12 @@ class Judge {
         tolerance_(tolerance),
         claim_(exact_claim(reply, conventions)),
         scene_(truth),
-        allowed_(scene_.sizes(), truth.depth.squared, precision, tolerance) {}
+        allowed_(scene_.sizes(), truth.depth.squared(), precision, tolerance) {}
 
   Judgement run() {
-    result_.status = depth_.status;
-    result_.depth_squared = depth_.squared;
-    if (depth_.distance) result_.distance_squared = depth_.distance->squared;
+    result_.status = depth_.status();
+    result_.depth_squared = depth_.squared();
+    if (depth_.distance()) result_.distance_squared = depth_.distance()->squared;
     measure();
     classification();
     if (claim_.overlap && reply_.depth) {  // without a depth, no more than the classification is judged
@@ -53,7 +53,7 @@ class Judge {
   /// The residuals, of the claim as it stands.
   void measure() {
     if (claim_.depth) {
-      const mpq_class &d = *claim_.depth, &s = depth_.squared, ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
+      const mpq_class &d = *claim_.depth, &s = depth_.squared(), ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
       result_.error = nearest_binary64({d, -s});
       if (sgn(s) > 0) {
         result_.error_ulps = nearest_binary64({d / ulp, -s / (ulp * ulp)});
@@ -67,7 +67,7 @@ class Judge {
       if (claim_.depth) {
         result_.inconsistency = nearest_binary64({*claim_.depth, -*result_.price_squared});
         const Surd left{-*claim_.depth, *result_.travel_squared};
-        if (depth_.status == Status::penetrating && sign(left) > 0) result_.overlap_left = nearest_binary64(left);
+        if (depth_.status() == Status::penetrating && sign(left) > 0) result_.overlap_left = nearest_binary64(left);
       }
     }
     if (claim_.witness_a) result_.witness_a_squared = squared_distance(*claim_.witness_a, truth_.a);
@@ -90,16 +90,16 @@ class Judge {
 
   void classification() {
     using Touching = Conventions::Touching;
-    if (depth_.status == Status::penetrating && !claim_.overlap) {
-      if (allowed_.classification.negligible(depth_.squared)) remarks_.tolerated = true;
+    if (depth_.status() == Status::penetrating && !claim_.overlap) {
+      if (allowed_.classification.negligible(depth_.squared())) remarks_.tolerated = true;
       else found(Verdict::false_separation);
     }
-    if (depth_.status == Status::disjoint && claim_.overlap) {
-      const bool near = depth_.distance && allowed_.classification.negligible(depth_.distance->squared);
+    if (depth_.status() == Status::disjoint && claim_.overlap) {
+      const bool near = depth_.distance() && allowed_.classification.negligible(depth_.distance()->squared);
       if (near && !(claim_.depth && allowed_.classification.above(*claim_.depth, 0))) remarks_.tolerated = true;
       else found(Verdict::false_overlap);
     }
-    if (depth_.status == Status::touching) {
+    if (depth_.status() == Status::touching) {
       if (claim_.overlap && conventions_.touching == Touching::separate) found(Verdict::false_overlap);
       if (!claim_.overlap && conventions_.touching == Touching::overlap) found(Verdict::false_separation);
     }
@@ -109,13 +109,13 @@ class Judge {
   void depth() {
     if (!claim_.depth) return;
     mpq_class& d = *claim_.depth;
-    if (allowed_.depth.below(d, 0) && !allowed_.depth.off(-d, depth_.squared)) {
+    if (allowed_.depth.below(d, 0) && !allowed_.depth.off(-d, depth_.squared())) {
       remarks_.depth_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
     }
-    if (allowed_.depth.above(d, depth_.squared)) found(Verdict::too_deep);
-    if (allowed_.depth.below(d, depth_.squared)) found(Verdict::too_shallow);
+    if (allowed_.depth.above(d, depth_.squared())) found(Verdict::too_deep);
+    if (allowed_.depth.below(d, depth_.squared())) found(Verdict::too_shallow);
   }
 
   void direction() {
@@ -143,7 +143,7 @@ class Judge {
 
   /// Whether the claimed depth is no less than that way, but for the tolerance; or there is no way to go.
   [[nodiscard]] bool separates_by(const mpq_class& travel) const {
-    return depth_.status != Status::penetrating || !allowed_.direction.below(*claim_.depth, travel);
+    return depth_.status() != Status::penetrating || !allowed_.direction.below(*claim_.depth, travel);
   }
 
   void witnesses() {
@@ -162,9 +162,9 @@ class Judge {
       result_.verdict = all.front();
       return;
     }
-    result_.verdict = depth_.status == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
+    result_.verdict = depth_.status() == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
     if (remarks_.tolerated) result_.accuracy = Accuracy::tolerance;
-    else if (claim_.depth) result_.accuracy = accuracy_of(*claim_.depth, depth_.squared, rounding_unit(), precision_);
+    else if (claim_.depth) result_.accuracy = accuracy_of(*claim_.depth, depth_.squared(), rounding_unit(), precision_);
   }
 
   const Truth& truth_;

@@ -39,9 +39,8 @@ struct Truth {
 /// The points rounded to the precision (to nearest), which is what a subject of that precision sees. Nothing if one overflows.
 std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision);
 
-/// Throws std::invalid_argument when a body is empty; options.progress may stop it. Without options: Method::certificate.
-Truth truth_about(std::vector<Point> a, std::vector<Point> b);
-Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options);
+/// Throws std::invalid_argument when a body is empty, and Interrupted.
+Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options = {});
 
 struct Judgement {
   Verdict verdict = Verdict::garbage;

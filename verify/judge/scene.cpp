@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/filters/support.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/distance.hpp"
@@ -12,15 +12,6 @@
 #include "verify/judge/way_out.hpp"
 
 namespace fathom {
-namespace {
-
-mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class result(numerator, denominator);
-  result.canonicalize();
-  return result;
-}
-
-}  // namespace
 
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   Sizes sizes;
@@ -39,38 +30,36 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   return sizes;
 }
 
-Scene::Scene(const Truth& truth) : truth_(truth), lattice_(common_lattice(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
+Scene::Scene(const Truth& truth) : truth_(truth), placed_(place(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
 Scene::~Scene() = default;
 
 mpq_class Scene::price(const Vector& u) const {
-  mpz_class low = dot(u, lattice_.a.front()), high = dot(u, lattice_.b.front());
-  for (const Vector& p : lattice_.a) low = std::min(low, dot(u, p));
-  for (const Vector& p : lattice_.b) high = std::max(high, dot(u, p));
+  mpz_class low = dot(u, placed_.a[0]), high = dot(u, placed_.b[0]);
+  for (const Vector& p : placed_.a.points()) low = std::min(low, dot(u, p));
+  for (const Vector& p : placed_.b.points()) high = std::max(high, dot(u, p));
   const mpz_class height = high - low, size = abs(height);
-  return ratio(height * size, lattice_.denominator * lattice_.denominator * dot(u, u));
+  return ratio(height * size, placed_.denominator * placed_.denominator * dot(u, u));
 }
 
 mpq_class Scene::travel(const Vector& u) {
-  if (truth_.depth.status != Status::penetrating) return 0;
-  if (truth_.depth.inner) {
-    if (const std::optional<mpq_class> out = way_out(lattice_, *truth_.depth.inner, u)) {
-      const mpq_class factor = *out / lattice_.denominator;
-      return factor * factor * dot(u, u);
-    }
+  const Penetration* const penetration = truth_.depth.penetration();
+  if (!penetration) return 0;
+  std::optional<mpq_class> out;
+  if (penetration->inner) out = way_out(placed_, *penetration->inner, u);
+  if (!out) {
+    Context context;
+    if (!pair_) pair_ = std::make_unique<const BodyPair>(context, truth_.a, truth_.b);
+    out = shoot_ray(pair_->a(), pair_->b(), u).factor;
   }
-  if (!pair_) pair_ = std::make_unique<const BodyPair>(truth_.a, truth_.b);
-  const RayHit hit = shoot_ray(pair_->a(), pair_->b(), u);
-  const mpq_class factor = hit.factor / pair_->lattice().denominator;
+  const mpq_class factor = *out / placed_.denominator;
   return factor * factor * dot(u, u);
 }
 
 mpq_class squared_distance(const Point& point, std::span<const Point> body) {
-  const Lattice lattice = common_lattice({&point, 1}, body);
-  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
-  const PointCloud one(lattice.a, exponent), others(lattice.b, exponent);
-  if (position_of_origin(one, others).position != Position::outside) return 0;
-  const NearestPoints nearest = nearest_points(one, others);
-  return ratio(nearest.height * nearest.height, lattice.denominator * lattice.denominator * dot(nearest.normal, nearest.normal));
+  const PlacedPair placed = place({&point, 1}, body);
+  if (position_of_origin(placed.a, placed.b).position != Position::outside) return 0;
+  const NearestPoints nearest = nearest_points(placed.a, placed.b);
+  return ratio(nearest.height * nearest.height, placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
 }
 
 }  // namespace fathom

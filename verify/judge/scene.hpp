@@ -8,7 +8,7 @@
 #include <span>
 
 #include "kernels/vector.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/judge/judge.hpp"
 
 namespace fathom {
@@ -39,7 +39,7 @@ class Scene {
 
  private:
   const Truth& truth_;
-  Lattice lattice_;
+  PlacedPair placed_;
   Sizes sizes_;
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };

@@ -21,7 +21,7 @@ class Teller {
       : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), precision_(precision), remarks_(remarks) {}
 
   [[nodiscard]] std::string all() const {
-    if (judgement_.findings.empty()) return truth_.status == Status::touching ? touching() : pass();
+    if (judgement_.findings.empty()) return truth_.status() == Status::touching ? touching() : pass();
     std::string result;
     for (const Verdict finding : judgement_.findings) result += (result.empty() ? "" : "; ") + told(finding);
     return result;
@@ -31,21 +31,21 @@ class Teller {
   [[nodiscard]] std::string shortest(double x) const {
     return precision_ == Precision::binary32 && std::isfinite(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
   }
-  [[nodiscard]] std::string depth() const { return fmt::format("{}", root(truth_.squared)); }
+  [[nodiscard]] std::string depth() const { return fmt::format("{}", root(truth_.squared())); }
   [[nodiscard]] std::string claimed() const { return shortest(nearest_binary64({*claim_.depth, 0})); }
   [[nodiscard]] std::string apart() const {
-    return truth_.distance ? fmt::format("the bodies are apart by {}", root(truth_.distance->squared)) : "the bodies are apart";
+    return truth_.distance() ? fmt::format("the bodies are apart by {}", root(truth_.distance()->squared)) : "the bodies are apart";
   }
-  [[nodiscard]] std::string off_by() const { return amount(nearest_binary64({*claim_.depth, -truth_.squared})); }
+  [[nodiscard]] std::string off_by() const { return amount(nearest_binary64({*claim_.depth, -truth_.squared()})); }
 
   [[nodiscard]] std::string told(Verdict finding) const {
     switch (finding) {
       case Verdict::nan: return not_finite();
       case Verdict::false_separation:
-        if (truth_.status == Status::touching) return "said to be apart: the bodies touch, which it declares to be an overlap";
+        if (truth_.status() == Status::touching) return "said to be apart: the bodies touch, which it declares to be an overlap";
         return "said to be apart: the bodies overlap, the depth is " + depth();
       case Verdict::false_overlap:
-        if (truth_.status == Status::touching) return "said to overlap: the bodies touch, which it declares not to be an overlap";
+        if (truth_.status() == Status::touching) return "said to overlap: the bodies touch, which it declares not to be an overlap";
         return "said to overlap: " + apart();
       case Verdict::not_a_direction: return not_a_direction();
       case Verdict::wrong_sign: return wrong_sign();
@@ -104,7 +104,7 @@ class Teller {
 
   [[nodiscard]] std::string pass() const {
     if (remarks_.tolerated) {
-      if (truth_.status == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
+      if (truth_.status() == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
       return "within the tolerance: said to be apart, the depth is " + depth();
     }
     if (!reply_.overlap) return "right: " + apart();

@@ -43,12 +43,6 @@ std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precisi
   return result;
 }
 
-Truth truth_about(std::vector<Point> a, std::vector<Point> b) {
-  Options options;
-  options.method = Method::certificate;
-  return truth_about(std::move(a), std::move(b), options);
-}
-
 Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options) {
   Truth truth{std::move(a), std::move(b), {}};
   truth.depth = penetration_depth(truth.a, truth.b, options);

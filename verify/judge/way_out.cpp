@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "kernels/number/ratio.hpp"
+
 namespace fathom {
 namespace {
 
@@ -22,7 +24,7 @@ bool meets(const Triangle& t, const Vector& u) {
 
 class Search {
  public:
-  Search(const Lattice& lattice, const InnerPolytope& inside, const Vector& u) : lattice_(lattice), u_(u) {
+  Search(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u) : placed_(placed), u_(u) {
     for (const auto& facet : inside.facets) {
       for (std::size_t k = 2; k < facet.size() && !portal_; ++k) {
         try_portal({corner(inside, facet[0]), corner(inside, facet[k - 1]), corner(inside, facet[k])});
@@ -37,9 +39,7 @@ class Search {
       const Vector n = cross(t[1] - t[0], t[2] - t[0]), p = extreme(n);
       const mpz_class height = dot(n, t[0]);
       if (dot(n, p) == height) {
-        mpq_class factor(height, dot(n, u_));
-        factor.canonicalize();
-        return factor;
+        return ratio(height, dot(n, u_));
       }
       portal_.reset();
       for (std::size_t k = 0; k < 3 && !portal_; ++k) try_portal({t[k], t[(k + 1) % 3], p});
@@ -49,8 +49,8 @@ class Search {
 
  private:
   [[nodiscard]] Vector corner(const InnerPolytope& inside, std::uint32_t k) const {
-    const Difference& d = inside.vertices[k];
-    return lattice_.b[d.second] - lattice_.a[d.first];
+    const auto& [i, j] = inside.vertices[k];
+    return placed_.b[j] - placed_.a[i];
   }
 
   void try_portal(Triangle triangle) {
@@ -71,18 +71,18 @@ class Search {
       }
       return *best;
     };
-    return farthest(lattice_.b, n) - farthest(lattice_.a, -n);
+    return farthest(placed_.b.points(), n) - farthest(placed_.a.points(), -n);
   }
 
-  const Lattice& lattice_;
+  const PlacedPair& placed_;
   const Vector& u_;
   std::optional<Triangle> portal_;
 };
 
 }  // namespace
 
-std::optional<mpq_class> way_out(const Lattice& lattice, const InnerPolytope& inside, const Vector& u, unsigned patience) {
-  return Search(lattice, inside, u).run(patience);
+std::optional<mpq_class> way_out(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience) {
+  return Search(placed, inside, u).run(patience);
 }
 
 }  // namespace fathom

@@ -7,13 +7,13 @@
 
 #include <optional>
 
-#include "reference/expanding/inner_polytope.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "fathom/depth.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 namespace fathom {
 
 /// The greatest f with f u in P, in units of the lattice: exact. Nothing after `patience` support queries; rays through edges and corners
 /// alone could need many. u is not zero.
-std::optional<mpq_class> way_out(const Lattice& lattice, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
+std::optional<mpq_class> way_out(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
 
 }  // namespace fathom

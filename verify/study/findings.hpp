@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "kernels/context.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "verify/study/study.hpp"
 
@@ -73,8 +74,8 @@ class Findings {
 /// The kinds that are seen in space.
 void find_parallel_edges(const Subject& a, const Subject& b, Findings& findings);
 void find_common_normals(const Subject& a, const Subject& b, Findings& findings);
-/// The kinds that are seen on the sphere. `progress` gets the share done.
-void find_normals_on_arcs(const Subject& a, const Subject& b, Findings& findings, const std::function<void(double)>& progress);
+/// The kinds that are seen on the sphere. The first reports its progress.
+void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings);
 void find_equator_hits(const Subject& a, const Subject& b, Findings& findings);
 void find_verticals(const Subject& a, const Subject& b, Findings& findings);
 

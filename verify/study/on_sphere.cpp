@@ -70,13 +70,13 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, bo
 
 }  // namespace
 
-void find_normals_on_arcs(const Subject& a, const Subject& b, Findings& findings, const std::function<void(double)>& progress) {
+void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings) {
   const double all = static_cast<double>(a.diagram.nodes.size() + b.diagram.nodes.size());
   std::size_t done = 0;
   for (const bool node_of_a : {true, false}) {
     const Subject &nodes = node_of_a ? a : b, &arcs = node_of_a ? b : a;
     for (std::uint32_t i = 0; i < nodes.diagram.nodes.size(); ++i) {
-      progress(static_cast<double>(done++) / all);
+      context.report("normals on arcs", static_cast<double>(done++) / all);
       const Direction& node = nodes.diagram.nodes[i];
       for (std::uint32_t j = 0; j < arcs.diagram.arcs.size(); ++j) {
         const Arc& arc = arcs.diagram.arcs[j];

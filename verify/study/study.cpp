@@ -2,13 +2,15 @@
 #include "verify/study/study.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/study/findings.hpp"
 
@@ -28,10 +30,13 @@ PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiag
   return predicate_counts() - before;
 }
 
-mpz_class common_divisor(const Lattice& lattice, mpz_class Vector::*axis) {
+/// The integer points of both bodies.
+using Bodies = std::array<std::vector<Vector>, 2>;
+
+mpz_class common_divisor(const Bodies& bodies, mpz_class Vector::*axis) {
   mpz_class divisor;
-  for (const std::vector<Vector>* body : {&lattice.a, &lattice.b}) {
-    for (const Vector& p : *body) {
+  for (const std::vector<Vector>& body : bodies) {
+    for (const Vector& p : body) {
       mpz_gcd(divisor.get_mpz_t(), divisor.get_mpz_t(), (p.*axis).get_mpz_t());
       if (divisor == 1) return divisor;
     }
@@ -41,12 +46,12 @@ mpz_class common_divisor(const Lattice& lattice, mpz_class Vector::*axis) {
 
 /// Gives each axis a unit of its own, and returns the units. No coincidence sees them, and bodies of 1 by 10^300 have short coordinates again,
 /// on which filters decide.
-Vector stretch_axes(Lattice& lattice) {
+Vector stretch_axes(Bodies& bodies) {
   Vector units;
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
-    units.*axis = common_divisor(lattice, axis);
-    for (std::vector<Vector>* body : {&lattice.a, &lattice.b})
-      for (Vector& p : *body) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
+    units.*axis = common_divisor(bodies, axis);
+    for (std::vector<Vector>& body : bodies)
+      for (Vector& p : body) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
   }
   return units;
 }
@@ -60,42 +65,42 @@ Feature face(const Polytope& body, const Vector& u) {
 }
 
 void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, const Depth& depth, Findings& findings) {
-  if (depth.status == Status::touching && depth.direction) {
-    const Vector& n = *depth.direction;
+  if (depth.touch()) {
+    const Vector& n = depth.touch()->direction;
     const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
     findings.add(Coincidence::touching_features, {{face(a, -u)}, {face(b, u)}});
   }
-  if (depth.optima.size() < 2) return;
-  for (const Optimum& optimum : depth.optima) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
+  if (depth.optima().size() < 2) return;
+  for (const Optimum& optimum : depth.optima()) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
 }
 
 }  // namespace
 
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   const DefaultFloatEnvironment environment;
-  const auto progress = [&](const char* stage, double share) {
-    if (options.progress && !options.progress(stage, share)) throw Interrupted();
-  };
+  Context context(options.monitor);
   Study result;
   Options depth_options;
-  depth_options.progress = options.progress;
+  depth_options.method = Method::exact;
+  depth_options.monitor = options.monitor;
   result.depth = penetration_depth(a, b, depth_options);
-  progress("hulls", 0);
-  Lattice lattice = common_lattice(a, b);
-  const Vector units = stretch_axes(lattice);
-  const Polytope body_a = convex_hull(lattice.a), body_b = convex_hull(lattice.b);
+  context.report("hulls");
+  const PlacedPair placed = place(a, b);
+  Bodies bodies{placed.a.points(), placed.b.points()};
+  const Vector units = stretch_axes(bodies);
+  const Polytope body_a = convex_hull(bodies[0]), body_b = convex_hull(bodies[1]);
   result.a = size_of(body_a);
   result.b = size_of(body_b);
-  progress("diagrams", 0);
+  context.report("diagrams");
   const GaussianDiagram diagram_a = gaussian_diagram_of_reflection(body_a), diagram_b = gaussian_diagram(body_b);
-  result.predicates = result.depth.status == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
+  result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
 
-  progress("coincidences", 0);
+  context.report("coincidences");
   const Subject of_a{body_a, diagram_a}, of_b{body_b, diagram_b};
   Findings findings(result, options.listed);
   find_parallel_edges(of_a, of_b, findings);
   find_common_normals(of_a, of_b, findings);
-  find_normals_on_arcs(of_a, of_b, findings, [&](double share) { progress("normals on arcs", share); });
+  find_normals_on_arcs(context, of_a, of_b, findings);
   find_equator_hits(of_a, of_b, findings);
   find_verticals(of_a, of_b, findings);
   find_contacts(body_a, body_b, units, result.depth, findings);

@@ -7,12 +7,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "kernels/predicates/perturbation.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/counters.hpp"
 
@@ -80,12 +80,11 @@ struct Study {
 
 struct StudyOptions {
   std::size_t listed = 20;  ///< the most coincidences of a kind that are listed; counts are always complete
-  /// As in Options.
-  std::function<bool(const std::string& stage, double share)> progress;
+  Monitor* monitor = nullptr;  ///< as in Options
 };
 
 /// Exact, for bodies of every rank. Near-linear in the size of the bodies, but for normals_on_arcs and arcs_on_equator, which look at
-/// all pairs, and for the depth itself. Throws std::invalid_argument when a body is empty, Interrupted when asked to stop.
+/// all pairs, and for the depth itself. Throws std::invalid_argument when a body is empty, and Interrupted.
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
 
 /// A monomial (Monomial::packed) by what it moves: "a", "E11 b^2". Eij is an entry of the matrix that moves -A; a, b, c tilt the

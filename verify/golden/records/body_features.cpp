@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "kernels/number/ratio.hpp"
+
 namespace fathom::golden {
 namespace {
 
@@ -32,12 +34,7 @@ BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominat
         std::ranges::minmax_element(hull.vertices, {}, [axis](const Vector& v) -> const mpz_class& { return v.*axis; });
     sides.emplace_back((*high).*axis - (*low).*axis);
   }
-  const auto in_space = [&denominator](const mpz_class& n) {
-    mpq_class q(n, denominator);
-    q.canonicalize();
-    return q;
-  };
-  shortest = in_space(*std::ranges::min_element(sides));
+  shortest = ratio(*std::ranges::min_element(sides), denominator);
   longest = in_space(*std::ranges::max_element(sides));
 }
 

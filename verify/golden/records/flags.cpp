@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/number/ratio.hpp"
 #include "verify/golden/records/body_features.hpp"
 
 namespace fathom::golden {
@@ -18,12 +19,10 @@ mpq_class power_of_two(long exponent) {
 }
 
 mpq_class magnitude(const mpz_class& n, const Look& look) {
-  mpq_class q(n, look.integers.denominator);
-  q.canonicalize();
-  return q;
+  return ratio(n, look.integers.denominator);
 }
 
-bool penetrating(const Look& look) { return look.facts.status == Status::penetrating; }
+bool penetrating(const Look& look) { return look.facts.answer.status() == Status::penetrating; }
 
 bool flat_difference(const Look& look) {
   std::vector<Vector> directions{{0, 0, 0}};
@@ -33,10 +32,10 @@ bool flat_difference(const Look& look) {
   return affine_rank(directions) < 3;
 }
 
-bool near_tie(const Look& look) { return look.facts.gap && *look.facts.gap < look.facts.squared * (1 + power_of_two(-20)); }
+bool near_tie(const Look& look) { return look.facts.gap && *look.facts.gap < look.facts.answer.squared() * (1 + power_of_two(-20)); }
 
 bool degenerate_contact(const Look& look) {
-  return std::ranges::any_of(look.facts.optima, [](const Optimum& optimum) {
+  return std::ranges::any_of(look.facts.answer.optima(), [](const Optimum& optimum) {
     const ContactKind kind = optimum.contact.kind;
     return kind == ContactKind::facet_edge || kind == ContactKind::edge_facet || kind == ContactKind::facet_facet;
   });
@@ -75,7 +74,7 @@ bool short_length(const mpq_class& squared, const Look& look) { return squared <
 
 bool deep(const Look& look) {
   const mpq_class& side = std::min(look.a.shortest, look.b.shortest);
-  return penetrating(look) && 4 * look.facts.squared >= side * side && side > 0;
+  return penetrating(look) && 4 * look.facts.answer.squared() >= side * side && side > 0;
 }
 
 using Modes = std::array<double, 3> Rounded::*;
@@ -109,7 +108,7 @@ template <Modes Format, long Precision>
 bool hard_rounding(const Look& look) {
   constexpr long beyond = 19;
   if (!penetrating(look) || depth_in_format<Format>(look) || depth_outside<Format>(look)) return false;
-  mpz_class tail = leading_bits_of_root(look.facts.squared, Precision + 1 + beyond);
+  mpz_class tail = leading_bits_of_root(look.facts.answer.squared(), Precision + 1 + beyond);
   mpz_fdiv_r_2exp(tail.get_mpz_t(), tail.get_mpz_t(), beyond);
   return tail == 0 || tail == (1 << beyond) - 1;
 }
@@ -122,10 +121,10 @@ struct Flag {
 constexpr Modes f64 = &Rounded::binary64, f32 = &Rounded::binary32;
 
 const Flag table[] = {
-    {"flat_a", [](const Look& look) { return look.facts.flat_a; }},
-    {"flat_b", [](const Look& look) { return look.facts.flat_b; }},
+    {"flat_a", [](const Look& look) { return look.facts.answer.flat_a; }},
+    {"flat_b", [](const Look& look) { return look.facts.answer.flat_b; }},
     {"flat_difference", flat_difference},
-    {"ties", [](const Look& look) { return look.facts.optima.size() > 1; }},
+    {"ties", [](const Look& look) { return look.facts.answer.optima().size() > 1; }},
     {"near_tie", near_tie},
     {"all_tie", [](const Look& look) { return penetrating(look) && !look.facts.gap; }},
     {"degenerate_contact", degenerate_contact},
@@ -141,9 +140,9 @@ const Flag table[] = {
     {"tiny_coordinates", [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
     {"uneven_coordinates", [](const Look& look) { return look.greatest > look.least * mpz_class(power_of_two(53)); }},
     {"offset_coordinates", offset},
-    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.facts.squared, look); }},
+    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.facts.answer.squared(), look); }},
     {"deep_penetration", deep},
-    {"thin_clearance", [](const Look& look) { return look.facts.distance && short_length(look.facts.distance->squared, look); }},
+    {"thin_clearance", [](const Look& look) { return look.facts.answer.distance() && short_length(look.facts.answer.distance()->squared, look); }},
     {"depth_in_binary64", depth_in_format<f64>},
     {"depth_in_binary32", depth_in_format<f32>},
     {"depth_outside_binary64", depth_outside<f64>},

@@ -3,7 +3,7 @@
 // the definitions. Then the record is written anew, and must be the same text: so no field can be wrong, missing, repeated or unknown.
 #include "verify/golden/records/prove.hpp"
 
-#include "fathom/depth.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
@@ -30,9 +30,7 @@ struct Proved {
 };
 
 mpq_class value_of(const fathom_check::Rational& q) {
-  mpq_class value(q.num, q.den);
-  value.canonicalize();
-  return value;
+  return ratio(q.num, q.den);
 }
 
 bool same(const Point& p, const fathom_check::RationalPoint& q) {
@@ -107,8 +105,7 @@ struct Sides {
   Point translation;
 
   Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
-    factor = mpq_class(a.height + b.height, dot(n, n) * bodies.denominator);
-    factor.canonicalize();
+    factor = ratio(a.height + b.height, dot(n, n) * bodies.denominator);
     translation = {factor * n.x, factor * n.y, factor * n.z};
   }
 
@@ -119,28 +116,22 @@ struct Sides {
   }
 };
 
-void prove_penetration(Facts& facts, const Integers& bodies, const Proved& proved, const Witness& witness) {
+Penetration proved_penetration(const Integers& bodies, const Proved& proved, const Witness& witness) {
+  Penetration answer{proved.squared, {}, witness, std::nullopt};
   for (const Vector& n : proved.directions) {
     const Sides sides(bodies, n);
-    if (facts.optima.empty() && !sides.witnessed(witness, bodies, n))
+    if (answer.optima.empty() && !sides.witnessed(witness, bodies, n))
       throw Refusal("expected.witness: the points do not prove the contact");
     const ContactKind kind = kind_of(sides.a.corners.size(), sides.b.corners.size());
-    facts.optima.push_back({n, sides.translation, {kind, sides.a.corners, sides.b.corners}});
+    answer.optima.push_back({n, sides.translation, {kind, sides.a.corners, sides.b.corners}});
   }
-  facts.witness = witness;
-  Depth answer;
-  answer.status = Status::penetrating;
-  answer.squared = facts.squared;
-  answer.optima = facts.optima;
-  answer.direction = proved.directions.front();
-  facts.gap = second_nearest_squared(facts.points.a.points, facts.points.b.points, answer);
+  return answer;
 }
 
-void prove_distance(Facts& facts, const Integers& bodies, const Witness& witness) {
-  const Vector& n = facts.direction;
+Distance proved_distance(const Integers& bodies, const Vector& n, const Witness& witness) {
   const Sides sides(bodies, n);
   if (!sides.witnessed(witness, bodies, n)) throw Refusal("expected.distance.witness: the points do not prove the distance");
-  facts.distance = Distance{sides.factor * sides.factor * dot(n, n), n, sides.translation, witness};
+  return {sides.factor * sides.factor * dot(n, n), n, sides.translation, witness};
 }
 
 /// The points must be those that the source names: an id stands for one pair of bodies only.
@@ -155,22 +146,19 @@ void prove_source(const Claimed& claimed) {
 }
 
 Facts facts_from(const Claimed& claimed, const Proved& proved) {
-  Facts facts = facts_of_points(claimed.recipe, claimed.form, claimed.points);
   prove_source(claimed);
-  const Integers bodies = integers_of(claimed.points.a.points, claimed.points.b.points);
-  facts.status = proved.status;
-  facts.squared = proved.squared;
-  facts.flat_a = affine_rank(bodies.a) < 3;
-  facts.flat_b = affine_rank(bodies.b) < 3;
-  facts.direction = proved.directions.front();
+  const std::vector<Point>&a = claimed.points.a.points, &b = claimed.points.b.points;
+  const Integers bodies = integers_of(a, b);
+  Depth answer;
+  answer.flat_a = affine_rank(bodies.a) < 3;
+  answer.flat_b = affine_rank(bodies.b) < 3;
   if (!claimed.witness) throw Refusal("expected.witness: there is none");
   switch (proved.status) {
-    case Status::penetrating: prove_penetration(facts, bodies, proved, *claimed.witness); break;
-    case Status::touching: facts.witness = Witness{proved.common, proved.common}; break;
-    case Status::disjoint: prove_distance(facts, bodies, *claimed.witness); break;
+    case Status::penetrating: answer.outcome = proved_penetration(bodies, proved, *claimed.witness); break;
+    case Status::touching: answer.outcome = Touch{proved.directions.front(), proved.common}; break;
+    case Status::disjoint: answer.outcome = proved_distance(bodies, proved.directions.front(), *claimed.witness); break;
   }
-  facts.flags = flags_of(facts);
-  return facts;
+  return facts_of_answer(claimed.recipe, claimed.form, claimed.points, std::move(answer));
 }
 
 std::optional<std::string> faults(std::string_view line, std::string_view certificate) {

@@ -4,7 +4,9 @@
 #include "verify/golden/records/record.hpp"
 
 #include <stdexcept>
+#include <utility>
 
+#include "kernels/context.hpp"
 #include "kernels/number/parse.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "verify/check/check.hpp"
@@ -20,23 +22,22 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
   if (!verdict.accepted()) refuse("the certificate is not accepted: line " + std::to_string(verdict.line) + ": " + verdict.reason);
-  if (verdict.id != id || verdict.status != name(answer.status) || verdict.depth_squared != exact_text(answer.squared) ||
-      verdict.optima != answer.optima.size())
+  if (verdict.id != id || verdict.status != name(answer.status()) || verdict.depth_squared != exact_text(answer.squared()) ||
+      verdict.optima != answer.optima().size())
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }
 
 }  // namespace
 
-Record record_of(const Recipe& recipe, Form form, const Case& points, const std::function<bool()>& keep_going) {
+Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor) {
   Options options;
-  options.method = Method::certificate;
-  if (keep_going) options.progress = [&keep_going](const std::string&, double) { return keep_going(); };
-  const Depth answer = penetration_depth(points.a.points, points.b.points, options);
-  Certificate certificate = make_certificate(points.a.points, points.b.points, answer, options);
+  options.monitor = monitor;
+  Depth answer = penetration_depth(points.a.points, points.b.points, options);
+  Certificate certificate = make_certificate(points.a.points, points.b.points, answer, monitor);
   certificate.id = points.id;
   Record record{points.id, {}, certificate_text(certificate)};
   insist_on(record.id, record.certificate, answer);
-  Facts facts = facts_of_answer(recipe, form, points, answer);
+  Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor);
   facts.certificate_sha256 = digest_of(record.certificate).sha256;
   record.line = line_of(facts);
   record.in_binary64 = facts.in_binary64;
@@ -44,18 +45,16 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, const std:
   return record;
 }
 
-std::vector<Record> records_of(const Recipe& recipe, const std::function<bool()>& keep_going) {
-  const auto go_on = [&keep_going] {
-    if (keep_going && !keep_going()) throw Interrupted();
-  };
-  go_on();
+std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor) {
+  Context context(monitor);
+  context.check();
   const Case base = base_case(recipe);
-  std::vector<Record> records{record_of(recipe, Form::given, base, keep_going)};
+  std::vector<Record> records{record_of(recipe, Form::given, base, monitor)};
   for (const Form form : {Form::binary64, Form::binary32}) {
-    go_on();
+    context.check();
     // The record before holds these very points if it fits the format.
     if (form == Form::binary64 ? records.back().in_binary64 : records.back().in_binary32) continue;
-    if (const std::optional<Case> rounded = rounded_case(base, form)) records.push_back(record_of(recipe, form, *rounded, keep_going));
+    if (const std::optional<Case> rounded = rounded_case(base, form)) records.push_back(record_of(recipe, form, *rounded, monitor));
   }
   return records;
 }

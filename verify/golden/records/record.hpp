@@ -4,7 +4,6 @@
 //         Each is one line of JSON with the truth about exactly the points in it, and the certificate that proves it.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,11 +20,10 @@ struct Record {
 
 /// The records of a base case, the exact one first, then ".b64" where rounding to binary64 moves a point, then ".b32" where rounding to
 /// binary32 yields yet other points. No rounded record where a coordinate would overflow, or the points of a body all become one point
-/// that were not. `keep_going` is asked now and then: false ends the work with Interrupted. Throws std::logic_error if the certificate
-/// is not accepted, or proves anything else than the record says.
-std::vector<Record> records_of(const Recipe& recipe, const std::function<bool()>& keep_going = {});
+/// that were not. Throws std::logic_error if the certificate is not accepted or proves anything else than the record says, and Interrupted.
+std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr);
 
 /// The record of the base case in one form.
-Record record_of(const Recipe& recipe, Form form, const Case& points, const std::function<bool()>& keep_going = {});
+Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -20,14 +20,8 @@ struct Facts {
   Case points;  ///< its id is the record's
   bool in_binary64 = false, in_binary32 = false;
 
-  Status status = Status::disjoint;
-  mpq_class squared;  ///< depth^2
-  bool flat_a = false, flat_b = false;
-  std::vector<Optimum> optima;   ///< penetrating
+  Depth answer;                  ///< its method and counters are not recorded
   std::optional<mpq_class> gap;  ///< penetrating: squared distance of the second-best facet, unless all tie
-  Vector direction;              ///< touching: primitive n with h(n) = 0. disjoint: that of the distance, h(n) < 0
-  std::optional<Distance> distance;
-  std::optional<Witness> witness;  ///< penetrating and touching; that of disjoint bodies is in `distance`
 
   std::string certificate_sha256;
   std::vector<std::string_view> flags;  ///< in the order of flags.hpp
@@ -36,7 +30,7 @@ struct Facts {
 /// The part that needs no answer.
 Facts facts_of_points(const Recipe& recipe, Form form, const Case& points);
 
-/// What a record says of these points, answered in the fastest way that proves itself: `answer` is one of penetration_depth.
-Facts facts_of_answer(const Recipe& recipe, Form form, const Case& points, const Depth& answer);
+/// What a record says of these points: `answer` is one of penetration_depth. Throws Interrupted.
+Facts facts_of_answer(const Recipe& recipe, Form form, const Case& points, Depth answer, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -81,7 +81,7 @@ void write_gap(JsonText& out, const Facts& facts) {
     out.null();
     return;
   }
-  const mpq_class relative = *facts.gap / facts.squared - 1;
+  const mpq_class relative = *facts.gap / facts.answer.squared() - 1;
   out.open('{').key("squared").exact(*facts.gap).key("relative").hex(round_binary64(relative, Rounding::rn)).close('}');
 }
 
@@ -94,19 +94,19 @@ void write_distance(JsonText& out, const Distance& distance) {
 }
 
 void write_expected(JsonText& out, const Facts& facts) {
-  out.key("expected").open('{').key("status").text(name(facts.status));
+  out.key("expected").open('{').key("status").text(name(facts.answer.status()));
   out.key("depth").open('{');
-  write_length(out, facts.squared);
+  write_length(out, facts.answer.squared());
   out.close('}').key("flat").open('[');
-  if (facts.flat_a) out.text("a");
-  if (facts.flat_b) out.text("b");
+  if (facts.answer.flat_a) out.text("a");
+  if (facts.answer.flat_b) out.text("b");
   out.close(']').key("optima").open('[');
-  for (const Optimum& optimum : facts.optima) write_optimum(out, optimum);
+  for (const Optimum& optimum : facts.answer.optima()) write_optimum(out, optimum);
   out.close(']');
-  if (facts.status == Status::penetrating) write_gap(out, facts);
-  if (facts.status != Status::penetrating) write_direction(out, facts.direction);
-  if (facts.witness) write_witness(out, *facts.witness);
-  if (facts.distance) write_distance(out, *facts.distance);
+  if (facts.answer.status() == Status::penetrating) write_gap(out, facts);
+  if (facts.answer.status() != Status::penetrating) write_direction(out, facts.answer.direction());
+  if (const std::optional<Witness> witness = facts.answer.witness()) write_witness(out, *witness);
+  if (facts.answer.distance()) write_distance(out, *facts.answer.distance());
   out.close('}');
 }
 

@@ -55,8 +55,7 @@ class Assembly {
   }
 
   Entries made(const Recipe& recipe) const {
-    if (options_->keep_going && !options_->keep_going()) throw Interrupted();
-    return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->keep_going));
+    return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->monitor));
   }
 
   void write(const std::vector<Entry>& entries) {

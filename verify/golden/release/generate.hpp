@@ -26,7 +26,7 @@ struct GenerateOptions {
   std::uint64_t seed = 1;
   std::filesystem::path folder;
   unsigned jobs = 0;                        ///< threads; 0: as many as there are cores
-  std::function<bool()> keep_going;         ///< asked from all threads; false ends the work with Interrupted
+  Monitor* monitor = nullptr;               ///< asked from all threads whether to stop
   std::function<void(const Done&)> report;  ///< called from one thread at a time
 };
 

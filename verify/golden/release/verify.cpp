@@ -107,7 +107,7 @@ class Verifier {
   }
 
   std::string wrong_sum(const Sum& sum) const {
-    if (options_->keep_going && !options_->keep_going()) throw Interrupted();
+    Context(options_->monitor).check();
     try {
       return digest_of_file(folder_ / sum.name).sha256 == sum.sha256
                  ? ""
@@ -146,7 +146,7 @@ class Verifier {
       if (options_->report) options_->report(result_.records, all);
     };
     for (std::size_t i = 0; i < shards_.size() && accepted(); ++i)
-      if (auto refusal = refusal_of_shard(folder_, shards_[i], dataset_.shards[i], options_->keep_going, proved))
+      if (auto refusal = refusal_of_shard(folder_, shards_[i], dataset_.shards[i], options_->monitor, proved))
         result_.refusals.push_back(std::move(*refusal));
     return accepted();
   }

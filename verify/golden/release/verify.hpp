@@ -15,7 +15,7 @@ namespace fathom::golden {
 
 struct VerifyOptions {
   unsigned jobs = 0;                                                ///< threads; 0: as many as there are cores
-  std::function<bool()> keep_going;                                 ///< asked from all threads; false ends the work with Interrupted
+  Monitor* monitor = nullptr;                                       ///< asked from all threads whether to stop
   std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
 };
 

@@ -9,9 +9,9 @@
 
 namespace fathom::golden {
 
-std::vector<Entry> entries_of(const Recipe& recipe, const std::function<bool()>& keep_going) {
+std::vector<Entry> entries_of(const Recipe& recipe, Monitor* monitor) {
   std::vector<Entry> entries;
-  for (Record& record : records_of(recipe, keep_going)) {
+  for (Record& record : records_of(recipe, monitor)) {
     Exports exports = exports_of(record.line);
     entries.push_back({std::move(record), std::move(exports.csv_row), std::move(exports.include_entry)});
   }

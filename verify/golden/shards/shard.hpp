@@ -20,7 +20,7 @@ struct Entry {
 };
 
 /// The records of a recipe with their exports. Exceptions as records_of.
-std::vector<Entry> entries_of(const Recipe& recipe, const std::function<bool()>& keep_going);
+std::vector<Entry> entries_of(const Recipe& recipe, Monitor* monitor);
 
 class ShardWriter {
  public:

@@ -77,9 +77,9 @@ struct Item {
 class Verification {
  public:
   Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-               const std::function<bool()>& keep_going, const std::function<void()>& proved)
+               Monitor* monitor, const std::function<void()>& proved)
       : manifest_(&manifest),
-        keep_going_(&keep_going),
+        monitor_(monitor),
         proved_(&proved),
         order_(shard.recipes),
         records_(folder, manifest.files[0]),
@@ -136,7 +136,7 @@ class Verification {
   }
 
   Shared prove(const Shared& item) const {
-    if (*keep_going_ && !(*keep_going_)()) throw Interrupted();
+    Context(monitor_).check();
     if (item->refusal || stopped_) return item;
     if (auto fault = faults_of(item->line, item->certificate)) {
       item->refusal = {item->record_place, std::move(*fault)};
@@ -166,7 +166,7 @@ class Verification {
   }
 
   const Manifest* manifest_;
-  const std::function<bool()>* keep_going_;
+  Monitor* monitor_;
   const std::function<void()>* proved_;
   std::map<std::string, const Recipe*> recipes_;  // by the ids of their first records
   RecordOrder order_;
@@ -179,9 +179,9 @@ class Verification {
 }  // namespace
 
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-                                        const std::function<bool()>& keep_going, const std::function<void()>& proved) {
+                                        Monitor* monitor, const std::function<void()>& proved) {
   try {
-    return Verification(folder, shard, manifest, keep_going, proved).run();
+    return Verification(folder, shard, manifest, monitor, proved).run();
   } catch (Refusal& refusal) {
     return std::move(refusal);
   }

@@ -72,15 +72,15 @@ std::string status_text(Status status) {
 std::string truth_list(const Outcome& outcome, const std::optional<Truth>& truth, const std::string& certificate) {
   Facts facts;
   if (outcome.judgement || truth) {
-    const Status status = outcome.judgement ? outcome.judgement->status : truth->depth.status;
+    const Status status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
     facts.add("status", status_text(status));
     if (status == Status::penetrating)
-      facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared));
+      facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared()));
   }
-  if (truth && truth->depth.distance) facts.add("distance", length_text(truth->depth.distance->squared));
-  if (truth && truth->depth.status == Status::penetrating) {
-    facts.add("translation of A", rounded_text(truth->depth.translation));
-    if (truth->depth.optima.size() > 1) facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima.size()));
+  if (truth && truth->depth.distance()) facts.add("distance", length_text(truth->depth.distance()->squared));
+  if (truth && truth->depth.status() == Status::penetrating) {
+    facts.add("translation of A", rounded_text(truth->depth.translation()));
+    if (truth->depth.optima().size() > 1) facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima().size()));
   }
   if (!certificate.empty()) facts.add("certificate", certificate);
   return facts.list("Truth");
@@ -135,11 +135,11 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
     if (judgement.witness_a_squared) add("(distance of the point of A)^2", *judgement.witness_a_squared);
     if (judgement.witness_b_squared) add("(distance of the point of B)^2", *judgement.witness_b_squared);
   } else if (truth) {
-    add("depth^2", truth->depth.squared);
+    add("depth^2", truth->depth.squared());
   }
   if (!truth) return result;
-  if (truth->depth.distance) add("distance^2", truth->depth.distance->squared);
-  for (const Optimum& optimum : truth->depth.optima) {
+  if (truth->depth.distance()) add("distance^2", truth->depth.distance()->squared);
+  for (const Optimum& optimum : truth->depth.optima()) {
     const Point& t = optimum.translation;
     result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
   }
@@ -159,9 +159,9 @@ std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Tru
   const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
   const std::string label = "Hulls of " + markup(shown_id(outcome.id, outcome.variant));
   std::string caption = "<span class=\"key body-a\">A</span>, <span class=\"key body-b\">B</span>, hidden edges thin";
-  if (truth.depth.status == Status::penetrating)
+  if (truth.depth.status() == Status::penetrating)
     caption += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it dotted";
-  if (truth.depth.distance) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
+  if (truth.depth.distance()) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
   if (claimed) {
     caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
     if (subject.conventions.moves == Conventions::Body::b) caption += ", which is that of B turned round: the subject moves B";

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kernels/number/parse.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/report/wires.hpp"
 #include "verify/judge/claim.hpp"
@@ -42,19 +42,18 @@ mpq_class extent_of(const Truth& truth) {
 View view_of(const Depth& depth, const Point& moved, const std::optional<Point>& claimed) {
   const std::optional<Point> second = claimed && !is_zero(*claimed) ? claimed : std::nullopt;
   if (!is_zero(moved)) return {moved, second};
-  if (depth.direction && !fathom::is_zero(*depth.direction)) return {point_of(*depth.direction), second};
-  return {{1, 0, 0}, second};
+  return {point_of(depth.direction()), second};
 }
 
 Subject subject_of(const Truth& truth, std::optional<Point> claimed) {
   const Depth& depth = truth.depth;
-  const std::optional<Witness> witness = depth.distance ? std::optional(depth.distance->witness) : depth.witness;
-  const Point moved = depth.distance ? depth.distance->translation : depth.translation;
+  const std::optional<Witness> witness = depth.distance() ? std::optional(depth.distance()->witness) : depth.witness();
+  const Point moved = depth.distance() ? depth.distance()->translation : depth.translation();
   const mpq_class extent = extent_of(truth), longest = 3 * extent;
   const bool cut = claimed && size(*claimed) > longest;
   if (cut) claimed = scaled(*claimed, mpq_class(longest / size(*claimed)));
   const View view = view_of(depth, moved, claimed);
-  const Lattice lattice = common_lattice(truth.a, truth.b);
+  const PlacedPair placed = place(truth.a, truth.b);
   return {truth,
           witness ? witness->a : truth.b.front(),
           moved,
@@ -62,8 +61,8 @@ Subject subject_of(const Truth& truth, std::optional<Point> claimed) {
           cut,
           extent,
           view,
-          wires_of(convex_hull(lattice.a), view),
-          wires_of(convex_hull(lattice.b), view)};
+          wires_of(convex_hull(placed.a.points()), view),
+          wires_of(convex_hull(placed.b.points()), view)};
 }
 
 /// One of the pictures: places of the plane in multiples of a unit around a centre, and the frame that shows them.
@@ -152,7 +151,7 @@ std::string panel_svg(const Panel& panel, const std::string& name, const std::st
 std::string description_of(const Subject& s) {
   std::string result = "Orthographic view of the hulls of A and B across the true translation of A, which points to the right.";
   if (is_zero(s.moved)) result = "Orthographic view of the hulls of A and B along a plane that separates them; no translation is needed.";
-  if (s.truth.depth.distance)
+  if (s.truth.depth.distance())
     result = "Orthographic view of the hulls of A and B; the arrow is the shortest way of A that makes them touch.";
   if (s.claimed) result += s.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is drawn dashed.";
   return result;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/shrink/passes.hpp"
 
@@ -11,8 +11,7 @@ namespace fathom::harness {
 namespace {
 
 std::vector<Point> extreme(const std::vector<Point>& points) {
-  const Lattice lattice = common_lattice(points, points);
-  const Polytope hull = convex_hull(lattice.a);
+  const Polytope hull = convex_hull(place(points, points).a.points());
   std::vector<Point> result;
   for (const std::uint32_t id : hull.input_ids) result.push_back(points[id]);
   return result;

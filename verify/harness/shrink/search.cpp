@@ -9,7 +9,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -31,21 +31,19 @@ bool fits(const Case& pair, Precision precision) {
   return all;
 }
 
-bool is_solid(const Body& body) { return body.points.size() > 3 && affine_rank(common_lattice(body.points, body.points).a) == 3; }
+bool is_solid(const Body& body) { return body.points.size() > 3 && affine_rank(place(body.points, body.points).a.points()) == 3; }
 
 /// The text of a certificate of the truth, which the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {
-  Options options;
-  options.method = Method::certificate;
-  const Depth depth = penetration_depth(pair.a.points, pair.b.points, options);
-  Certificate certificate = make_certificate(pair.a.points, pair.b.points, depth, options);
+  const Depth depth = penetration_depth(pair.a.points, pair.b.points);
+  Certificate certificate = make_certificate(pair.a.points, pair.b.points, depth);
   certificate.id = pair.id;
   std::string text = certificate_text(certificate);
   const fathom_check::Verdict checked = fathom_check::verify(text);
   if (!checked.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, checked.reason));
   // The truth of a variant is that of the case up to a power of 4; the harness judged it by a solution of its own.
   const bool same = !outcome.judgement || !outcome.variant.empty() ||
-                    (outcome.judgement->status == depth.status && outcome.judgement->depth_squared == depth.squared);
+                    (outcome.judgement->status == depth.status() && outcome.judgement->depth_squared == depth.squared());
   if (!same) throw std::logic_error(fmt::format("{} was judged by another depth than its certificate proves", pair.id));
   return text;
 }

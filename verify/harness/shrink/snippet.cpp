@@ -80,8 +80,8 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
     squared = outcome.judgement->depth_squared;
   } else {
     const Truth truth = truth_about(pair.a.points, pair.b.points);
-    status = truth.depth.status;
-    squared = truth.depth.squared;
+    status = truth.depth.status();
+    squared = truth.depth.squared();
   }
   std::string settings;
   for (const auto& [key, value] : info.settings) settings += (settings.empty() ? "; " : ", ") + key + " = " + value;
