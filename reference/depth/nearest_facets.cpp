@@ -2,9 +2,8 @@
 #include "reference/depth/nearest_facets.hpp"
 
 #include <array>
-#include <atomic>
-#include <functional>
 
+#include "kernels/context.hpp"
 #include "kernels/parallel.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
@@ -18,6 +17,20 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 4096;  // edges
 
+// Hands reports on to Options::progress.
+class Progress : public Monitor {
+ public:
+  explicit Progress(const Options& options) : options_(options) {}
+  void report(std::string_view stage, double share) override {
+    if (options_.progress && !options_.progress(std::string(stage), share)) stopped_ = true;
+  }
+  [[nodiscard]] bool stopped() override { return stopped_; }
+
+ private:
+  const Options& options_;
+  bool stopped_ = false;
+};
+
 // One run of the pipeline: what is common to both hemispheres.
 class Pipeline {
  public:
@@ -25,6 +38,8 @@ class Pipeline {
       : a_(a),
         b_(b),
         options_(options),
+        progress_(options),
+        context_(&progress_),
         counters_(counters),
         in_two_threads_(a.edges.size() + b.edges.size() >= worth_a_thread),
         lines_a_(a, exponent),
@@ -39,75 +54,66 @@ class Pipeline {
 
   NearestPlanes run() {
     std::array<Charts, 2> hemispheres;
-    in_both("charts", [&](std::size_t i, const auto&) { hemispheres[i] = charts(i == 1); });
+    in_both("charts", [&](std::size_t i, Context&) { hemispheres[i] = charts(both_hemispheres[i]); });
     for (const Charts& charts : hemispheres) offer_vertex_facets(charts);
     std::array<CanonicalSubsets, 2> subsets;
-    in_both("canonical subsets",
-            [&](std::size_t i, const auto& keep_going) { subsets[i] = canonical_subsets(hemispheres[i], keep_going); });
+    in_both("canonical subsets", [&](std::size_t i, Context& context) { subsets[i] = canonical_subsets(context, hemispheres[i]); });
     for (std::size_t i = 0; i < 2; ++i) offer_crossing_edges(subsets[i], hemispheres[i], 0.5 * static_cast<double>(i));
+    counters_ += context_.counters;
+    counters_.seed = context_.counters.seed;
     return std::move(nearest_);
   }
 
  private:
-  void progress(const char* stage, double share) const {
-    if (options_.progress && !options_.progress(stage, share)) throw Interrupted();
-  }
-
-  // Calls work(0, keep_going) and work(1, keep_going), one for each hemisphere. Only the calling thread talks; the other one hears from it
-  // whether to go on.
+  // Calls work(0, context) and work(1, context), one for each hemisphere. Only the calling thread reports.
   template <class Work>
-  void in_both(const char* stage, const Work& work) const {
-    progress(stage, 0);
-    std::atomic<bool> stopped = false;
-    const std::function<bool(double)> talk = [&](double share) {
-      if (options_.progress && !options_.progress(stage, share)) stopped = true;
-      return !stopped;
-    };
-    const std::function<bool(double)> listen = [&](double) { return !stopped; };
+  void in_both(const char* stage, const Work& work) {
+    context_.report(stage);
+    Context worker = context_.worker();
     run_both(
-        in_two_threads_, [&] { work(0, talk); }, [&] { work(1, listen); });
-    if (stopped) throw Interrupted();
+        in_two_threads_, [&] { work(0, context_); }, [&] { work(1, worker); });
+    context_.join(worker);
   }
 
-  Charts charts(bool lower) const {
-    Charts charts = make_charts(of_minus_a_, of_b_, chart_frame(lower), options_.perturbation);
+  Charts charts(Hemisphere hemisphere) const {
+    Charts charts = make_charts(of_minus_a_, of_b_, chart_frame(hemisphere), options_.perturbation);
     if (options_.validate) insist(validate(charts));
     return charts;
   }
 
   void offer_vertex_facets(const Charts& charts) {
-    progress("vertex-facet pairs", 0);
+    context_.report("vertex-facet pairs");
     const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
     if (options_.validate) insist(validate(pairs, charts, a_, b_));
-    counters_.vertex_facet_pairs += pairs.size();
+    context_.counters.vertex_facet_pairs += pairs.size();
     offer(pairs, charts, a_, b_, nearest_);
   }
 
   void offer_crossing_edges(const CanonicalSubsets& subsets, const Charts& charts, double share) {
+    const LineScene scene(charts, lines_a_, lines_b_);
     if (options_.validate) {
       insist(validate(subsets, charts));
-      insist(validate_separation(subsets, lines_a_, lines_b_, charts.frame.z.exact()));
-      for (std::size_t i = 0; i < subsets.size(); ++i) insist(validate(Grid(subsets[i], charts, lines_a_, lines_b_), charts));
+      insist(validate_separation(subsets, scene));
+      for (std::size_t i = 0; i < subsets.size(); ++i) insist(validate(Grid(subsets[i], scene)));
     }
     const CanonicalSubsets::Sums sums = subsets.sums();
-    counters_.canonical_pairs += subsets.size();
-    counters_.sum_a += sums.a;
-    counters_.sum_b += sums.b;
-    counters_.crossings += sums.product;
-    const auto keep_going = [&](double done) {
-      progress("closest lines", share + done / 2);
-      return true;
-    };
-    closest_lines(subsets, charts, lines_a_, lines_b_, nearest_, counters_, {options_.closest_lines, options_.seed, keep_going});
+    context_.counters.canonical_pairs += subsets.size();
+    context_.counters.sum_a += sums.a;
+    context_.counters.sum_b += sums.b;
+    context_.counters.crossings += sums.product;
+    closest_lines(context_, subsets, scene, nearest_, {options_.closest_lines, options_.seed, share, share + 0.5});
   }
 
   const Polytope& a_;
   const Polytope& b_;
   const Options& options_;
+  Progress progress_;
+  Context context_;
   Counters& counters_;
   bool in_two_threads_;
   GaussianDiagram of_minus_a_, of_b_;
-  EdgeLines lines_a_, lines_b_;
+  EdgeLinesOfA lines_a_;
+  EdgeLinesOfB lines_b_;
   NearestPlanes nearest_;
 };
 

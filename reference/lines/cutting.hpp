@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a grid, and the nearest planes so far.
-// Output  those planes and all of the grid's that are as near or nearer.                                        [design, section 5]
+// Output  those planes and all of the grid's that are as near or nearer.                              [proofs/cutting.md, "The engines"]
 // How     a cutting of one chain: runs of it (cells), each with the runs of the other chain that it may approach (its conflict list), at
 //         most a share 1/r of what there was; then each conflicting run is cut against the cell, with the roles swapped; a naive scan
 //         ends it. Cells follow the order of the grid, and a block is dropped only if it is strictly farther than the best so far.
@@ -14,12 +14,7 @@
 
 namespace fathom {
 
-/// Whose lines are cut into cells; the other chain's make the conflict lists.
-enum class GridAxis : std::uint8_t { rows, columns };
-
-constexpr GridAxis other(GridAxis s) { return s == GridAxis::rows ? GridAxis::columns : GridAxis::rows; }
-
-/// A grid with the cells of both chains.
+/// A grid with the cells of both chains. `side` tells whose lines a cell holds; a run of the other chain is `opposite`.
 class Blocks {
  public:
   explicit Blocks(const Grid& grid) : clearing_(grid), trees_{CellTree(clearing_.rows()), CellTree(clearing_.columns())} {}
@@ -28,14 +23,17 @@ class Blocks {
 
   [[nodiscard]] const Clearing& clearing() const { return clearing_; }
   [[nodiscard]] CellTree& tree(GridAxis s) { return trees_[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] const CellTree& tree(GridAxis s) const { return trees_[static_cast<std::size_t>(s)]; }
 
   /// Whether every pair of the block is proved to be strictly farther than the search's best: by the vertex test, or by the frame test
   /// where it may pay.
   bool clears(GridAxis side, CellTree::Node cell, CellTree::Node opposite, LineSearch& search);
-  [[nodiscard]] double estimate(GridAxis side, CellTree::Node cell, CellTree::Node opposite);
+  [[nodiscard]] double estimate(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
 
  private:
   bool frames_clear(CellTree::Node row, CellTree::Node column, LineSearch& search);
+
+  [[nodiscard]] Block block(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
 
   Clearing clearing_;
   std::array<CellTree, 2> trees_;
