@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The vertex test's filter: is one vertex difference s of P so far out at the four corner crossings of a block of lines that the whole
 // block lies beyond a bound? u -> <s,u> - rho |u| is concave, and all crossings of the block lie in the cone of its corners.
-// [design, section 5; proofs/cutting.md]
+// [proofs/cutting.md]
 #pragma once
 
 #include "kernels/filters/line_scan.hpp"

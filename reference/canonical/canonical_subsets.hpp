@@ -65,8 +65,9 @@ CanonicalSubsets canonical_subsets(Context& context, const Charts& charts);
 /// sphere, without the charts' walls and orders, under the charts' perturbation.
 std::vector<std::pair<EdgeOfA, EdgeOfB>> crossings_naive(const Charts& charts);
 
-/// C1: ids are arcs of the chart, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once. The
-/// grid: every pair crosses in the sense stated, stored arcs are in height order, and queries in their order along every stored arc. O(m n).
+/// C1: ids are arcs of the chart, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once.
+/// The grid: every pair crosses in the sense stated, stored arcs are in height order, queries in their order along every stored arc.
+/// O(m n).
 [[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts);
 
 }  // namespace fathom

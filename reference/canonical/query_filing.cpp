@@ -18,7 +18,8 @@ Filing::Filing(const Charts& charts, Colour query_of) {
 }
 
 // Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later than one above it and a falling arc
-// later than one below it, and ids are in height order; of two others the left one crosses first.       [proofs/canonical_subsets.md, "Grid"]
+// later than one below it, and ids are in height order; of two others the left one crosses first.
+// [proofs/canonical_subsets.md, "Grid"]
 void Filing::sort() {
   std::ranges::sort(entries_, [&](const Entry& e, const Entry& f) {
     if (e.subset != f.subset) return e.subset < f.subset;

@@ -12,6 +12,7 @@
 
 namespace fathom {
 
+/// The images of the lines must outlive it.
 class CellTree {
  public:
   /// Heap order: 1 is the whole chain, 2k and 2k + 1 are the halves of k.

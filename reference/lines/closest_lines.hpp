@@ -30,7 +30,8 @@ struct ClosestLinesOptions {
 void closest_lines(Context& context, const CanonicalSubsets& subsets, const LineScene& scene, NearestPlanes& nearest,
                    const ClosestLinesOptions& options = {});
 
-/// C4 as a sign: for each pair of each canonical pair, <p_e - p_e', w> > 0 for the normal w of both edges with <w,z> > 0, z the pole. Parallel edges, and crossings on the equator, have no such w and are passed over. O(sum |A_i| |B_i|).       [AGHRS, Lemma 2.3]
+/// C4 as a sign: for each pair of each canonical pair, <p_e - p_e', w> > 0 for the normal w of both edges with <w,z> > 0, z the pole.
+/// Skips parallel edges, and crossings on the equator, which have no such w. O(sum |A_i| |B_i|).                    [AGHRS, Lemma 2.3]
 [[nodiscard]] Report validate_separation(const CanonicalSubsets& subsets, const LineScene& scene);
 
 }  // namespace fathom

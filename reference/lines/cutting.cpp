@@ -125,7 +125,7 @@ class Engine {
 
   void scan(GridAxis side, Node cell, Node run) {
     const auto [row, column] = rows_and_columns(side, cell, run);
-    search_.scan(blocks_.clearing(), blocks_.tree(GridAxis::rows).lines(row), blocks_.tree(GridAxis::columns).run(column));
+    search_.scan(blocks_.clearing(), blocks_.tree(GridAxis::rows).run(row), blocks_.tree(GridAxis::columns).run(column));
   }
 
   Blocks blocks_;

@@ -36,9 +36,8 @@ class EdgeLines {
 using EdgeLinesOfA = EdgeLines<Colour::a>;
 using EdgeLinesOfB = EdgeLines<Colour::b>;
 
-/// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact arithmetic. Parallel edges span no plane
-/// and are skipped. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2.
-/// Returns whether it is among the nearest now.
+/// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact arithmetic. Skips parallel edges, which
+/// span no plane. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2. Returns whether the plane is among the nearest now.
 bool offer_edges(const EdgeLinesOfA& a, EdgeOfA e, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest);
 
 }  // namespace fathom

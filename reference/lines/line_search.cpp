@@ -32,13 +32,13 @@ void LineSearch::scan(std::span<const ChartArcOfA> of_a, std::span<const ChartAr
   work(pairs);
 }
 
-void LineSearch::scan(const Clearing& clearing, ChainLines chosen, LineRun run) {
+void LineSearch::scan(const Clearing& clearing, LineRun rows, LineRun columns) {
   const Grid& grid = clearing.grid();
-  for (const std::uint32_t i : chosen) {
-    not_farther(clearing.rows(), i, clearing.columns(), run, bound_.above, unsure_);
+  for (std::size_t i = rows.first; i < rows.last; ++i) {
+    not_farther(clearing.rows(), i, clearing.columns(), columns, bound_.above, unsure_);
     for (const std::uint32_t j : unsure_) offer(grid.row(i), grid.column(j));
   }
-  const std::uint64_t pairs = std::uint64_t{chosen.size()} * run.size();
+  const std::uint64_t pairs = std::uint64_t{rows.size()} * columns.size();
   counters().pairs_evaluated += pairs;
   work(pairs);
 }

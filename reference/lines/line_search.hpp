@@ -10,14 +10,15 @@
 
 namespace fathom {
 
+/// One for each hemisphere. `nearest` holds the best so far of all.
 class LineSearch {
  public:
   LineSearch(Context& context, const LineScene& scene, NearestPlanes& nearest, std::uint64_t seed);
 
   /// All pairs of two sets of arcs.
   void scan(std::span<const ChartArcOfA> of_a, std::span<const ChartArcOfB> of_b);
-  /// All pairs of the rows `chosen` and the columns of the run.
-  void scan(const Clearing& clearing, ChainLines chosen, LineRun run);
+  /// All pairs of a run of rows and a run of columns.
+  void scan(const Clearing& clearing, LineRun rows, LineRun columns);
   /// One pair, in exact arithmetic, unless the first bits of long coordinates show already that it is farther.
   void offer(ChartArcOfA e, ChartArcOfB f);
 

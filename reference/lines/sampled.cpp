@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include "kernels/filters/line_frame.hpp"
+
 namespace fathom {
 namespace {
 

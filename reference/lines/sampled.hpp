@@ -12,6 +12,7 @@
 
 namespace fathom {
 
+/// As closest_by_cutting.
 void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size = {});
 
 }  // namespace fathom

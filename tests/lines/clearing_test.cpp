@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "kernels/filters/line_frame.hpp"
 #include "tests/support/grids.hpp"
 #include "tests/support/line_scenes.hpp"
 
