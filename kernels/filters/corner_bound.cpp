@@ -53,13 +53,12 @@ LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, l
   return bound;
 }
 
-CornerVerdict corners_beyond(const LineImages& a, LineRun run_a, std::size_t of_a, const LineImages& b, LineRun run_b, std::size_t of_b,
-                             const LineBound& bound) {
-  const Three s = difference(a, of_a, b, of_b);
+CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block, const LineBound& bound) {
+  const Three s = difference(rows, block.rows.middle, columns, block.columns.middle);
   CornerVerdict worst = CornerVerdict::beyond;
-  for (const std::size_t i : {run_a.first, run_a.last - 1}) {
-    for (const std::size_t j : {run_b.first, run_b.last - 1}) {
-      const CornerVerdict corner = verdict(crossing(s, a, i, b, j), bound);
+  for (const std::size_t i : {block.rows.first, block.rows.last}) {
+    for (const std::size_t j : {block.columns.first, block.columns.last}) {
+      const CornerVerdict corner = verdict(crossing(s, rows, i, columns, j), bound);
       if (corner == CornerVerdict::within) return corner;
       if (corner == CornerVerdict::unsure) worst = corner;
     }

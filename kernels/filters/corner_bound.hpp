@@ -4,8 +4,6 @@
 // [proofs/cutting.md]
 #pragma once
 
-#include <cstddef>
-
 #include "kernels/filters/line_scan.hpp"
 
 namespace fathom {
@@ -17,22 +15,24 @@ struct LineBound {
 };
 LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
-/// Lines [first, last) of one set; not empty.
-struct LineRun {
-  std::size_t first, last;
-
-  [[nodiscard]] std::size_t size() const { return last - first; }
-  [[nodiscard]] std::size_t middle() const { return first + size() / 2; }
-  friend bool operator==(const LineRun&, const LineRun&) = default;
+/// What the vertex test reads of some lines of a chain: the first, the last and one between.
+struct BlockSide {
+  std::size_t first, middle, last;
 };
+
+/// Some rows and some columns.
+struct Block {
+  BlockSide rows, columns;
+};
+
+inline BlockSide side_of(LineRun run) { return {run.first, run.first + run.size() / 2, run.last - 1}; }
 
 enum class CornerVerdict { beyond, within, unsure };
 
-/// With s = q - p for the points q of line `of_b` of b and p of line `of_a` of a, and w = d x e for the directions of the first and the
-/// last lines of both runs: `beyond` proves <s,w> > 0 and <s,w>^2 > bound |w|^2 for all four w; `within` proves that this fails for one.
-/// w = 0 is never beyond.
-CornerVerdict corners_beyond(const LineImages& a, LineRun run_a, std::size_t of_a, const LineImages& b, LineRun run_b, std::size_t of_b,
-                             const LineBound& bound);
+/// With s = q - p for the points q of the middle column and p of the middle row, and w = d x e for the directions d of the first and the
+/// last row and e of the first and the last column: `beyond` proves <s,w> > 0 and <s,w>^2 > bound |w|^2 for all four w; `within` proves
+/// that this fails for one. w = 0 is never beyond.
+CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block, const LineBound& bound);
 
 /// An estimate, without any guarantee, of <q - p, w>^2 / |w|^2 for lines i and j: what orders a search.
 double estimated_squared_distance(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j);

@@ -88,27 +88,26 @@ struct OnOneSide {
 
 // Positive only if the arcs one and j do not cross. They cross when <f,e>, -<t,e>, -<f',d> and <t',d> have one sign, for the ends
 // f, t of the one and f', t' of the other, on the circles d and e.
-double not_crossing(const LineImages& lines, const ArcImages& arcs, std::size_t one, const LineImages& many, const ArcImages& many_arcs,
-                    std::size_t j) {
+double not_crossing(const LineSet& lines, std::size_t one, const LineSet& many, std::size_t j) {
   const auto side = [](const ArcImages& a, std::size_t i, const LineImages& l, std::size_t k) {
     return std::pair(a.fx[i] * l.dx[k] + a.fy[i] * l.dy[k] + a.fz[i] * l.dz[k], a.tx[i] * l.dx[k] + a.ty[i] * l.dy[k] + a.tz[i] * l.dz[k]);
   };
-  const auto [from, to] = side(arcs, one, many, j);
-  const auto [many_from, many_to] = side(many_arcs, j, lines, one);
+  const auto [from, to] = side(lines.arcs, one, many.images, j);
+  const auto [many_from, many_to] = side(many.arcs, j, lines.images, one);
   const double least = smaller(smaller(from, -to), smaller(-many_from, many_to));
   const double most = larger(larger(from, -to), larger(-many_from, many_to));
   return smaller(most, -least) - line_error::side;
 }
 
-// Replaces `unsure` by the indices j in [first, last) whose margin is not positive. Most blocks have none, and end with one comparison.
+// Replaces `unsure` by the indices j in the run whose margin is not positive. Most blocks have none, and end with one comparison.
 template <class Test, class Many>
-void collect(const Test& test, const Many& many, std::size_t first, std::size_t last, std::vector<std::uint32_t>& unsure) {
+void collect(const Test& test, const Many& many, LineRun run, std::vector<std::uint32_t>& unsure) {
   constexpr std::size_t block = 64;
   unsure.clear();
   double margin[block];
   std::uint32_t found[block];
-  for (std::size_t begin = first; begin < last; begin += block) {
-    const std::size_t n = std::min(block, last - begin);
+  for (std::size_t begin = run.first; begin < run.last; begin += block) {
+    const std::size_t n = std::min(block, run.last - begin);
     Lanes least = {1, 1};
     std::size_t k = 0;
     for (; k + lanes <= n; k += lanes) {
@@ -148,20 +147,6 @@ void LineImages::reverse(std::size_t i) {
   dz[i] = -dz[i];
 }
 
-void LineImages::gather(const LineImages& all, std::span<const std::uint32_t> chosen) {
-  exponent_ = all.exponent_;
-  const auto pick = [&](const std::vector<double>& from, std::vector<double>& to) {
-    to.resize(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) to[i] = from[chosen[i]];
-  };
-  pick(all.px, px);
-  pick(all.py, py);
-  pick(all.pz, pz);
-  pick(all.dx, dx);
-  pick(all.dy, dy);
-  pick(all.dz, dz);
-}
-
 double image_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
   long n_exponent = 0, d_exponent = 0;
   const double n = mpz_get_d_2exp(&n_exponent, numerator.get_mpz_t());
@@ -173,12 +158,12 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
 }
 
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure) {
-  not_farther(lines, one, many, 0, many.size(), bound, unsure);
+  not_farther(lines, one, many, {0, many.size()}, bound, unsure);
 }
 
-void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, std::size_t first, std::size_t last, double bound,
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, LineRun run, double bound,
                  std::vector<std::uint32_t>& unsure) {
-  collect(Farther(lines, one, bound), many, first, last, unsure);
+  collect(Farther(lines, one, bound), many, run, unsure);
 }
 
 void ArcImages::push_back(const Vector& from, const Vector& to) {
@@ -191,14 +176,13 @@ void ArcImages::push_back(const Vector& from, const Vector& to) {
   tz.push_back(t.z);
 }
 
-void crossing_and_not_farther(const LineImages& lines, const ArcImages& arcs, std::size_t one, const LineImages& many,
-                              const ArcImages& many_arcs, double bound, std::vector<std::uint32_t>& unsure) {
-  const Farther farther(lines, one, bound);
+void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineSet& many, double bound,
+                              std::vector<std::uint32_t>& unsure) {
+  const Farther farther(lines.images, one, bound);
   // Short arcs seldom meet the great circle: this test comes first, over all, and the two that cost more over the rest.
-  collect(OnOneSide{farther.d}, many_arcs, 0, many.size(), unsure);
-  std::erase_if(unsure, [&](std::uint32_t j) {
-    return farther.margin<double>(many, j) > 0 || not_crossing(lines, arcs, one, many, many_arcs, j) > 0;
-  });
+  collect(OnOneSide{farther.d}, many.arcs, {0, many.images.size()}, unsure);
+  std::erase_if(unsure,
+                [&](std::uint32_t j) { return farther.margin<double>(many.images, j) > 0 || not_crossing(lines, one, many, j) > 0; });
 }
 
 }  // namespace fathom

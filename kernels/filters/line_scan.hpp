@@ -20,8 +20,16 @@ class LineImages {
 
   /// |coordinates of point| <= 2^exponent; direction not zero.
   void push_back(const Vector& point, const Vector& direction);
-  /// Makes this the images of the chosen lines.
-  void gather(const LineImages& all, std::span<const std::uint32_t> chosen);
+  /// Makes this the images of the chosen lines, which are given by numbers or by ids.
+  void gather(const LineImages& all, const auto& chosen) {
+    exponent_ = all.exponent_;
+    for (const auto coordinate : {&LineImages::px, &LineImages::py, &LineImages::pz, &LineImages::dx, &LineImages::dy, &LineImages::dz}) {
+      const std::vector<double>& from = all.*coordinate;
+      std::vector<double>& to = this->*coordinate;
+      to.resize(chosen.size());
+      for (std::size_t i = 0; i < chosen.size(); ++i) to[i] = from[static_cast<std::uint32_t>(chosen[i])];
+    }
+  }
   /// Turns the direction of line i round.
   void reverse(std::size_t i);
 
@@ -43,8 +51,16 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
 /// have the same exponent.
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure);
 
-/// The same among the lines [first, last) of `many` only.
-void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, std::size_t first, std::size_t last, double bound,
+/// Lines [first, last) of one set; not empty.
+struct LineRun {
+  std::size_t first, last;
+
+  [[nodiscard]] std::size_t size() const { return last - first; }
+  friend bool operator==(const LineRun&, const LineRun&) = default;
+};
+
+/// The same among the lines of a run of `many` only.
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, LineRun run, double bound,
                  std::vector<std::uint32_t>& unsure);
 
 /// Images of arcs: the nodes at both ends, scaled like directions.
@@ -54,9 +70,13 @@ class ArcImages {
   std::vector<double> fx, fy, fz, tx, ty, tz;
 };
 
-/// As not_farther, but a pair is also left out when its arcs are proved not to cross. Line i's direction is the normal of arc i's
-/// great circle. Arcs that touch are never proved not to cross.
-void crossing_and_not_farther(const LineImages& lines, const ArcImages& arcs, std::size_t one, const LineImages& many,
-                              const ArcImages& many_arcs, double bound, std::vector<std::uint32_t>& unsure);
+/// Lines with their arcs: line i's direction is the normal of arc i's great circle. A view.
+struct LineSet {
+  const LineImages& images;
+  const ArcImages& arcs;
+};
+
+/// As not_farther, but a pair is also left out when its arcs are proved not to cross. Arcs that touch are never proved not to cross.
+void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineSet& many, double bound, std::vector<std::uint32_t>& unsure);
 
 }  // namespace fathom

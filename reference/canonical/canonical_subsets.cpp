@@ -4,29 +4,32 @@
 #include "reference/canonical/canonical_subsets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <ranges>
 
 #include "kernels/filters/double_images.hpp"
 #include "kernels/predicates/filter.hpp"
 #include "reference/canonical/query_filing.hpp"
+#include "reference/chart/chart_predicates.hpp"
 
 namespace fathom {
 namespace {
 
 struct Stored {
-  std::uint32_t arc;  // index in the chart: arcs are in height order
+  ChartArcId arc;
   Strip strips;
 };
 
-// What is known of a query's height over one abscissa: stored arcs over it with an index below `above` pass below the query, those with
-// an index from `below` on pass above it. The rest has to be asked.
+// What is known of a query's height over one abscissa: stored arcs over it with an id below `above` pass below the query, those with an
+// id from `below` on pass above it. The rest has to be asked.
 struct Reach {
-  std::uint32_t above = 0, below = UINT32_MAX;
+  ChartArcId above, below = ChartArcId::none();
 };
 
 // A query with its reach at the left and at the right end of its part in the strip.
 struct Query {
-  std::uint32_t arc;
+  ChartArcId arc;
   Strip strips;
   Reach left, right;
 };
@@ -54,21 +57,22 @@ Iterator partition_point_near(Iterator first, Iterator last, Iterator hint, cons
 // Builds T_A or T_B of one hemisphere and answers its queries.
 class CanonicalBuilder {
  public:
-  CanonicalBuilder(const Charts& charts, Colour stored_of, CanonicalSubsets& out, const std::function<bool(double)>& keep_going)
-      : charts_(charts),
+  CanonicalBuilder(Context& context, const Charts& charts, Colour stored_of, CanonicalSubsets& out)
+      : context_(context),
+        charts_(charts),
         stored_of_(stored_of),
+        query_of_(other(stored_of)),
+        stored_arcs_(charts.of[stored_of].arcs),
         root_{0, static_cast<std::uint32_t>(charts.walls.size() + 1)},
-        filing_(charts, stored_of),
-        out_(out),
-        keep_going_(keep_going) {}
+        filing_(charts, query_of_),
+        out_(out) {}
 
-  /// False if it was told to stop.
-  bool run() {
+  void run() {
     std::vector<Query> queries = all_queries();
     if (stored_of_ == Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     std::vector<Stored> partial;
     list_.clear();
-    for (std::uint32_t i = 0; i < charts_.arcs_of(stored_of_).size(); ++i) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
+    for (const ChartArcId i : stored_arcs_.ids()) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
     if (!list_.empty()) {
       for (Query& q : queries) ask(root_, q.arc, q.left, q.right);
       file();
@@ -76,21 +80,19 @@ class CanonicalBuilder {
     std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     descend(root_, std::move(partial), std::move(queries));
     count_calls(Predicate::order_on_vertical, probed_);
-    return !stopped_;
   }
 
  private:
-  using Iterator = std::vector<std::uint32_t>::const_iterator;
+  using Iterator = std::vector<ChartArcId>::const_iterator;
 
   // The ends of a query are located among the stored arcs.
   std::vector<Query> all_queries() const {
-    const Colour colour = other(stored_of_);
-    const std::vector<ChartArc>& arcs = charts_.arcs_of(colour);
+    const IdVector<ChartArcId, ChartArc>& arcs = charts_.of[query_of_].arcs;
     std::vector<Query> result;
     result.reserve(arcs.size());
-    for (std::uint32_t i = 0; i < arcs.size(); ++i) {
-      result.push_back(
-          {i, strips_of(charts_, colour, i), {arcs[i].left_height, arcs[i].left_height}, {arcs[i].right_height, arcs[i].right_height}});
+    for (const ChartArcId i : arcs.ids()) {
+      const ChartArcId left = arcs[i].left_height, right = arcs[i].right_height;
+      result.push_back({i, strips_of(charts_, query_of_, i), {left, left}, {right, right}});
     }
     return result;
   }
@@ -106,7 +108,8 @@ class CanonicalBuilder {
   // `stored` overlap the strip and do not span it; `queries` end inside it. T_A: these query both children, if they overlap them. T_B:
   // they query the children that they end inside. Depth is the binary logarithm of the number of walls.
   void descend(Strip strip, std::vector<Stored> stored, std::vector<Query> queries) {
-    if (stored.empty() || queries.empty() || strip.last - strip.first == 1 || !going_on(strip)) return;
+    if (stored.empty() || queries.empty() || strip.last - strip.first == 1) return;
+    report(strip);
     const std::uint32_t middle = std::midpoint(strip.first, strip.last);
     const std::array<Strip, 2> children{{{strip.first, middle}, {middle, strip.last}}};
     std::vector<Reach> at_middle(queries.size());
@@ -139,28 +142,26 @@ class CanonicalBuilder {
     for (const std::size_t side : {0, 1}) descend(children[side], std::move(partial[side]), std::move(inside[side]));
   }
 
-  bool going_on(Strip strip) {
-    if (stopped_ || !keep_going_ || ++nodes_ % 256 != 0) return !stopped_;
+  void report(Strip strip) {
+    if (++nodes_ % 256 != 0) return;
     const double share = static_cast<double>(strip.first) / root_.last;
-    stopped_ = !keep_going_((share + (stored_of_ == Colour::a ? 0 : 1)) / 2);
-    return !stopped_;
+    context_.report("canonical subsets", (share + (stored_of_ == Colour::a ? 0 : 1)) / 2);
   }
 
-  // Calls search(test) with a test of stored arcs: whether the query passes above them on the wall. Never at infinity: there queries end.
+  // Calls search(test) with a test of stored arcs: whether the query passes above them on the wall between strips `wall` - 1 and `wall`.
+  // Never at infinity: there queries end.
   template <class Search>
-  auto with_test(std::uint32_t query, std::uint32_t wall, Search search) {
-    const Colour query_of = other(stored_of_);
-    const ChartArc& q = charts_.arcs_of(query_of)[query];
-    const std::vector<ChartArc>& stored = charts_.arcs_of(stored_of_);
-    const std::vector<Vec3<double>>& circles = charts_.circles_of(stored_of_);
-    const Charts::Wall& w = charts_.walls[wall - 1];
-    const VerticalProbe probe(charts_.circles_of(query_of)[query], image(charts_.node(w.colour, w.node)), image(charts_.frame.v));
-    return search([&](std::uint32_t s) {
+  auto with_test(ChartArcId query, std::uint32_t wall, Search search) {
+    const ChartArc& q = charts_.of[query_of_].arcs[query];
+    const IdVector<ChartArcId, Vec3<double>>& circles = charts_.of[stored_of_].circles;
+    const Wall& w = charts_.walls[WallId(wall - 1)];
+    const VerticalProbe probe(charts_.of[query_of_].circles[query], image(charts_.node(w)), image(charts_.frame.v));
+    return search([&](ChartArcId s) {
       if (const int sign = probe.sign(circles[s])) {
         ++probed_;
         return sign > 0;
       }
-      return above_on_wall(charts_, query_of, q, stored_of_, stored[s], w) > 0;
+      return above_on_wall(charts_, query_of_, q, stored_of_, stored_arcs_[s], w) > 0;
     });
   }
 
@@ -176,18 +177,18 @@ class CanonicalBuilder {
   }
 
   // Where the list passes from below to above the query on a wall. Only a gap asks predicates, and the reach learns from the answers.
-  Iterator rank(std::uint32_t query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
+  Iterator rank(ChartArcId query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
     if (gap.size() == 0) return gap.first;
     hint = std::clamp(hint, gap.first, gap.last);
     const Iterator found = with_test(query, wall, [&](const auto& test) { return partition_point_near(gap.first, gap.last, hint, test); });
-    if (found != gap.first) reach.above = *std::prev(found) + 1;
+    if (found != gap.first) reach.above = std::prev(found)->next();
     if (found != gap.last) reach.below = *found;
     return found;
   }
 
   // The query crosses all arcs that are below it at one end of its part in the strip and above it at the other. Most cross none, and
   // where the one end lies is a good guess for the other.
-  void ask(Strip strip, std::uint32_t query, Reach& left, Reach& right) {
+  void ask(Strip strip, ChartArcId query, Reach& left, Reach& right) {
     const Iterator from = std::ranges::lower_bound(std::as_const(list_), std::min(left.above, right.above));
     if (from == list_.cend() || *from >= std::max(left.below, right.below)) return;
     const Gap left_gap = gap(left, from), right_gap = gap(right, from);
@@ -207,46 +208,56 @@ class CanonicalBuilder {
   // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset and sense of crossing.
   void file() {
     if (filing_.empty()) return;
-    const std::uint64_t base = out_.stored_.size();
-    for (const std::uint32_t arc : list_) out_.stored_.push_back(charts_.arcs_of(stored_of_)[arc].arc);
+    const std::uint64_t base = append(stored_of_, list_).first;
     filing_.take(list_.size(), [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
-      const std::uint64_t begin = out_.queries_.size();
-      for (const Filing::Entry& e : entries) out_.queries_.push_back(charts_.arcs_of(other(stored_of_))[e.query].arc);
-      out_.records_.push_back({stored_of_, rising, base + first, base + last, begin, out_.queries_.size()});
+      CanonicalSubsets::Record record{stored_of_, rising, {}};
+      record.arcs[stored_of_] = {base + first, base + last};
+      record.arcs[query_of_] = append(query_of_, entries | std::views::transform(&Filing::Entry::query));
+      out_.records_.push_back(record);
     });
   }
 
+  CanonicalSubsets::Range append(Colour colour, const auto& arcs) {
+    const auto to = [&](auto& ids) -> CanonicalSubsets::Range {
+      const std::uint64_t first = ids.size();
+      for (const ChartArcId arc : arcs) ids.emplace_back(arc.value);
+      return {first, ids.size()};
+    };
+    return colour == Colour::a ? to(out_.a_) : to(out_.b_);
+  }
+
+  Context& context_;
   const Charts& charts_;
-  Colour stored_of_;
+  Colour stored_of_, query_of_;
+  const IdVector<ChartArcId, ChartArc>& stored_arcs_;
   Strip root_;
-  std::vector<std::uint32_t> list_;  // arcs stored at the node at hand, in height order
+  std::vector<ChartArcId> list_;  // arcs stored at the node at hand, in height order
   Filing filing_;
   CanonicalSubsets& out_;
-  const std::function<bool(double)>& keep_going_;
   std::uint64_t nodes_ = 0, probed_ = 0;
-  bool stopped_ = false;
 };
 
 CanonicalPair CanonicalSubsets::operator[](std::size_t i) const {
   const Record& r = records_[i];
-  return {r.stored_of, r.rising, std::span(stored_).subspan(r.stored_begin, r.stored_end - r.stored_begin),
-          std::span(queries_).subspan(r.queries_begin, r.queries_end - r.queries_begin)};
+  return {r.stored_of, r.rising, std::span(a_).subspan(r.arcs.a.first, r.arcs.a.last - r.arcs.a.first),
+          std::span(b_).subspan(r.arcs.b.first, r.arcs.b.last - r.arcs.b.first)};
 }
 
 CanonicalSubsets::Sums CanonicalSubsets::sums() const {
   Sums sums;
   for (std::size_t i = 0; i < size(); ++i) {
     const CanonicalPair pair = (*this)[i];
-    sums.a += pair.edges_of_a().size();
-    sums.b += pair.edges_of_b().size();
-    sums.product += static_cast<std::uint64_t>(pair.stored.size()) * pair.queries.size();
+    sums.a += pair.a.size();
+    sums.b += pair.b.size();
+    sums.product += pair.crossings();
   }
   return sums;
 }
 
-CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going) {
+CanonicalSubsets canonical_subsets(Context& context, const Charts& charts) {
+  context.report("canonical subsets");
   CanonicalSubsets result;
-  if (CanonicalBuilder(charts, Colour::a, result, keep_going).run()) CanonicalBuilder(charts, Colour::b, result, keep_going).run();
+  for (const Colour stored_of : both_colours) CanonicalBuilder(context, charts, stored_of, result).run();
   return result;
 }
 

@@ -6,16 +6,15 @@
 
 namespace fathom {
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossings_naive(const Charts& charts) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
-  const GaussianDiagram& a = charts.diagram(Colour::a);
-  const GaussianDiagram& b = charts.diagram(Colour::b);
-  for (std::uint32_t i = 0; i < a.arcs.size(); ++i) {
-    for (std::uint32_t j = 0; j < b.arcs.size(); ++j) {
+std::vector<std::pair<EdgeOfA, EdgeOfB>> crossings_naive(const Charts& charts) {
+  std::vector<std::pair<EdgeOfA, EdgeOfB>> result;
+  const GaussianDiagram &a = *charts.of.a.diagram, &b = *charts.of.b.diagram;
+  for (const ArcId i : a.arcs.ids()) {
+    for (const ArcId j : b.arcs.ids()) {
       const Direction& d = a.arcs[i].circle;
       const Direction& g = b.arcs[j].circle;
       for (const int sign : perturbed_crossings(charts.perturbation, a, a.arcs[i], b, b.arcs[j])) {
-        if (sign * perturbed_order_at_infinity(charts.perturbation, d, g, charts.frame.z) > 0) result.emplace_back(i, j);
+        if (sign * perturbed_order_at_infinity(charts.perturbation, d, g, charts.frame.z) > 0) result.emplace_back(i.value, j.value);
       }
     }
   }

@@ -5,20 +5,21 @@
 
 namespace fathom {
 
-Strip strips_of(const Charts& charts, Colour colour, std::uint32_t arc) {
-  const ChartArc& a = charts.arcs_of(colour)[arc];
+Strip strips_of(const Charts& charts, Colour colour, ChartArcId arc) {
+  const ColourChart& chart = charts.of[colour];
+  const ChartArc& a = chart.arcs[arc];
   const auto strips = static_cast<std::uint32_t>(charts.walls.size() + 1);
-  return {a.left != at_infinity ? charts.wall(colour, a.left) + 1 : 0, a.right != at_infinity ? charts.wall(colour, a.right) + 1 : strips};
+  return {a.left != at_infinity ? chart.wall_of[a.left].value + 1 : 0, a.right != at_infinity ? chart.wall_of[a.right].value + 1 : strips};
 }
 
-Filing::Filing(const Charts& charts, Colour stored_of) {
-  const auto count = static_cast<std::uint32_t>(charts.arcs_of(other(stored_of)).size());
-  strips_.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) strips_.push_back(strips_of(charts, other(stored_of), i));
+Filing::Filing(const Charts& charts, Colour query_of) {
+  strips_.reserve(charts.of[query_of].arcs.size());
+  for (const ChartArcId i : charts.of[query_of].arcs.ids()) strips_.push_back(strips_of(charts, query_of, i));
 }
 
 // Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later than one above it and a falling arc
-// later than one below it, and heights are indices; of two others the left one crosses first.       [proofs/canonical_subsets.md, "Grid"]
+// later than one below it, and ids are in height order; of two others the left one crosses first.
+// [proofs/canonical_subsets.md, "Grid"]
 void Filing::sort() {
   std::ranges::sort(entries_, [&](const Entry& e, const Entry& f) {
     if (e.subset != f.subset) return e.subset < f.subset;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where queries file themselves under canonical subsets, and the order in which they cross the stored arcs. For canonical_subsets alone.
+// Files queries under the canonical subsets that they cross, in the order in which they cross the stored arcs. For canonical_subsets alone.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ struct Strip {
 };
 
 /// The strips over which a chart arc runs. An end at infinity lies strictly inside no strip.
-Strip strips_of(const Charts& charts, Colour colour, std::uint32_t arc);
+Strip strips_of(const Charts& charts, Colour colour, ChartArcId arc);
 
 /// The queries that one node of a segment tree has answered. Over the node's list of stored arcs stands a balanced tree in heap order,
 /// whose subtrees are the canonical subsets.
@@ -29,15 +29,15 @@ class Filing {
  public:
   struct Entry {
     std::uint64_t subset;  ///< index in the heap, then the sense of crossing in the lowest bit
-    std::uint32_t query;   ///< index in the chart
+    ChartArcId query;
   };
 
-  Filing(const Charts& charts, Colour stored_of);
+  Filing(const Charts& charts, Colour query_of);
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }
 
   /// Files the query under the subsets that make up [low, high) of a list of `size` arcs.
-  void file(std::size_t size, std::size_t low, std::size_t high, bool rising, std::uint32_t query) {
+  void file(std::size_t size, std::size_t low, std::size_t high, bool rising, ChartArcId query) {
     const std::size_t leaves = std::bit_ceil(size);
     for (std::size_t first = leaves + low, last = leaves + high; first < last; first /= 2, last /= 2) {
       if (first % 2 == 1) entries_.push_back({2 * first++ + rising, query});
@@ -46,7 +46,7 @@ class Filing {
   }
 
   /// Calls visit(first, last, rising, entries) for each subset [first, last) and sense that has entries, these in the order in which
-  /// they cross the stored arcs from left to right. Then nothing is filed any more.
+  /// they cross the stored arcs from left to right. Afterwards nothing is filed.
   template <class Visit>
   void take(std::size_t size, Visit visit) {
     sort();
@@ -63,7 +63,7 @@ class Filing {
  private:
   void sort();
 
-  std::vector<Strip> strips_;  // of the query colour's arcs
+  IdVector<ChartArcId, Strip> strips_;  // of the query colour's arcs
   std::vector<Entry> entries_;
 };
 

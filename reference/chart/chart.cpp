@@ -2,6 +2,7 @@
 #include "reference/chart/chart.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "kernels/predicates/filter.hpp"
 #include "reference/chart/height_order.hpp"
@@ -11,65 +12,63 @@
 namespace fathom {
 namespace {
 
-constexpr std::array<Colour, 2> both_colours{Colour::a, Colour::b};
+// Tells the nodes of this hemisphere from the others, before their walls are known.
+constexpr WallId some_wall{0};
 
-// Marks the nodes of this hemisphere with 0.
-void find_nodes(Charts& charts, Colour c) {
-  const GaussianDiagram& diagram = charts.diagram(c);
-  std::vector<std::uint32_t>& wall_of = charts.wall_of[static_cast<std::size_t>(c)];
-  wall_of.assign(diagram.nodes.size(), at_infinity);
-  for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
-    if (perturbed_side_of_equator(charts.perturbation, diagram.nodes[i], charts.frame.z) > 0) wall_of[i] = 0;
+void find_nodes(const Charts& charts, ColourChart& chart) {
+  chart.wall_of.assign(chart.diagram->nodes.size(), WallId::none());
+  for (const NodeId i : chart.wall_of.ids()) {
+    if (perturbed_side_of_equator(charts.perturbation, chart.node(i), charts.frame.z) > 0) chart.wall_of[i] = some_wall;
   }
 }
 
-void find_arcs(Charts& charts, Colour c) {
-  const GaussianDiagram& diagram = charts.diagram(c);
-  const std::vector<std::uint32_t>& wall_of = charts.wall_of[static_cast<std::size_t>(c)];
-  std::vector<bool>& flipped_of = charts.flipped_of[static_cast<std::size_t>(c)];
-  flipped_of.assign(diagram.arcs.size(), false);
-  const auto end = [&](std::uint32_t node) { return node != no_facet && wall_of[node] != at_infinity ? node : at_infinity; };
-  for (std::uint32_t i = 0; i < diagram.arcs.size(); ++i) {
+void find_arcs(const Charts& charts, ColourChart& chart) {
+  const GaussianDiagram& diagram = *chart.diagram;
+  const auto end = [&](NodeId node) { return node.is_none() || chart.wall_of[node].is_none() ? at_infinity : node; };
+  for (const ArcId i : diagram.arcs.ids()) {
     const Arc& arc = diagram.arcs[i];
-    const std::uint32_t from = end(arc.from), to = end(arc.to);
+    const NodeId from = end(arc.from), to = end(arc.to);
     // An arc of rank 2 or 3 with no end here lies in the other hemisphere: it is no longer than pi.
     if (diagram.rank > 1 && from == at_infinity && to == at_infinity) continue;
     const bool flipped = perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) < 0;
-    charts.arcs[static_cast<std::size_t>(c)].push_back(flipped ? ChartArc{i, to, from, true, 0, 0} : ChartArc{i, from, to, false, 0, 0});
-    flipped_of[i] = flipped;
+    chart.arcs.push_back({i, flipped ? to : from, flipped ? from : to, flipped, {}, {}});
   }
 }
 
-void draw_circles(Charts& charts, Colour c) {
-  std::vector<Vec3<double>>& circles = charts.circles[static_cast<std::size_t>(c)];
-  circles.reserve(charts.arcs_of(c).size());
-  for (const ChartArc& arc : charts.arcs_of(c)) {
-    const Vec3<double> d = image(charts.circle(c, arc));
-    circles.push_back(arc.flipped ? -d : d);
+void draw_circles(ColourChart& chart) {
+  chart.circles.reserve(chart.arcs.size());
+  for (const ChartArc& arc : chart.arcs) {
+    const Vec3<double> d = image(chart.circle(arc));
+    chart.circles.push_back(arc.flipped ? -d : d);
   }
 }
 
 }  // namespace
 
-std::uint32_t Charts::vertex_above(Colour c, const ChartArc& arc) const {
-  const Arc& whole = diagram(c).arcs[arc.arc];
+VertexId ColourChart::vertex_above(const ChartArc& arc) const {
+  const Arc& whole = diagram->arcs[arc.arc];
   return arc.flipped ? whole.below : whole.above;
 }
 
-std::uint32_t Charts::vertex_below(Colour c, const ChartArc& arc) const {
-  const Arc& whole = diagram(c).arcs[arc.arc];
+VertexId ColourChart::vertex_below(const ChartArc& arc) const {
+  const Arc& whole = diagram->arcs[arc.arc];
   return arc.flipped ? whole.above : whole.below;
 }
 
-Frame chart_frame(bool lower) { return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, lower ? -1 : 1}, Role::pole)}; }
+Frame chart_frame(Hemisphere hemisphere) {
+  return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, hemisphere == Hemisphere::upper ? 1 : -1}, Role::pole)};
+}
 
 Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation) {
-  Charts charts{perturbation, frame, {&minus_a, &b}, {}, {}, {}, {}, {}, {}};
+  Charts charts{perturbation, frame, {}, {}};
+  charts.of.a.diagram = &minus_a;
+  charts.of.b.diagram = &b;
   for (const Colour c : both_colours) {
-    find_nodes(charts, c);
-    find_arcs(charts, c);
-    sort_by_height(charts, c);
-    draw_circles(charts, c);
+    ColourChart& chart = charts.of[c];
+    find_nodes(charts, chart);
+    find_arcs(charts, chart);
+    sort_by_height(chart);
+    draw_circles(chart);
   }
   raise_walls(charts);
   for (const Colour c : both_colours) locate_nodes(charts, c);
@@ -80,46 +79,44 @@ Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, con
 namespace {
 
 // At each face, the arcs below it come before those above it.
-bool in_height_order(const Charts& charts, Colour c) {
-  std::vector<std::uint32_t> last_below;  // of each face, one more than the greatest index
-  const std::vector<ChartArc>& arcs = charts.arcs_of(c);
-  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
-    const std::uint32_t face = charts.vertex_above(c, arcs[i]);
-    if (face >= last_below.size()) last_below.resize(face + 1, 0);
-    last_below[face] = i + 1;
+bool in_height_order(const ColourChart& chart) {
+  IdVector<VertexId, ChartArcId> after_below;  // for each face, the id after the last arc below it
+  for (const ChartArcId i : chart.arcs.ids()) {
+    const VertexId face = chart.vertex_above(chart.arcs[i]);
+    if (face.value >= after_below.size()) after_below.resize(face.value + 1);
+    after_below[face] = i.next();
   }
-  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
-    const std::uint32_t face = charts.vertex_below(c, arcs[i]);
-    if (face < last_below.size() && last_below[face] > i) return false;
-  }
-  return true;
+  return std::ranges::all_of(chart.arcs.ids(), [&](ChartArcId i) {
+    const VertexId face = chart.vertex_below(chart.arcs[i]);
+    return face.value >= after_below.size() || after_below[face] <= i;
+  });
 }
 
 }  // namespace
 
 Report validate(const Charts& charts) {
   Report report;
-  const auto direction = [&](const Charts::Wall& w) -> const Direction& { return charts.node(w.colour, w.node); };
-  for (std::size_t i = 1; i < charts.walls.size(); ++i) {
-    report.expect(perturbed_x_order(charts.perturbation, direction(charts.walls[i - 1]), direction(charts.walls[i]), charts.frame.v) > 0,
+  for (std::uint32_t i = 1; i < charts.walls.size(); ++i) {
+    const Direction &left = charts.node(charts.walls[WallId(i - 1)]), &right = charts.node(charts.walls[WallId(i)]);
+    report.expect(perturbed_x_order(charts.perturbation, left, right, charts.frame.v) > 0,
                   "wall " + std::to_string(i) + " is not right of the one before");
   }
   for (const Colour c : both_colours) {
-    const auto here = [&](std::uint32_t node) {
-      return perturbed_side_of_equator(charts.perturbation, charts.node(c, node), charts.frame.z) > 0;
+    const ColourChart& chart = charts.of[c];
+    const auto here = [&](NodeId node) { return perturbed_side_of_equator(charts.perturbation, chart.node(node), charts.frame.z) > 0; };
+    const auto is_end = [&](NodeId end, NodeId node) {
+      return end == at_infinity ? node.is_none() || !here(node) : end == node && here(node);
     };
-    report.expect(in_height_order(charts, c), "the arcs are not in height order");
-    for (const ChartArc& part : charts.arcs_of(c)) {
-      const std::string name = "arc " + std::to_string(part.arc) + ": ";
-      const Arc& arc = charts.diagram(c).arcs[part.arc];
-      const auto [left, right] = part.flipped ? std::pair(arc.to, arc.from) : std::pair(arc.from, arc.to);
-      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped &&
-                        part.flipped == charts.flipped(c, part.arc),
+    report.expect(in_height_order(chart), "the arcs are not in height order");
+    for (const ChartArc& part : chart.arcs) {
+      const std::string name = "arc " + std::to_string(part.arc.value) + ": ";
+      const Arc& arc = chart.diagram->arcs[part.arc];
+      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped,
                     name + "flipped against its circle");
-      report.expect(part.left == at_infinity ? left == no_facet || !here(left) : part.left == left && here(left), name + "left end");
-      report.expect(part.right == at_infinity ? right == no_facet || !here(right) : part.right == right && here(right), name + "right end");
+      report.expect(is_end(part.left, part.flipped ? arc.to : arc.from), name + "left end");
+      report.expect(is_end(part.right, part.flipped ? arc.from : arc.to), name + "right end");
       if (part.left != at_infinity && part.right != at_infinity) {
-        report.expect(charts.wall(c, part.left) < charts.wall(c, part.right), name + "does not run from left to right");
+        report.expect(chart.wall_of[part.left] < chart.wall_of[part.right], name + "does not run from left to right");
       }
     }
   }

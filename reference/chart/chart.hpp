@@ -6,16 +6,17 @@
 //         equator at x = -infinity and x = +infinity.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "kernels/filters/double_images.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/report.hpp"
+#include "reference/gaussian/colour.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom {
+
+enum class Hemisphere : std::uint8_t { upper, lower };
+
+inline constexpr std::array both_hemispheres{Hemisphere::upper, Hemisphere::lower};
 
 /// The pole z of a hemisphere and the upward direction v of its chart, <v,z> = 0.
 struct Frame {
@@ -23,85 +24,84 @@ struct Frame {
 };
 
 /// v = (0,1,0) and z = (0,0,1), or (0,0,-1) for the lower hemisphere; tilted infinitesimally by the perturbation.
-Frame chart_frame(bool lower);
+Frame chart_frame(Hemisphere hemisphere);
 
-/// Which body an arc or a node belongs to. Colour a is the diagram of -A.
-enum class Colour : std::uint8_t { a, b };
+/// Indices in a chart. The arcs of one colour are numbered in height order: where two overlap in an x-interval, the higher one has the
+/// greater index. Walls are numbered from left to right.
+using ChartArcId = Id<struct ChartArc>;
+using WallId = Id<struct Wall>;
 
-constexpr Colour other(Colour c) { return c == Colour::a ? Colour::b : Colour::a; }
+/// The chart arcs of A and of B, where both meet.
+template <Colour c>
+struct ChartArcTag;
+template <Colour c>
+using ChartArcOf = Id<ChartArcTag<c>>;
+using ChartArcOfA = ChartArcOf<Colour::a>;
+using ChartArcOfB = ChartArcOf<Colour::b>;
 
-inline constexpr std::uint32_t at_infinity = UINT32_MAX;
+/// The end of a chart arc that has no node.
+inline constexpr NodeId at_infinity = NodeId::none();
 
 /// The part of an arc in this hemisphere, oriented from left to right.
 struct ChartArc {
-  std::uint32_t arc;          ///< index in the diagram: the edge
-  std::uint32_t left, right;  ///< node, or at_infinity
-  bool flipped;               ///< <circle,v> < 0: above and below change places
-  /// Of each end: of the other colour's arcs over its abscissa, or over the same infinity, those with an index below this height pass
-  /// below the end, all others above.
-  std::uint32_t left_height = 0, right_height = 0;
+  ArcId arc;           ///< the whole arc
+  NodeId left, right;  ///< or at_infinity
+  bool flipped;        ///< <circle,v> < 0: above and below change places
+  /// For each end: the other colour's arcs over its abscissa, or over the same infinity, pass below the end if their index is below this
+  /// height, and above it otherwise.
+  ChartArcId left_height, right_height;
 };
 
 /// Where a node lies among the arcs of the other colour.
 struct NodePlace {
-  /// Of the arcs over the node, those with an index below `height` pass below it, all others above.
-  std::uint32_t height = 0;
+  /// Arcs over the node pass below it if their index is below `height`, and above it otherwise.
+  ChartArcId height;
   /// The vertex whose face holds the node.
-  std::uint32_t face = 0;
+  VertexId face;
+};
+
+/// The vertical through a node.
+struct Wall {
+  Colour colour;
+  NodeId node;
+  friend bool operator==(const Wall&, const Wall&) = default;
+};
+
+/// The chart of one diagram, and its relation to the other one.
+struct ColourChart {
+  const GaussianDiagram* diagram = nullptr;
+  IdVector<ChartArcId, ChartArc> arcs;
+  /// The image of each arc's circle, oriented upward. Searches read these.
+  IdVector<ChartArcId, Vec3<double>> circles;
+  /// The wall of each node, or none if the node lies in the other hemisphere.
+  IdVector<NodeId, WallId> wall_of;
+  /// The place of each node of this hemisphere in the other diagram.
+  IdVector<NodeId, NodePlace> place_of;
+
+  [[nodiscard]] const Direction& node(NodeId i) const { return diagram->nodes[i]; }
+  [[nodiscard]] const Direction& circle(const ChartArc& arc) const { return diagram->arcs[arc.arc].circle; }
+  /// The vertex whose face lies right above, or right below, the arc in this chart.
+  [[nodiscard]] VertexId vertex_above(const ChartArc& arc) const;
+  [[nodiscard]] VertexId vertex_below(const ChartArc& arc) const;
 };
 
 /// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of the other colour or on the equator,
-/// no arc on a vertical: whatever coincides on the input, the perturbation has separated.
+/// and no arc lies on a vertical: the perturbation separates whatever coincides on the input.
 struct Charts {
   Perturbation perturbation;
   Frame frame;
-  std::array<const GaussianDiagram*, 2> diagrams;
-  /// In height order: where two arcs of one colour overlap in an x-interval, the higher one has the greater index.
-  std::array<std::vector<ChartArc>, 2> arcs;
-  /// Of each chart arc the image of its circle, oriented upward: what searches read.
-  std::array<std::vector<Vec3<double>>, 2> circles;
-  /// Walls: the nodes of both colours in this hemisphere, from left to right. The one skeleton of both segment trees.
-  struct Wall {
-    Colour colour;
-    std::uint32_t node;
-  };
-  std::vector<Wall> walls;
-  /// Of each node of the diagram the index of its wall, or at_infinity when it lies in the other hemisphere.
-  std::array<std::vector<std::uint32_t>, 2> wall_of;
-  /// Of each node of the diagram, if it lies in this hemisphere, its place in the other diagram.
-  std::array<std::vector<NodePlace>, 2> place_of;
-  /// Of each arc of the diagram whether its chart arc is flipped; only of those that have one.
-  std::array<std::vector<bool>, 2> flipped_of;
+  PerColour<ColourChart> of;
+  /// The walls of all nodes in this hemisphere, of both colours. Both segment trees stand on them.
+  IdVector<WallId, Wall> walls;
 
-  [[nodiscard]] const GaussianDiagram& diagram(Colour c) const { return *diagrams[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] const std::vector<ChartArc>& arcs_of(Colour c) const { return arcs[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] const std::vector<Vec3<double>>& circles_of(Colour c) const { return circles[static_cast<std::size_t>(c)]; }
-  [[nodiscard]] std::uint32_t wall(Colour c, std::uint32_t node) const { return wall_of[static_cast<std::size_t>(c)][node]; }
-  [[nodiscard]] const NodePlace& place(Colour c, std::uint32_t node) const { return place_of[static_cast<std::size_t>(c)][node]; }
-  [[nodiscard]] bool flipped(Colour c, std::uint32_t arc) const { return flipped_of[static_cast<std::size_t>(c)][arc]; }
-  [[nodiscard]] const Direction& node(Colour c, std::uint32_t i) const { return diagram(c).nodes[i]; }
-  [[nodiscard]] const Direction& circle(Colour c, const ChartArc& arc) const { return diagram(c).arcs[arc.arc].circle; }
-  /// The vertex whose face lies right above, or right below, the arc in this chart.
-  [[nodiscard]] std::uint32_t vertex_above(Colour c, const ChartArc& arc) const;
-  [[nodiscard]] std::uint32_t vertex_below(Colour c, const ChartArc& arc) const;
+  [[nodiscard]] const Direction& node(const Wall& wall) const { return of[wall.colour].node(wall.node); }
 };
 
 /// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
 Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation = {});
 
-/// Questions of the combinatorial layer; each answer is 1 or -1, never 0.
-/// 1: the node lies above the line of the arc. Not for an end of the arc.
-int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc);
-/// 1: arc e lies above arc f on the wall.
-int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall);
-/// 1: arc e lies above arc f far to the left.
-int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f);
-/// 1: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
-/// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
-int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
-
-/// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end, and at each face that the arcs below it
-/// come before those above it: then the arcs are in height order [proofs/chart.md]. Linear. Places are checked by vertex_facet.
+/// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each face that the arcs below it come before
+/// those above it; then the arcs are in height order [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.
 [[nodiscard]] Report validate(const Charts& charts);
 
 }  // namespace fathom

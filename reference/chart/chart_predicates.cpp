@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions of the combinatorial layer: orientation of arcs on top of the predicates of kernels/.
+#include "reference/chart/chart_predicates.hpp"
+
 #include "kernels/predicates/filter.hpp"
-#include "reference/chart/chart.hpp"
 
 namespace fathom {
 namespace {
@@ -10,23 +10,23 @@ int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
 
 }  // namespace
 
-int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc) {
-  return orientation(arc) * perturbed_side_of_arc(charts.perturbation, charts.node(of_node, node), charts.circle(of_arc, arc));
+int node_above_arc(const Charts& charts, Colour of_node, NodeId node, Colour of_arc, const ChartArc& arc) {
+  return orientation(arc) * perturbed_side_of_arc(charts.perturbation, charts.of[of_node].node(node), charts.of[of_arc].circle(arc));
 }
 
-int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall) {
+int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Wall& wall) {
   return orientation(e) * orientation(f) *
-         perturbed_order_on_vertical(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f),
-                                     charts.node(wall.colour, wall.node), charts.frame.v);
+         perturbed_order_on_vertical(charts.perturbation, charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.node(wall),
+                                     charts.frame.v);
 }
 
 int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
   return orientation(e) * orientation(f) *
-         perturbed_order_at_infinity(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
+         perturbed_order_at_infinity(charts.perturbation, charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.frame.z);
 }
 
 int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
-  const auto wall = [&](std::uint32_t node) { return charts.wall(colour, node); };
+  const auto wall = [&](NodeId node) { return charts.of[colour].wall_of[node]; };
   // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
   if (e.left != f.left) {
     const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) > wall(f.left));

@@ -25,30 +25,32 @@ Groups group(std::uint32_t count, std::uint32_t keys, Key key) {
 
 }  // namespace
 
-void sort_by_height(Charts& charts, Colour colour) {
-  std::vector<ChartArc>& arcs = charts.arcs[static_cast<std::size_t>(colour)];
+void sort_by_height(ColourChart& chart) {
+  const std::vector<ChartArc>& arcs = chart.arcs;
+  const auto above = [&](const ChartArc& arc) { return chart.vertex_above(arc).value; };
+  const auto below = [&](const ChartArc& arc) { return chart.vertex_below(arc).value; };
   std::uint32_t faces = 0;
-  for (const ChartArc& arc : arcs) faces = std::max({faces, charts.vertex_above(colour, arc) + 1, charts.vertex_below(colour, arc) + 1});
+  for (const ChartArc& arc : arcs) faces = std::max({faces, above(arc) + 1, below(arc) + 1});
   const auto count = static_cast<std::uint32_t>(arcs.size());
-  const Groups leaving = group(count, faces, [&](std::uint32_t i) { return charts.vertex_below(colour, arcs[i]); });
+  const Groups leaving = group(count, faces, [&](std::uint32_t i) { return below(arcs[i]); });
   std::vector<std::uint32_t> waiting(faces, 0);  // of each face, how many arcs below it have not been listed
-  for (const ChartArc& arc : arcs) ++waiting[charts.vertex_above(colour, arc)];
+  for (const ChartArc& arc : arcs) ++waiting[above(arc)];
   std::vector<std::uint32_t> ready;  // faces in topological order, as a queue
   for (std::uint32_t f = 0; f < faces; ++f) {
     if (waiting[f] == 0) ready.push_back(f);
   }
-  std::vector<ChartArc> sorted;
+  IdVector<ChartArcId, ChartArc> sorted;
   sorted.reserve(arcs.size());
   for (std::size_t k = 0; k < ready.size(); ++k) {
     const std::uint32_t face = ready[k];
     for (std::uint32_t i = leaving.begin[face]; i < leaving.begin[face + 1]; ++i) {
       sorted.push_back(arcs[leaving.items[i]]);
-      const std::uint32_t above = charts.vertex_above(colour, sorted.back());
-      if (--waiting[above] == 0) ready.push_back(above);
+      const std::uint32_t next = above(sorted.back());
+      if (--waiting[next] == 0) ready.push_back(next);
     }
   }
   if (sorted.size() != arcs.size()) throw std::logic_error("arcs of a chart lie above each other in a circle");
-  arcs = std::move(sorted);
+  chart.arcs = std::move(sorted);
 }
 
 }  // namespace fathom

@@ -2,120 +2,136 @@
 #include "reference/chart/locate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <iterator>
+#include <numeric>
+#include <span>
 
 #include "kernels/predicates/filter.hpp"
+#include "reference/chart/chart_predicates.hpp"
 
 namespace fathom {
 namespace {
 
-// The arcs of one colour that cross the sweep line, by index, which is from bottom to top. A balanced tree in heap order; each node holds
-// the greatest index in its subtree.
+// The arcs of one colour that cross the sweep line, by id, which is from bottom to top. A balanced tree in heap order; each node holds the
+// greatest id in its subtree.
 class SweepLine {
  public:
   SweepLine(const Charts& charts, Colour colour)
       : charts_(charts),
         colour_(colour),
-        leaves_(std::bit_ceil(std::max<std::uint32_t>(1, static_cast<std::uint32_t>(charts.arcs_of(colour).size())))),
-        highest_(2 * std::size_t{leaves_}, none) {}
+        chart_(charts.of[colour]),
+        leaves_(std::bit_ceil(std::max<std::size_t>(1, chart_.arcs.size()))),
+        highest_(2 * leaves_, ChartArcId::none()) {}
 
-  void insert(std::uint32_t arc) {
-    for (std::size_t i = leaves_ + arc; i > 0 && (highest_[i] == none || highest_[i] < arc); i /= 2) highest_[i] = arc;
+  void insert(ChartArcId arc) {
+    for (std::size_t i = leaves_ + arc.value; i > 0 && (highest_[i].is_none() || highest_[i] < arc); i /= 2) highest_[i] = arc;
   }
 
-  void erase(std::uint32_t arc) {
-    std::size_t i = leaves_ + arc;
-    highest_[i] = none;
-    for (i /= 2; i > 0 && highest_[i] == arc; i /= 2) highest_[i] = highest_[2 * i + 1] != none ? highest_[2 * i + 1] : highest_[2 * i];
+  void erase(ChartArcId arc) {
+    std::size_t i = leaves_ + arc.value;
+    highest_[i] = ChartArcId::none();
+    for (i /= 2; i > 0 && highest_[i] == arc; i /= 2) {
+      highest_[i] = !highest_[2 * i + 1].is_none() ? highest_[2 * i + 1] : highest_[2 * i];
+    }
   }
 
-  [[nodiscard]] NodePlace locate(std::uint32_t node) const {
-    const std::uint32_t below = highest_below(node);
-    const std::vector<ChartArc>& arcs = charts_.arcs_of(colour_);
-    if (below != none) return {below + 1, charts_.vertex_above(colour_, arcs[below])};
-    if (highest_[1] != none) return {0, charts_.vertex_below(colour_, arcs[lowest()])};
-    return {0, 0};  // only the diagram of a single point leaves a vertical free
+  [[nodiscard]] NodePlace locate(NodeId node) const {
+    const ChartArcId below = highest_below(node);
+    if (!below.is_none()) return {below.next(), chart_.vertex_above(chart_.arcs[below])};
+    if (!highest_[1].is_none()) return {ChartArcId(0), chart_.vertex_below(chart_.arcs[lowest()])};
+    return {};  // only the diagram of a single point, whose face is vertex 0, leaves a vertical free
   }
 
  private:
-  static constexpr std::uint32_t none = UINT32_MAX;
-
-  [[nodiscard]] bool passes_below(std::uint32_t arc, std::uint32_t node, const Vec3<double>& at) const {
-    if (const int side = sure_side_of_arc(at, charts_.circles_of(colour_)[arc])) {
+  [[nodiscard]] bool passes_below(ChartArcId arc, NodeId node, const Vec3<double>& at) const {
+    if (const int side = sure_side_of_arc(at, chart_.circles[arc])) {
       count_calls(Predicate::side_of_arc, 1);
       return side > 0;
     }
-    return node_above_arc(charts_, other(colour_), node, colour_, charts_.arcs_of(colour_)[arc]) > 0;
+    return node_above_arc(charts_, other(colour_), node, colour_, chart_.arcs[arc]) > 0;
   }
 
-  // Of the arcs on the sweep line the highest that passes below the node. A predicate is asked only where both subtrees hold arcs.
-  [[nodiscard]] std::uint32_t highest_below(std::uint32_t node) const {
-    const Vec3<double> at = image(charts_.node(other(colour_), node));
-    std::uint32_t below = none;
+  // Of the arcs on the sweep line the highest that passes below the node. Asks a predicate only where both subtrees hold arcs.
+  [[nodiscard]] ChartArcId highest_below(NodeId node) const {
+    const Vec3<double> at = image(charts_.of[other(colour_)].node(node));
+    ChartArcId below = ChartArcId::none();
     std::size_t i = 1;
     while (i < leaves_) {
-      const std::uint32_t left = highest_[2 * i], right = highest_[2 * i + 1];
-      if (left == none || (right != none && passes_below(left, node, at))) {
-        if (left != none) below = left;
+      const ChartArcId left = highest_[2 * i], right = highest_[2 * i + 1];
+      if (left.is_none() || (!right.is_none() && passes_below(left, node, at))) {
+        if (!left.is_none()) below = left;
         i = 2 * i + 1;
       } else {
         i = 2 * i;
       }
     }
-    return highest_[i] != none && passes_below(highest_[i], node, at) ? highest_[i] : below;
+    return !highest_[i].is_none() && passes_below(highest_[i], node, at) ? highest_[i] : below;
   }
 
-  [[nodiscard]] std::uint32_t lowest() const {
+  [[nodiscard]] ChartArcId lowest() const {
     std::size_t i = 1;
-    while (i < leaves_) i = highest_[2 * i] != none ? 2 * i : 2 * i + 1;
+    while (i < leaves_) i = !highest_[2 * i].is_none() ? 2 * i : 2 * i + 1;
     return highest_[i];
   }
 
   const Charts& charts_;
   Colour colour_;
-  std::uint32_t leaves_;
-  std::vector<std::uint32_t> highest_;
+  const ColourChart& chart_;
+  std::size_t leaves_;
+  std::vector<ChartArcId> highest_;
 };
 
-// The arcs at each node of the diagram: those of node i are arcs[begin[i], begin[i + 1]).
-struct Incidence {
-  std::vector<std::uint32_t> begin, arcs;
-
-  Incidence(const Charts& charts, Colour colour) : begin(charts.diagram(colour).nodes.size() + 1, 0) {
-    const std::vector<ChartArc>& all = charts.arcs_of(colour);
+// The arcs at each node of the diagram.
+class Incidence {
+ public:
+  explicit Incidence(const ColourChart& chart) : begin_(chart.diagram->nodes.size() + 1) {
     const auto ends = [&](const ChartArc& arc, const auto& visit) {
       if (arc.left != at_infinity) visit(arc.left);
       if (arc.right != at_infinity) visit(arc.right);
     };
-    for (const ChartArc& arc : all) ends(arc, [&](std::uint32_t node) { ++begin[node]; });
-    std::uint32_t sum = 0;
-    for (std::uint32_t& b : begin) b = sum += b;
-    arcs.resize(sum);
-    for (std::uint32_t i = 0; i < all.size(); ++i) ends(all[i], [&](std::uint32_t node) { arcs[--begin[node]] = i; });
+    for (const ChartArc& arc : chart.arcs) ends(arc, [&](NodeId node) { ++begin_[node]; });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    arcs_.resize(begin_.back());
+    for (const ChartArcId i : chart.arcs.ids()) ends(chart.arcs[i], [&](NodeId node) { arcs_[--begin_[node]] = i; });
   }
+
+  [[nodiscard]] std::span<const ChartArcId> at(NodeId node) const {
+    return std::span(arcs_).subspan(begin_[node], begin_[node.next()] - begin_[node]);
+  }
+
+ private:
+  IdVector<NodeId, std::uint32_t> begin_;
+  std::vector<ChartArcId> arcs_;
 };
 
-// Both colours' arcs that reach to the same infinity are sorted there by index. Merges them by height.
-void locate_at_infinity(Charts& charts, bool at_left) {
-  std::array<std::vector<std::uint32_t>, 2> ends;
-  for (const std::size_t c : {0, 1}) {
-    for (std::uint32_t i = 0; i < charts.arcs[c].size(); ++i) {
-      if ((at_left ? charts.arcs[c][i].left : charts.arcs[c][i].right) == at_infinity) ends[c].push_back(i);
-    }
+// The ends of arcs on one side, with what is noted there.
+struct Ends {
+  NodeId ChartArc::*node;
+  ChartArcId ChartArc::*height;
+};
+constexpr Ends left_ends{&ChartArc::left, &ChartArc::left_height};
+constexpr Ends right_ends{&ChartArc::right, &ChartArc::right_height};
+
+// The arcs of each colour that reach to one infinity are sorted there by id. Merges both colours by height.
+void locate_at_infinity(Charts& charts, const Ends& side) {
+  const bool at_left = side.node == left_ends.node;
+  PerColour<std::vector<ChartArcId>> ends;
+  for (const Colour c : both_colours) {
+    const IdVector<ChartArcId, ChartArc>& arcs = charts.of[c].arcs;
+    std::ranges::copy_if(arcs.ids(), std::back_inserter(ends[c]), [&](ChartArcId i) { return arcs[i].*side.node == at_infinity; });
   }
-  std::array<std::size_t, 2> next{};
-  std::array<std::uint32_t, 2> height{};  // one more than the last index that was taken
-  while (next[0] < ends[0].size() || next[1] < ends[1].size()) {
-    std::size_t c = next[0] < ends[0].size() ? 0 : 1;
-    if (next[0] < ends[0].size() && next[1] < ends[1].size()) {
-      const int sign = above_far_left(charts, Colour::a, charts.arcs[0][ends[0][next[0]]], Colour::b, charts.arcs[1][ends[1][next[1]]]);
-      c = (sign > 0) == at_left ? 1 : 0;
+  PerColour<std::size_t> next{};
+  PerColour<ChartArcId> height{};  // the id after the last arc that was taken
+  const auto arc = [&](Colour c) -> ChartArc& { return charts.of[c].arcs[ends[c][next[c]]]; };
+  while (next.a < ends.a.size() || next.b < ends.b.size()) {
+    Colour lower = next.a < ends.a.size() ? Colour::a : Colour::b;
+    if (next.a < ends.a.size() && next.b < ends.b.size()) {
+      const bool a_above = above_far_left(charts, Colour::a, arc(Colour::a), Colour::b, arc(Colour::b)) > 0;
+      lower = a_above == at_left ? Colour::b : Colour::a;
     }
-    const std::uint32_t lower = ends[c][next[c]++];
-    ChartArc& arc = charts.arcs[c][lower];
-    (at_left ? arc.left_height : arc.right_height) = height[1 - c];
-    height[c] = lower + 1;
+    arc(lower).*side.height = height[other(lower)];
+    height[lower] = ends[lower][next[lower]++].next();
   }
 }
 
@@ -123,22 +139,20 @@ void locate_at_infinity(Charts& charts, bool at_left) {
 
 // A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located.
 void locate_nodes(Charts& charts, Colour colour) {
-  std::vector<NodePlace>& places = charts.place_of[static_cast<std::size_t>(colour)];
-  places.assign(charts.diagram(colour).nodes.size(), {});
-  const Colour of_arcs = other(colour);
-  const std::vector<ChartArc>& arcs = charts.arcs_of(of_arcs);
-  const Incidence incidence(charts, of_arcs);
-  SweepLine line(charts, of_arcs);
-  for (std::uint32_t i = 0; i < arcs.size(); ++i) {
+  IdVector<NodeId, NodePlace>& places = charts.of[colour].place_of;
+  places.assign(charts.of[colour].diagram->nodes.size(), {});
+  const IdVector<ChartArcId, ChartArc>& arcs = charts.of[other(colour)].arcs;
+  const Incidence incidence(charts.of[other(colour)]);
+  SweepLine line(charts, other(colour));
+  for (const ChartArcId i : arcs.ids()) {
     if (arcs[i].left == at_infinity) line.insert(i);
   }
-  for (const Charts::Wall& wall : charts.walls) {
+  for (const Wall& wall : charts.walls) {
     if (wall.colour == colour) {
       places[wall.node] = line.locate(wall.node);
       continue;
     }
-    for (std::uint32_t k = incidence.begin[wall.node]; k < incidence.begin[wall.node + 1]; ++k) {
-      const std::uint32_t i = incidence.arcs[k];
+    for (const ChartArcId i : incidence.at(wall.node)) {
       if (arcs[i].left == wall.node) {
         line.insert(i);
       } else {
@@ -149,13 +163,14 @@ void locate_nodes(Charts& charts, Colour colour) {
 }
 
 void locate_ends(Charts& charts) {
-  for (const Colour c : {Colour::a, Colour::b}) {
-    for (ChartArc& arc : charts.arcs[static_cast<std::size_t>(c)]) {
-      if (arc.left != at_infinity) arc.left_height = charts.place(c, arc.left).height;
-      if (arc.right != at_infinity) arc.right_height = charts.place(c, arc.right).height;
+  for (const Colour c : both_colours) {
+    ColourChart& chart = charts.of[c];
+    for (ChartArc& arc : chart.arcs) {
+      if (arc.left != at_infinity) arc.left_height = chart.place_of[arc.left].height;
+      if (arc.right != at_infinity) arc.right_height = chart.place_of[arc.right].height;
     }
   }
-  for (const bool at_left : {true, false}) locate_at_infinity(charts, at_left);
+  for (const Ends& side : {left_ends, right_ends}) locate_at_infinity(charts, side);
 }
 
 }  // namespace fathom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Abscissae in binary64 propose an order, the predicate decides: it sorts each group of walls that lie close together, and then it is asked
-// about all neighbours. If any of them were wrong, it would sort all.
+// Abscissae in binary64 propose an order, and the predicate decides: it sorts each group of walls that lie close together, then checks all
+// neighbours. If it finds any in the wrong order, it sorts all walls.
 #include "reference/chart/walls.hpp"
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace {
 
 struct Candidate {
   double x;
-  Charts::Wall wall;
+  Wall wall;
 };
 
 std::vector<Candidate> candidates(const Charts& charts) {
   std::vector<Candidate> result;
   const Vec3<double> v = image(charts.frame.v), z = image(charts.frame.z), right = cross(v, z);
-  for (const Colour c : {Colour::a, Colour::b}) {
-    const std::vector<std::uint32_t>& wall_of = charts.wall_of[static_cast<std::size_t>(c)];
-    for (std::uint32_t i = 0; i < wall_of.size(); ++i) {
-      if (wall_of[i] == at_infinity) continue;
-      const Vec3<double> n = image(charts.node(c, i));
+  for (const Colour c : both_colours) {
+    const ColourChart& chart = charts.of[c];
+    for (const NodeId i : chart.wall_of.ids()) {
+      if (chart.wall_of[i].is_none()) continue;
+      const Vec3<double> n = image(chart.node(i));
       const double x = dot(n, right) / dot(n, z);
       result.push_back({std::isnan(x) ? 0 : x, {c, i}});
     }
@@ -37,9 +37,7 @@ bool close_together(double x, double y) { return !(std::abs(y - x) > 0x1p-40 * (
 
 void raise_walls(Charts& charts) {
   const auto left_of = [&](const Candidate& s, const Candidate& t) {
-    const bool same = s.wall.colour == t.wall.colour && s.wall.node == t.wall.node;
-    return !same && perturbed_x_order(charts.perturbation, charts.node(s.wall.colour, s.wall.node), charts.node(t.wall.colour, t.wall.node),
-                                      charts.frame.v) > 0;
+    return s.wall != t.wall && perturbed_x_order(charts.perturbation, charts.node(s.wall), charts.node(t.wall), charts.frame.v) > 0;
   };
   std::vector<Candidate> all = candidates(charts);
   std::ranges::sort(all, {}, &Candidate::x);
@@ -52,7 +50,7 @@ void raise_walls(Charts& charts) {
   if (!std::ranges::is_sorted(all, left_of)) std::ranges::sort(all, left_of);
   charts.walls.reserve(all.size());
   for (const Candidate& c : all) {
-    charts.wall_of[static_cast<std::size_t>(c.wall.colour)][c.wall.node] = static_cast<std::uint32_t>(charts.walls.size());
+    charts.of[c.wall.colour].wall_of[c.wall.node] = WallId(static_cast<std::uint32_t>(charts.walls.size()));
     charts.walls.push_back(c.wall);
   }
 }

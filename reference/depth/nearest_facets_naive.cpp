@@ -24,9 +24,9 @@ void offer_facets(const Polytope& a, const Polytope& b, ExtremePoint extreme, Ne
   }
 }
 
-void offer_crossing(const GaussianDiagram& of_a, const EdgeLines& a, std::uint32_t e, const GaussianDiagram& of_b, const EdgeLines& b,
-                    std::uint32_t f, NearestPlanes& nearest) {
-  if (!strict_crossings(of_a, of_a.arcs[e], of_b, of_b.arcs[f]).empty()) offer_edges(a, e, b, f, nearest);
+void offer_crossing(const GaussianDiagram& of_a, const EdgeLinesOfA& a, EdgeOfA e, const GaussianDiagram& of_b, const EdgeLinesOfB& b,
+                    EdgeOfB f, NearestPlanes& nearest) {
+  if (!strict_crossings(of_a, of_a.arcs[ArcId(e.value)], of_b, of_b.arcs[ArcId(f.value)]).empty()) offer_edges(a, e, b, f, nearest);
 }
 
 ArcImages arc_images(const GaussianDiagram& diagram) {
@@ -47,9 +47,10 @@ NearestPlanes nearest_facets_naive(const Polytope& a, const Polytope& b) {
       },
       nearest);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
-  const EdgeLines lines_a(a, 0), lines_b(b, 0);
-  for (std::uint32_t e = 0; e < lines_a.size(); ++e) {
-    for (std::uint32_t f = 0; f < lines_b.size(); ++f) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
+  const EdgeLinesOfA lines_a(a, 0);
+  const EdgeLinesOfB lines_b(b, 0);
+  for (const EdgeOfA e : lines_a.ids()) {
+    for (const EdgeOfB f : lines_b.ids()) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
   }
   return nearest;
 }
@@ -65,18 +66,19 @@ NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exp
       },
       nearest);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
-  const EdgeLines lines_a(a, exponent), lines_b(b, exponent);
+  const EdgeLinesOfA lines_a(a, exponent);
+  const EdgeLinesOfB lines_b(b, exponent);
   const bool arcs_have_ends = a.rank >= 2 && b.rank >= 2;
   const ArcImages arcs_a = arcs_have_ends ? arc_images(of_a) : ArcImages(), arcs_b = arcs_have_ends ? arc_images(of_b) : ArcImages();
   std::vector<std::uint32_t> unsure;
-  for (std::uint32_t e = 0; e < lines_a.size(); ++e) {
+  for (const EdgeOfA e : lines_a.ids()) {
     const double bound = nearest.empty() ? HUGE_VAL : image_bound(nearest.numerator(), nearest.denominator(), exponent);
     if (arcs_have_ends) {
-      crossing_and_not_farther(lines_a.images(), arcs_a, e, lines_b.images(), arcs_b, bound, unsure);
+      crossing_and_not_farther({lines_a.images(), arcs_a}, e.value, {lines_b.images(), arcs_b}, bound, unsure);
     } else {
-      not_farther(lines_a.images(), e, lines_b.images(), bound, unsure);
+      not_farther(lines_a.images(), e.value, lines_b.images(), bound, unsure);
     }
-    for (const std::uint32_t f : unsure) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
+    for (const std::uint32_t f : unsure) offer_crossing(of_a, lines_a, e, of_b, lines_b, EdgeOfB(f), nearest);
   }
   return nearest;
 }

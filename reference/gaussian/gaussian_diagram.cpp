@@ -8,6 +8,8 @@
 namespace fathom {
 namespace {
 
+static_assert(NodeId::none().value == no_facet, "the arc of a segment's edge has no nodes");
+
 // For B: the face on the side of d = to - from is the edge's head, since <u,d> > 0 prefers it. Between the normals of the left and of
 // the right facet the arc runs on the circle of left x right, a positive multiple of d. Reflection negates both normals and both
 // points: the circle stays, head and tail change places.
@@ -21,7 +23,7 @@ GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
   result.arcs.reserve(polytope.edges.size());
   for (const Edge& edge : polytope.edges) {
     Direction circle(polytope.vertices[edge.to] - polytope.vertices[edge.from], reflected ? Role::circle_of_a : Role::fixed);
-    Arc arc{std::move(circle), edge.left, edge.right, edge.to, edge.from};
+    Arc arc{std::move(circle), NodeId(edge.left), NodeId(edge.right), VertexId(edge.to), VertexId(edge.from)};
     if (reflected) std::swap(arc.above, arc.below);
     result.arcs.push_back(std::move(arc));
   }
@@ -30,15 +32,15 @@ GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
 
 // All indices of nodes and vertices exist; then the other laws may be looked at.
 bool in_range(const GaussianDiagram& diagram, const Polytope& polytope) {
-  const auto node = [&](std::uint32_t n) { return diagram.rank == 1 ? n == no_facet : n < diagram.nodes.size(); };
-  const auto face = [&](std::uint32_t v) { return v < polytope.vertices.size(); };
+  const auto node = [&](NodeId n) { return diagram.rank == 1 ? n.is_none() : n.value < diagram.nodes.size(); };
+  const auto face = [&](VertexId v) { return v.value < polytope.vertices.size(); };
   return std::all_of(diagram.arcs.begin(), diagram.arcs.end(),
                      [&](const Arc& arc) { return node(arc.from) && node(arc.to) && face(arc.above) && face(arc.below); });
 }
 
 // Around a face on the left, an arc leads from a node to the next: each node of the face is entered and left equally often.
 bool faces_close_up(const GaussianDiagram& diagram) {
-  using NodeOfFace = std::pair<std::uint32_t, std::uint32_t>;
+  using NodeOfFace = std::pair<VertexId, NodeId>;
   std::vector<NodeOfFace> left, entered;
   for (const Arc& arc : diagram.arcs) {
     left.insert(left.end(), {{arc.above, arc.from}, {arc.below, arc.to}});
@@ -53,7 +55,8 @@ void check_ends(Report& report, const GaussianDiagram& diagram, const Arc& arc, 
   const Vector& from = diagram.nodes[arc.from].exact();
   const Vector& to = diagram.nodes[arc.to].exact();
   if (diagram.rank == 2) {
-    report.expect(arc.from == 0 && arc.to == 1 && same_direction(-from, to), name + "a half-circle joins node 0 to the antipodal node 1");
+    report.expect(arc.from == NodeId(0) && arc.to == NodeId(1) && same_direction(-from, to),
+                  name + "a half-circle joins node 0 to the antipodal node 1");
   } else {
     report.expect(same_direction(cross(from, to), arc.circle.exact()), name + "circle is not a positive multiple of from x to");
   }
@@ -71,15 +74,15 @@ Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool r
   const bool sizes = diagram.nodes.size() == polytope.facets.size() && diagram.arcs.size() == polytope.edges.size();
   if (!report.expect(diagram.rank == polytope.rank && sizes, "the polytope's rank, one node a facet and one arc an edge")) return report;
   if (!report.expect(in_range(diagram, polytope), "nodes and faces of every arc exist, and a full circle has no nodes")) return report;
-  for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
-    const Vector& normal = polytope.facets[i].normal;
+  for (const NodeId i : diagram.nodes.ids()) {
+    const Vector& normal = polytope.facets[i.value].normal;
     report.expect(same_direction(reflected ? -normal : normal, diagram.nodes[i].exact()),
-                  "node " + std::to_string(i) + " is not the normal of its facet");
+                  "node " + std::to_string(i.value) + " is not the normal of its facet");
   }
-  const auto point = [&](std::uint32_t v) { return reflected ? -polytope.vertices[v] : polytope.vertices[v]; };
-  for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+  const auto point = [&](VertexId v) { return reflected ? -polytope.vertices[v.value] : polytope.vertices[v.value]; };
+  for (const ArcId i : diagram.arcs.ids()) {
     const Arc& arc = diagram.arcs[i];
-    const std::string name = "arc " + std::to_string(i) + ": ";
+    const std::string name = "arc " + std::to_string(i.value) + ": ";
     const Vector step = point(arc.above) - point(arc.below);
     report.expect(!is_zero(step) && same_direction(step, arc.circle.exact()),
                   name + "the face above is not the one on the circle's positive side");

@@ -2,33 +2,46 @@
 // Input   a convex polytope of rank 0 to 3.
 // Output  its Gaussian diagram, or that of its reflection through O: nodes are outward facet normals, arcs are edges, faces are vertices.
 //         [AGHRS, section 2.2, "Computing F"]
-// Size    linear; node i is facet i, arc i is edge i.
+// Size    linear.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "kernels/id.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/report.hpp"
+#include "reference/gaussian/colour.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
 
+/// Indices in a diagram. Node i is facet i of the polytope, arc i is edge i.
+using NodeId = Id<struct NodeTag>;
+using ArcId = Id<struct Arc>;
+/// A face of the diagram is known by the polytope's vertex.
+using VertexId = Id<struct VertexTag>;
+
+/// The edges of A and of B, where both meet: arc i of a diagram is edge i.
+template <Colour c>
+struct EdgeTag;
+template <Colour c>
+using EdgeOf = Id<EdgeTag<c>>;
+using EdgeOfA = EdgeOf<Colour::a>;
+using EdgeOfB = EdgeOf<Colour::b>;
+
 /// The arc of an edge, from node `from` to node `to`, shorter than pi for rank 3: the normals of the planes that support the body at the
 /// edge. `circle` is normal to its great circle, a positive multiple of from x to.
 /// Rank 2: a half-circle, from = 0 and to = 1 antipodal; the order of its interior is that of rank 3 in the limit: it passes through
-/// circle x from. Rank 1: a full circle, both nodes no_facet.
+/// circle x from. Rank 1: a full circle, no nodes: both are none.
 struct Arc {
   Direction circle;
-  std::uint32_t from, to;
+  NodeId from, to;
   /// The faces beside the arc, as vertices: `above` where <u,circle> > 0, `below` where < 0.
-  std::uint32_t above, below;
+  VertexId above, below;
 };
 
 struct GaussianDiagram {
   int rank = 0;
-  std::vector<Direction> nodes;
-  std::vector<Arc> arcs;
+  IdVector<NodeId, Direction> nodes;
+  IdVector<ArcId, Arc> arcs;
 };
 
 /// The diagram of the polytope itself: what B contributes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of one chain: contiguous runs of the grid's order, halved again and again. Nothing is stored but the frames that were asked for.
+// The cells of one chain: contiguous runs of the grid's order, halved again and again. Stores only the frames that were asked for.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 
 namespace fathom {
 
+/// The images of the lines must outlive it.
 class CellTree {
  public:
   /// Heap order: 1 is the whole chain, 2k and 2k + 1 are the halves of k.
@@ -34,7 +35,7 @@ class CellTree {
   [[nodiscard]] const LineFrame& frame(Node k) {
     return frames_.of(k, [&] { return line_frame(*lines_, lines(k)); });
   }
-  /// The frame of a few of them: what it does not clear, the frame will hardly clear.
+  /// The frame of a few of them. A cheap pre-test: if the sketch does not clear, the full frame almost never does.
   [[nodiscard]] const LineFrame& sketch(Node k) {
     return sketches_.of(k, [&] {
       std::array<std::uint32_t, sketched> some;

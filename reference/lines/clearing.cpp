@@ -2,23 +2,17 @@
 #include "reference/lines/clearing.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace fathom {
 namespace {
 
-std::uint32_t middle(Clearing::Lines lines) { return lines[lines.size() / 2]; }
-
-LineRun span_of(Clearing::Lines lines) { return {lines.front(), std::size_t{lines.back()} + 1}; }
-
-// The vertex test in exact arithmetic, on the corners and the middle lines of a block.
-bool exact_corners_clear(const Grid& grid, LineRun rows, std::size_t of_row, LineRun columns, std::size_t of_column,
-                         const NearestPlanes& nearest) {
+// The vertex test in exact arithmetic.
+bool exact_corners_clear(const Grid& grid, const Block& block, const NearestPlanes& nearest) {
   if (nearest.empty()) return false;
-  const Vector s = grid.column_point(of_column) - grid.row_point(of_row);
-  for (const std::size_t i : {rows.first, rows.last - 1}) {
+  const Vector s = grid.column_point(block.columns.middle) - grid.row_point(block.rows.middle);
+  for (const std::size_t i : {block.rows.first, block.rows.last}) {
     const Vector d = grid.row_direction(i);
-    for (const std::size_t j : {columns.first, columns.last - 1}) {
+    for (const std::size_t j : {block.columns.first, block.columns.last}) {
       const Vector w = cross(d, grid.column_direction(j));
       const mpz_class height = dot(s, w);
       if (height <= 0) return false;
@@ -28,25 +22,21 @@ bool exact_corners_clear(const Grid& grid, LineRun rows, std::size_t of_row, Lin
   return true;
 }
 
-// The filter's verdict on the block, or exact arithmetic's where it has none.
-bool clear(CornerVerdict verdict, const Grid& grid, LineRun rows, std::size_t of_row, LineRun columns, std::size_t of_column,
-           const NearestPlanes& nearest) {
-  if (verdict != CornerVerdict::unsure) return verdict == CornerVerdict::beyond;
-  return exact_corners_clear(grid, rows, of_row, columns, of_column, nearest);
+// The filter's verdict on the block, or exact arithmetic's where the filter is unsure.
+bool clear(CornerVerdict verdict, const Grid& grid, const Block& block, const NearestPlanes& nearest) {
+  return verdict == CornerVerdict::unsure ? exact_corners_clear(grid, block, nearest) : verdict == CornerVerdict::beyond;
 }
 
 }  // namespace
 
-bool Clearing::vertex_clears(Lines rows, Lines columns, const NearestPlanes& nearest, const LineBound& bound) const {
-  const LineRun r = span_of(rows), c = span_of(columns);
-  const CornerVerdict verdict = corners_beyond(rows_, r, middle(rows), columns_, c, middle(columns), bound);
-  return clear(verdict, grid_, r, middle(rows), c, middle(columns), nearest);
+bool Clearing::vertex_clears(const Block& block, const NearestPlanes& nearest, const LineBound& bound) const {
+  return clear(corners_beyond(rows_, columns_, block, bound), grid_, block, nearest);
 }
 
-double Clearing::estimate(Lines rows, Lines columns) const {
-  double least = estimated_squared_distance(rows_, middle(rows), columns_, middle(columns));
-  for (const std::uint32_t i : {rows.front(), rows.back()}) {
-    for (const std::uint32_t j : {columns.front(), columns.back()}) {
+double Clearing::estimate(const Block& block) const {
+  double least = estimated_squared_distance(rows_, block.rows.middle, columns_, block.columns.middle);
+  for (const std::size_t i : {block.rows.first, block.rows.last}) {
+    for (const std::size_t j : {block.columns.first, block.columns.last}) {
       least = std::min(least, estimated_squared_distance(rows_, i, columns_, j));
     }
   }
@@ -54,10 +44,10 @@ double Clearing::estimate(Lines rows, Lines columns) const {
 }
 
 bool vertex_clears(const Grid& grid, const NearestPlanes& nearest, const LineBound& bound) {
-  const LineRun rows{0, grid.rows()}, columns{0, grid.columns()};
-  const LineImages a = grid.row_images({0, rows.middle(), grid.rows() - 1}),
-                   b = grid.column_images({0, columns.middle(), grid.columns() - 1});
-  return clear(corners_beyond(a, {0, 3}, 1, b, {0, 3}, 1, bound), grid, rows, rows.middle(), columns, columns.middle(), nearest);
+  const Block whole{side_of(LineRun{0, grid.rows()}), side_of(LineRun{0, grid.columns()})}, three{{0, 1, 2}, {0, 1, 2}};
+  const LineImages rows = grid.row_images({whole.rows.first, whole.rows.middle, whole.rows.last}),
+                   columns = grid.column_images({whole.columns.first, whole.columns.middle, whole.columns.last});
+  return clear(corners_beyond(rows, columns, three, bound), grid, whole, nearest);
 }
 
 }  // namespace fathom

@@ -42,7 +42,6 @@ class Cutter {
     std::array<Node, 2> halves{2 * cell, 2 * cell + 1};
     if (nearest_estimate(halves[1], list) < nearest_estimate(halves[0], list)) std::swap(halves[0], halves[1]);
     for (const Node half : halves) {
-      if (search_.stopped()) return;
       Cell part{half, filter(half, list)};
       part.lines = lines_of(part.conflicts);
       part.quota_reached = part.lines <= quota_;
@@ -117,7 +116,6 @@ class Engine {
     const std::uint64_t known = search_.improvements();
     for (const Cell& part : cells) {
       for (const Node run : part.conflicts) {
-        if (search_.stopped()) return;
         // Can it still beat the best?
         if (search_.improvements() != known && blocks_.clears(side, part.cell, run, search_)) continue;
         solve(other(side), run, {part.cell});
@@ -126,9 +124,8 @@ class Engine {
   }
 
   void scan(GridAxis side, Node cell, Node run) {
-    const Node row = side == GridAxis::rows ? cell : run, column = side == GridAxis::rows ? run : cell;
-    const Clearing& c = blocks_.clearing();
-    search_.scan(c.grid(), c.rows(), blocks_.tree(GridAxis::rows).lines(row), c.columns(), blocks_.tree(GridAxis::columns).run(column));
+    const auto [row, column] = rows_and_columns(side, cell, run);
+    search_.scan(blocks_.clearing(), blocks_.tree(GridAxis::rows).run(row), blocks_.tree(GridAxis::columns).run(column));
   }
 
   Blocks blocks_;
@@ -139,16 +136,16 @@ class Engine {
 }  // namespace
 
 bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search) {
-  const Node row = side == GridAxis::rows ? cell : opposite, column = side == GridAxis::rows ? opposite : cell;
-  const Clearing::Lines rows = tree(GridAxis::rows).lines(row), columns = tree(GridAxis::columns).lines(column);
   Counters& counters = search.counters();
   ++counters.block_tests;
   search.work(16);
-  if (clearing_.vertex_clears(rows, columns, search.nearest(), search.bound())) {
+  if (clearing_.vertex_clears(block(side, cell, opposite), search.nearest(), search.bound())) {
     ++counters.vertex_clears;
     return true;
   }
-  return rows.size() * columns.size() >= worth_a_frame && frames_clear(row, column, search);
+  if (tree(side).size(cell) * tree(other(side)).size(opposite) < worth_a_frame) return false;
+  const auto [row, column] = rows_and_columns(side, cell, opposite);
+  return frames_clear(row, column, search);
 }
 
 bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
@@ -165,9 +162,11 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   return clear;
 }
 
-double Blocks::estimate(GridAxis side, Node cell, Node opposite) {
-  const Node row = side == GridAxis::rows ? cell : opposite, column = side == GridAxis::rows ? opposite : cell;
-  return clearing_.estimate(tree(GridAxis::rows).lines(row), tree(GridAxis::columns).lines(column));
+double Blocks::estimate(GridAxis side, Node cell, Node opposite) const { return clearing_.estimate(block(side, cell, opposite)); }
+
+Block Blocks::block(GridAxis side, Node cell, Node opposite) const {
+  const auto [row, column] = rows_and_columns(side, cell, opposite);
+  return {side_of(tree(GridAxis::rows).run(row)), side_of(tree(GridAxis::columns).run(column))};
 }
 
 std::vector<Cell> cut(Blocks& blocks, GridAxis side, Node cell, const std::vector<Node>& list, const CuttingSize& size,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a grid, and the nearest planes so far.
-// Output  those planes and all of the grid's that are as near or nearer.                                        [proofs/cutting.md]
-// How     a cutting of one chain: runs of it (cells), each with the runs of the other chain that it may approach (its conflict list), at
-//         most a share 1/r of what there was; then each conflicting run is cut against the cell, with the roles swapped; a naive scan
-//         ends it. Cells follow the order of the grid, and a block is dropped only if it is strictly farther than the best so far.
-// Not     the paper's: no bound on the number of cells is proved. What is kept and what is measured: proofs/cutting.md.
+// Output  those planes and all of the grid's that are as near or nearer.                              [proofs/cutting.md, "The engines"]
+// How     cuts one chain into runs (cells). Each cell has a conflict list: the runs of the other chain that it may approach, with at most
+//         1/r of the lines there were. Then the roles are swapped, and each conflicting run is cut against the cell. A naive scan ends
+//         the recursion. A block is dropped only if it is strictly farther than the best so far.
+// Departs from the paper: no bound on the number of cells is proved. proofs/cutting.md says what is kept and what is measured.
 #pragma once
 
 #include "reference/lines/cell_tree.hpp"
@@ -14,12 +14,7 @@
 
 namespace fathom {
 
-/// Whose lines are cut into cells; the other chain's make the conflict lists.
-enum class GridAxis : std::uint8_t { rows, columns };
-
-constexpr GridAxis other(GridAxis s) { return s == GridAxis::rows ? GridAxis::columns : GridAxis::rows; }
-
-/// A grid with the cells of both chains.
+/// A grid with the cells of both chains. `side` tells whose lines a cell holds; a run of the other chain is `opposite`.
 class Blocks {
  public:
   explicit Blocks(const Grid& grid) : clearing_(grid), trees_{CellTree(clearing_.rows()), CellTree(clearing_.columns())} {}
@@ -28,14 +23,17 @@ class Blocks {
 
   [[nodiscard]] const Clearing& clearing() const { return clearing_; }
   [[nodiscard]] CellTree& tree(GridAxis s) { return trees_[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] const CellTree& tree(GridAxis s) const { return trees_[static_cast<std::size_t>(s)]; }
 
   /// Whether every pair of the block is proved to be strictly farther than the search's best: by the vertex test, or by the frame test
   /// where it may pay.
   bool clears(GridAxis side, CellTree::Node cell, CellTree::Node opposite, LineSearch& search);
-  [[nodiscard]] double estimate(GridAxis side, CellTree::Node cell, CellTree::Node opposite);
+  [[nodiscard]] double estimate(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
 
  private:
   bool frames_clear(CellTree::Node row, CellTree::Node column, LineSearch& search);
+
+  [[nodiscard]] Block block(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
 
   Clearing clearing_;
   std::array<CellTree, 2> trees_;
@@ -50,13 +48,13 @@ struct Cell {
   bool quota_reached = false;  ///< lines <= quota; otherwise the cell is too small to be refined
 };
 
-/// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves, filters the lists, counts, refines while over the quota.
-/// Cells with an empty list are left out. Together with what was cleared strictly, the blocks cell x conflicts hold all pairs.
-/// Nearer halves come first.
+/// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves cells, filters and counts their conflict lists, and refines
+/// them while they are over the quota. Leaves out cells with an empty list. The blocks cell x conflicts, together with those cleared
+/// strictly, hold all pairs. Nearer halves come first.
 std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellTree::Node cell, const std::vector<CellTree::Node>& list, const CuttingSize& size,
                       LineSearch& search);
 
-/// The engine on one grid.
+/// Offers the grid's nearest planes to the search's best.
 void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size = {});
 
 }  // namespace fathom

@@ -3,20 +3,26 @@
 
 namespace fathom {
 
-EdgeLines::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
-  for (std::uint32_t i = 0; i < size(); ++i) images_.push_back(point(i), direction(i));
-  for (std::uint32_t i = 0; exponent >= TruncatedLines::worth_it && i < size(); ++i) truncated_.push_back(point(i), direction(i));
+template <Colour c>
+EdgeLines<c>::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
+  for (const Edge i : ids()) images_.push_back(point(i), direction(i));
+  if (exponent < TruncatedLines::worth_it) return;
+  for (const Edge i : ids()) truncated_.push_back(point(i), direction(i));
 }
 
-Vector EdgeLines::direction(std::uint32_t edge) const {
-  const Edge& e = polytope_->edges[edge];
+template <Colour c>
+Vector EdgeLines<c>::direction(Edge edge) const {
+  const auto& e = polytope_->edges[edge.value];
   return polytope_->vertices[e.to] - polytope_->vertices[e.from];
 }
 
-bool offer_edges(const EdgeLines& a, std::uint32_t of_a, const EdgeLines& b, std::uint32_t of_b, NearestPlanes& nearest) {
-  const Vector w = cross(a.direction(of_a), b.direction(of_b));
+template class EdgeLines<Colour::a>;
+template class EdgeLines<Colour::b>;
+
+bool offer_edges(const EdgeLinesOfA& a, EdgeOfA e, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest) {
+  const Vector w = cross(a.direction(e), b.direction(f));
   if (is_zero(w)) return false;
-  const mpz_class height = dot(b.point(of_b) - a.point(of_a), w);
+  const mpz_class height = dot(b.point(f) - a.point(e), w);
   return height > 0 ? nearest.offer(w, height) : nearest.offer(-w, mpz_class(-height));
 }
 

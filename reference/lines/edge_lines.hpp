@@ -2,24 +2,27 @@
 // The lines that carry a body's edges, and the planes that two of them span.                    [AGHRS, Lemma 2.2]
 #pragma once
 
-#include <cstdint>
-
 #include "kernels/filters/line_scan.hpp"
 #include "kernels/filters/truncated_lines.hpp"
 #include "kernels/nearest.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
 
-/// The lines through a polytope's edges, exact and as images. Line i carries edge i. The polytope must outlive it.
+/// The lines through the edges of the body of one colour, exact and as images. Line i carries edge i. The polytope must outlive it.
+template <Colour c>
 class EdgeLines {
  public:
+  using Edge = EdgeOf<c>;
+
   /// `exponent` bounds the coordinates of both bodies: |c| <= 2^exponent.
   EdgeLines(const Polytope& polytope, long exponent);
 
   [[nodiscard]] std::size_t size() const { return polytope_->edges.size(); }
-  [[nodiscard]] const Vector& point(std::uint32_t edge) const { return polytope_->vertices[polytope_->edges[edge].from]; }
-  [[nodiscard]] Vector direction(std::uint32_t edge) const;
+  [[nodiscard]] auto ids() const { return ids_below<Edge>(size()); }
+  [[nodiscard]] const Vector& point(Edge edge) const { return polytope_->vertices[polytope_->edges[edge.value].from]; }
+  [[nodiscard]] Vector direction(Edge edge) const;
   [[nodiscard]] const LineImages& images() const { return images_; }
   /// Empty unless the coordinates are long.
   [[nodiscard]] const TruncatedLines& truncated() const { return truncated_; }
@@ -30,9 +33,11 @@ class EdgeLines {
   TruncatedLines truncated_;
 };
 
-/// Offers the plane that is parallel to edge `of_a` of A and edge `of_b` of B, oriented away from O, in exact arithmetic. Parallel edges
-/// span no plane and are skipped. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2.
-/// Returns whether it is among the nearest now.
-bool offer_edges(const EdgeLines& a, std::uint32_t of_a, const EdgeLines& b, std::uint32_t of_b, NearestPlanes& nearest);
+using EdgeLinesOfA = EdgeLines<Colour::a>;
+using EdgeLinesOfB = EdgeLines<Colour::b>;
+
+/// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact arithmetic. Skips parallel edges, which
+/// span no plane. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2. Returns whether the plane is among the nearest now.
+bool offer_edges(const EdgeLinesOfA& a, EdgeOfA e, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest);
 
 }  // namespace fathom

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The engines that find closest lines, and their sizes.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,8 @@ namespace fathom {
 /// How finely the cutting engine cuts. Only the work depends on it.
 struct CuttingSize {
   std::uint64_t r = 4;        ///< the conflict list of a cell holds at most a share 1/r of the lines
-  std::uint64_t few = 16;     ///< cells of so few lines are not refined
-  std::uint64_t base = 1024;  ///< so few pairs are scanned
+  std::uint64_t few = 16;     ///< cells with at most this many lines are not refined
+  std::uint64_t base = 1024;  ///< blocks of at most this many pairs are scanned
 };
 
 /// The same for the sampled cutting; its cells are not refined below max(8, n / r^3) of n lines.

@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a canonical pair and the charts it comes from.
-// Output  its grid: A's edges as rows and B's as columns, each a chain in the order in which it meets the other, and all directions
-//         oriented so that d x d' is the outward normal of P's facet wherever row d crosses column d'.  [proofs/canonical_subsets.md]
+// Input   a canonical pair and the scene of its hemisphere.
+// Output  its grid: A's arcs as rows and B's as columns, each a chain in the order in which it meets the other, and all directions
+//         oriented so that d x d' is the outward normal of P's facet wherever row d crosses column d'.   [proofs/cutting.md, "The grid"]
 // Why     the stored arcs span a strip and do not cross; each query crosses all of them, from below to above or the other way round, and
 //         queries do not cross each other. So the lowest and the highest stored arc meet the queries in one order, as all others do.
 #pragma once
 
 #include <array>
+#include <utility>
 
-#include "kernels/filters/line_scan.hpp"
 #include "kernels/report.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/chart/chart.hpp"
-#include "reference/lines/edge_lines.hpp"
+#include "reference/lines/line_scene.hpp"
 
 namespace fathom {
 
-/// A view: the pair's sets, the charts and the lines must outlive it.
+enum class GridAxis : std::uint8_t { rows, columns };
+
+constexpr GridAxis other(GridAxis s) { return s == GridAxis::rows ? GridAxis::columns : GridAxis::rows; }
+
+/// What belongs to the rows, and what to the columns, if `own` belongs to `axis` and `opposite` to the other one.
+template <class T>
+constexpr std::pair<T&, T&> rows_and_columns(GridAxis axis, T& own, T& opposite) {
+  return axis == GridAxis::rows ? std::pair<T&, T&>(own, opposite) : std::pair<T&, T&>(opposite, own);
+}
+
+/// A view: the pair's sets and the scene must outlive it.
 class Grid {
  public:
-  Grid(const CanonicalPair& pair, const Charts& charts, const EdgeLines& a, const EdgeLines& b);
+  Grid(const CanonicalPair& pair, const LineScene& scene) : pair_(pair), scene_(&scene) {}
 
-  [[nodiscard]] std::size_t rows() const { return edges_a_.size(); }
-  [[nodiscard]] std::size_t columns() const { return edges_b_.size(); }
-  [[nodiscard]] std::uint32_t edge_of_row(std::size_t i) const { return edges_a_[i]; }
-  [[nodiscard]] std::uint32_t edge_of_column(std::size_t j) const { return edges_b_[j]; }
-  [[nodiscard]] const EdgeLines& lines_a() const { return *a_; }
-  [[nodiscard]] const EdgeLines& lines_b() const { return *b_; }
+  [[nodiscard]] std::size_t rows() const { return pair_.a.size(); }
+  [[nodiscard]] std::size_t columns() const { return pair_.b.size(); }
+  [[nodiscard]] ChartArcOfA row(std::size_t i) const { return pair_.a[i]; }
+  [[nodiscard]] ChartArcOfB column(std::size_t j) const { return pair_.b[j]; }
+  [[nodiscard]] const LineScene& scene() const { return *scene_; }
 
   /// The oriented directions, and a point of each edge.
   [[nodiscard]] Vector row_direction(std::size_t i) const;
-  [[nodiscard]] Vector column_direction(std::size_t j) const;
-  [[nodiscard]] const Vector& row_point(std::size_t i) const { return a_->point(edge_of_row(i)); }
-  [[nodiscard]] const Vector& column_point(std::size_t j) const { return b_->point(edge_of_column(j)); }
+  [[nodiscard]] Vector column_direction(std::size_t j) const { return scene_->b.direction(column(j)); }
+  [[nodiscard]] const Vector& row_point(std::size_t i) const { return scene_->a.point(row(i)); }
+  [[nodiscard]] const Vector& column_point(std::size_t j) const { return scene_->b.point(column(j)); }
   /// Images of the oriented lines: of both chains, or of three members each.
   [[nodiscard]] LineImages row_images() const;
   [[nodiscard]] LineImages column_images() const;
@@ -43,26 +51,18 @@ class Grid {
   [[nodiscard]] int row_sense() const;
   [[nodiscard]] int column_sense() const;
 
-  /// Offers the plane of one crossing.
-  bool offer(std::size_t row, std::size_t column, NearestPlanes& nearest) const;
-
  private:
-  [[nodiscard]] bool rows_turned() const;
-  [[nodiscard]] bool row_reversed(std::size_t i) const;
-  [[nodiscard]] bool column_reversed(std::size_t j) const;
+  [[nodiscard]] bool rows_turned() const { return (pair_.stored_of == Colour::a) != pair_.rising; }
+  [[nodiscard]] LineImages turned_rows(const auto& chosen) const;
 
-  const Charts* charts_;
-  const EdgeLines* a_;
-  const EdgeLines* b_;
-  std::span<const std::uint32_t> edges_a_, edges_b_;
-  Colour stored_of_;
-  bool rising_;
+  CanonicalPair pair_;
+  const LineScene* scene_;
 };
 
 /// Order: each row meets neighbouring columns in the chain's order, each column neighbouring rows (weakly, since the input may have
 /// closed what the perturbation opened), and all crossings lie in the hemisphere. Membership: at each crossing that is not parallel, no
 /// neighbour's point lies farther out than the crossing's own, and O lies below it: so p - q is a vertex of P and the vertex test holds.
 /// O(rows columns).
-[[nodiscard]] Report validate(const Grid& grid, const Charts& charts);
+[[nodiscard]] Report validate(const Grid& grid);
 
 }  // namespace fathom

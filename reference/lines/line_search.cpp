@@ -5,72 +5,70 @@
 
 namespace fathom {
 
-LineSearch::LineSearch(const EdgeLines& a, const EdgeLines& b, NearestPlanes& nearest, Counters& counters,
-                       const std::function<bool(double)>& keep_going, std::uint64_t seed)
-    : a_(&a), b_(&b), nearest_(&nearest), counters_(&counters), keep_going_(&keep_going), random_(seed) {
-  counters.seed = seed;
+LineSearch::LineSearch(Context& context, const LineScene& scene, NearestPlanes& nearest, std::uint64_t seed)
+    : context_(context), scene_(scene), nearest_(nearest), random_(seed) {
+  counters().seed = seed;
   tighten();
 }
 
-void LineSearch::scan(std::span<const std::uint32_t> of_a, std::span<const std::uint32_t> of_b) {
+void LineSearch::scan(std::span<const ChartArcOfA> of_a, std::span<const ChartArcOfB> of_b) {
+  const LineImages &a = scene_.a.images(), &b = scene_.b.images();
   // The longer side runs in the inner loop.
   if (of_a.size() <= of_b.size()) {
-    block_.gather(b_->images(), of_b);
-    for (const std::uint32_t e : of_a) {
-      not_farther(a_->images(), e, block_, bound_.above, unsure_);
+    block_.gather(b, of_b);
+    for (const ChartArcOfA e : of_a) {
+      not_farther(a, e.value, block_, bound_.above, unsure_);
       for (const std::uint32_t k : unsure_) offer(e, of_b[k]);
     }
   } else {
-    block_.gather(a_->images(), of_a);
-    for (const std::uint32_t f : of_b) {
-      not_farther(b_->images(), f, block_, bound_.above, unsure_);
+    block_.gather(a, of_a);
+    for (const ChartArcOfB f : of_b) {
+      not_farther(b, f.value, block_, bound_.above, unsure_);
       for (const std::uint32_t k : unsure_) offer(of_a[k], f);
     }
   }
-  const std::uint64_t pairs = static_cast<std::uint64_t>(of_a.size()) * of_b.size();
-  counters_->pairs_evaluated += pairs;
+  const std::uint64_t pairs = std::uint64_t{of_a.size()} * of_b.size();
+  counters().pairs_evaluated += pairs;
   work(pairs);
 }
 
-void LineSearch::scan(const Grid& grid, const LineImages& rows, std::span<const std::uint32_t> chosen, const LineImages& columns,
-                      LineRun run) {
-  for (const std::uint32_t i : chosen) {
-    not_farther(rows, i, columns, run.first, run.last, bound_.above, unsure_);
-    for (const std::uint32_t j : unsure_) offer(grid.edge_of_row(i), grid.edge_of_column(j));
+void LineSearch::scan(const Clearing& clearing, LineRun rows, LineRun columns) {
+  const Grid& grid = clearing.grid();
+  for (std::size_t i = rows.first; i < rows.last; ++i) {
+    not_farther(clearing.rows(), i, clearing.columns(), columns, bound_.above, unsure_);
+    for (const std::uint32_t j : unsure_) offer(grid.row(i), grid.column(j));
   }
-  const std::uint64_t pairs = static_cast<std::uint64_t>(chosen.size()) * run.size();
-  counters_->pairs_evaluated += pairs;
+  const std::uint64_t pairs = std::uint64_t{rows.size()} * columns.size();
+  counters().pairs_evaluated += pairs;
   work(pairs);
 }
 
-void LineSearch::offer(std::uint32_t of_a, std::uint32_t of_b) {
-  if (truncated_bound_ && surely_farther(a_->truncated(), of_a, b_->truncated(), of_b, *truncated_bound_)) return;
-  ++counters_->pairs_exact;
-  if (!offer_edges(*a_, of_a, *b_, of_b, *nearest_)) return;
+void LineSearch::offer(ChartArcOfA e, ChartArcOfB f) {
+  if (truncated_bound_ && surely_farther(scene_.a.lines().truncated(), scene_.a.edge(e).value, scene_.b.lines().truncated(),
+                                         scene_.b.edge(f).value, *truncated_bound_)) {
+    return;
+  }
+  ++counters().pairs_exact;
+  if (!offer_arcs(scene_, e, f, nearest_)) return;
   // A tie comes as one more direction; only a nearer plane leaves a single one.
-  if (nearest_->directions().size() == 1) {
+  if (nearest_.directions().size() == 1) {
     ++improvements_;
     tighten();
   }
 }
 
-bool LineSearch::proceed(double share) {
-  share_ = share;
-  since_asked_ = 0;
-  if (!stopped_ && *keep_going_) stopped_ = !(*keep_going_)(share_);
-  return !stopped_;
-}
-
 void LineSearch::work(std::uint64_t amount) {
-  since_asked_ += amount;
-  if (since_asked_ >= std::uint64_t{1} << 22) proceed(share_);
+  since_check_ += amount;
+  if (since_check_ < std::uint64_t{1} << 22) return;
+  since_check_ = 0;
+  context_.check();
 }
 
 void LineSearch::tighten() {
-  bound_ = nearest_->empty() ? LineBound{std::numeric_limits<double>::infinity(), 0}
-                             : line_bound(nearest_->numerator(), nearest_->denominator(), a_->images().exponent());
-  if (nearest_->empty() || a_->truncated().empty() || b_->truncated().empty()) return;
-  truncated_bound_ = a_->truncated().bound(nearest_->numerator(), nearest_->denominator());
+  bound_ = nearest_.empty() ? LineBound{std::numeric_limits<double>::infinity(), 0}
+                            : line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  const TruncatedLines& a = scene_.a.lines().truncated();
+  if (!nearest_.empty() && !a.empty()) truncated_bound_ = a.bound(nearest_.numerator(), nearest_.denominator());
 }
 
 }  // namespace fathom

@@ -6,14 +6,17 @@
 #include <numeric>
 #include <random>
 
+#include "kernels/filters/line_frame.hpp"
+
 namespace fathom {
 namespace {
 
 using Lines = std::vector<std::uint32_t>;
 
-// Cells of so few lines are never refined.
+// Cells of at most this many lines are not refined.
 constexpr std::size_t always_few = 8;
 
+// `side` tells whose lines a cell holds; conflicts are lines of the other chain.
 class Engine {
  public:
   Engine(const Grid& grid, LineSearch& search, const SampledSize& size) : clearing_(grid), search_(search), size_(size) {}
@@ -22,7 +25,7 @@ class Engine {
     Lines rows(clearing_.grid().rows()), columns(clearing_.grid().columns());
     std::iota(rows.begin(), rows.end(), 0U);
     std::iota(columns.begin(), columns.end(), 0U);
-    solve(true, rows, columns);
+    solve(GridAxis::rows, rows, columns);
   }
 
  private:
@@ -32,35 +35,35 @@ class Engine {
   };
 
   // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the quota or by `few`.
-  void solve(bool rows, const Lines& lines, const Lines& list) {
+  void solve(GridAxis side, const Lines& lines, const Lines& list) {
     if (lines.size() * list.size() <= size_.base || std::max(lines.size(), list.size()) <= always_few) {
-      scan(rows ? lines : list, rows ? list : lines);
+      const auto [rows, columns] = rows_and_columns(side, lines, list);
+      scan(rows, columns);
       return;
     }
-    std::vector<Cell> cells = cut(rows, lines, list);
+    std::vector<Cell> cells = cut(side, lines, list);
     std::ranges::shuffle(cells, search_.random());
     const std::uint64_t known = search_.improvements();
     for (Cell& cell : cells) {
-      if (search_.stopped()) return;
       // Can it still beat the best?
-      if (search_.improvements() != known) cell.conflicts = conflicts(rows, cell, cell.conflicts);
-      if (!cell.conflicts.empty()) solve(!rows, cell.conflicts, cell.lines);
+      if (search_.improvements() != known) cell.conflicts = conflicts(side, cell, cell.conflicts);
+      if (!cell.conflicts.empty()) solve(other(side), cell.conflicts, cell.lines);
     }
   }
 
-  std::vector<Cell> cut(bool rows, const Lines& lines, const Lines& list) {
+  std::vector<Cell> cut(GridAxis side, const Lines& lines, const Lines& list) {
     const Lines sample = sample_of(list);
     const std::size_t few = std::max(always_few, lines.size() / (size_.r * size_.r * size_.r)), quota = list.size() / size_.r;
     Counters& counters = search_.counters();
     std::vector<Cell> done, pending;
-    pending.push_back(cell(rows, lines, list));
-    while (!pending.empty() && !search_.stopped()) {
+    pending.push_back(cell(side, lines, list));
+    while (!pending.empty()) {
       Cell top = std::move(pending.back());
       pending.pop_back();
       ++counters.cells;
       const bool small = top.lines.size() <= few;
-      if (small || conflicts(rows, top, sample).empty()) {
-        top.conflicts = conflicts(rows, top, top.conflicts);
+      if (small || conflicts(side, top, sample).empty()) {
+        top.conflicts = conflicts(side, top, top.conflicts);
         ++counters.quota_checks;
         if (top.conflicts.empty()) continue;
         if (small || top.conflicts.size() <= quota) {
@@ -71,14 +74,14 @@ class Engine {
         ++counters.quota_refinements;
       }
       const auto middle = top.lines.begin() + static_cast<std::ptrdiff_t>(top.lines.size() / 2);
-      pending.push_back(cell(rows, Lines(middle, top.lines.end()), top.conflicts));
-      pending.push_back(cell(rows, Lines(top.lines.begin(), middle), std::move(top.conflicts)));
+      pending.push_back(cell(side, Lines(middle, top.lines.end()), top.conflicts));
+      pending.push_back(cell(side, Lines(top.lines.begin(), middle), std::move(top.conflicts)));
     }
     return done;
   }
 
-  Cell cell(bool rows, Lines lines, Lines conflicts) {
-    LineFrame frame = line_frame(rows ? clearing_.rows() : clearing_.columns(), lines);
+  Cell cell(GridAxis side, Lines lines, Lines conflicts) {
+    const LineFrame frame = line_frame(images(side), lines);
     return {std::move(lines), std::move(conflicts), frame};
   }
 
@@ -89,37 +92,42 @@ class Engine {
   }
 
   // The lines that are not proved to be strictly farther than the best from all lines of the cell.
-  Lines conflicts(bool rows, const Cell& cell, const Lines& list) {
+  Lines conflicts(GridAxis side, const Cell& cell, const Lines& list) {
     Lines result;
     for (const std::uint32_t line : list) {
-      if (!clears(rows, cell, line)) result.push_back(line);
+      if (!clears(side, cell, line)) result.push_back(line);
     }
     return result;
   }
 
-  bool clears(bool rows, const Cell& cell, std::uint32_t line) {
-    const std::span<const std::uint32_t> one(&line, 1), many(cell.lines);
+  bool clears(GridAxis side, const Cell& cell, std::uint32_t line) {
     Counters& counters = search_.counters();
     ++counters.block_tests;
     search_.work(16);
-    if (clearing_.vertex_clears(rows ? many : one, rows ? one : many, search_.nearest(), search_.bound())) {
+    const BlockSide own = side_of(cell.lines), one{line, line, line};
+    const auto [rows, columns] = rows_and_columns(side, own, one);
+    if (clearing_.vertex_clears({rows, columns}, search_.nearest(), search_.bound())) {
       ++counters.vertex_clears;
       return true;
     }
     ++counters.frame_tests;
-    const LineFrame other = line_frame(rows ? clearing_.columns() : clearing_.rows(), one);
-    const bool clear = frames_beyond(rows ? cell.frame : other, rows ? other : cell.frame, search_.bound().above);
+    const LineFrame opposite = line_frame(images(other(side)), {&line, 1});
+    const auto [row_frame, column_frame] = rows_and_columns(side, cell.frame, opposite);
+    const bool clear = frames_beyond(row_frame, column_frame, search_.bound().above);
     counters.frame_clears += clear;
     return clear;
   }
 
   void scan(const Lines& rows, const Lines& columns) {
     const Grid& grid = clearing_.grid();
-    Lines of_a, of_b;
-    for (const std::uint32_t i : rows) of_a.push_back(grid.edge_of_row(i));
-    for (const std::uint32_t j : columns) of_b.push_back(grid.edge_of_column(j));
+    std::vector<ChartArcOfA> of_a;
+    std::vector<ChartArcOfB> of_b;
+    for (const std::uint32_t i : rows) of_a.push_back(grid.row(i));
+    for (const std::uint32_t j : columns) of_b.push_back(grid.column(j));
     search_.scan(of_a, of_b);
   }
+
+  const LineImages& images(GridAxis side) const { return side == GridAxis::rows ? clearing_.rows() : clearing_.columns(); }
 
   Clearing clearing_;
   LineSearch& search_;

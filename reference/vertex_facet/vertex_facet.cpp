@@ -2,15 +2,17 @@
 #include "reference/vertex_facet/vertex_facet.hpp"
 
 #include <algorithm>
-#include <array>
+#include <string>
+#include <utility>
 
 #include "kernels/filters/support.hpp"
 
 namespace fathom {
+
 std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts) {
   std::vector<VertexFacetPair> pairs;
   pairs.reserve(charts.walls.size());
-  for (const Charts::Wall& wall : charts.walls) pairs.push_back({wall.colour, wall.node, charts.place(wall.colour, wall.node).face});
+  for (const Wall& wall : charts.walls) pairs.push_back({wall.colour, wall.node, charts.of[wall.colour].place_of[wall.node].face});
   return pairs;
 }
 
@@ -18,35 +20,31 @@ void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, cons
   for (const VertexFacetPair& pair : pairs) {
     const bool facet_of_a = pair.facet_of == Colour::a;
     const Polytope& body = facet_of_a ? a : b;
-    const std::uint32_t on_facet = body.corners[body.facets[pair.facet].begin];
-    const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex];
-    const Vector& q = b.vertices[facet_of_a ? pair.vertex : on_facet];
-    const Vector& n = charts.node(pair.facet_of, pair.facet).exact();
+    const std::uint32_t on_facet = body.corners[body.facets[pair.facet.value].begin];
+    const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex.value];
+    const Vector& q = b.vertices[facet_of_a ? pair.vertex.value : on_facet];
+    const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
     nearest.offer(n, dot(n, q - p));
   }
 }
 
 Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b) {
   Report report;
-  std::array<std::vector<int>, 2> seen{std::vector<int>(charts.wall_of[0].size()), std::vector<int>(charts.wall_of[1].size())};
-  std::array<PointCloud, 2> vertices;
-  for (std::size_t c = 0; c < 2; ++c) {
-    std::vector<Vector> points = (c == 0 ? a : b).vertices;
-    if (c == 0) {
-      for (Vector& p : points) p = -p;
-    }
-    vertices[c] = PointCloud(std::move(points));
-  }
+  std::vector<Vector> minus_a = a.vertices;
+  for (Vector& p : minus_a) p = -p;
+  const PerColour<PointCloud> vertices{PointCloud(std::move(minus_a)), PointCloud(b.vertices)};
+  PerColour<IdVector<NodeId, int>> seen;
+  for (const Colour c : both_colours) seen[c].resize(charts.of[c].wall_of.size());
   for (const VertexFacetPair& pair : pairs) {
-    ++seen[static_cast<std::size_t>(pair.facet_of)][pair.facet];
-    const std::vector<std::uint32_t> extreme =
-        extreme_points(vertices[static_cast<std::size_t>(other(pair.facet_of))], charts.node(pair.facet_of, pair.facet).exact());
-    report.expect(std::ranges::binary_search(extreme, pair.vertex),
-                  "vertex " + std::to_string(pair.vertex) + " is not extreme in the direction of facet " + std::to_string(pair.facet));
+    ++seen[pair.facet_of][pair.facet];
+    const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
+    report.expect(
+        std::ranges::binary_search(extreme_points(vertices[other(pair.facet_of)], n), pair.vertex.value),
+        "vertex " + std::to_string(pair.vertex.value) + " is not extreme in the direction of facet " + std::to_string(pair.facet.value));
   }
-  for (std::size_t c = 0; c < 2; ++c) {
-    for (std::size_t i = 0; i < seen[c].size(); ++i) {
-      report.expect(seen[c][i] == (charts.wall_of[c][i] != at_infinity ? 1 : 0), "node " + std::to_string(i) + " is not located once");
+  for (const Colour c : both_colours) {
+    for (const NodeId i : seen[c].ids()) {
+      report.expect(seen[c][i] == (charts.of[c].wall_of[i].is_none() ? 0 : 1), "node " + std::to_string(i.value) + " is not located once");
     }
   }
   return report;

@@ -69,32 +69,37 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   row.hulls = clock.lap();
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   std::vector<Charts> charts;
-  for (const bool lower : {false, true}) charts.push_back(make_charts(of_a, of_b, chart_frame(lower)));
+  for (const Hemisphere h : both_hemispheres) charts.push_back(make_charts(of_a, of_b, chart_frame(h)));
   row.charts = clock.lap();
   NearestPlanes start;
   for (const Charts& c : charts) offer(vertex_facet_pairs(c), c, a, b, start);
   row.vertex_facets = clock.lap();
   std::vector<CanonicalSubsets> subsets;
-  for (const Charts& c : charts) subsets.push_back(canonical_subsets(c));
+  Context uncounted;
+  for (const Charts& c : charts) subsets.push_back(canonical_subsets(uncounted, c));
   row.canonical = clock.lap();
   for (const CanonicalSubsets& s : subsets) {
     const CanonicalSubsets::Sums sums = s.sums();
     row.crossings += sums.product;
     row.sum += sums.a + sums.b;
     row.canonical_pairs += s.size();
-    for (std::size_t i = 0; i < s.size(); ++i) row.aghrs += std::pow(static_cast<double>(s[i].stored.size() * s[i].queries.size()), 0.75);
+    for (std::size_t i = 0; i < s.size(); ++i) row.aghrs += std::pow(static_cast<double>(s[i].crossings()), 0.75);
     row.aghrs += static_cast<double>(sums.a + sums.b);
   }
   row.edges_a = a.edges.size();
   row.edges_b = b.edges.size();
-  const EdgeLines lines_a(a, exponent), lines_b(b, exponent);
+  const EdgeLinesOfA lines_a(a, exponent);
+  const EdgeLinesOfB lines_b(b, exponent);
+  std::vector<LineScene> scenes;
+  for (const Charts& c : charts) scenes.emplace_back(c, lines_a, lines_b);
   for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
     if (engine == ClosestLines::naive && static_cast<double>(row.crossings) > limits.naive_crossings) continue;
     if (engine == ClosestLines::sampled && size > limits.sampled_size) continue;
     NearestPlanes nearest = start;
-    Counters counters;
+    Context context;
     clock.lap();
-    for (std::size_t i = 0; i < 2; ++i) closest_lines(subsets[i], charts[i], lines_a, lines_b, nearest, counters, {.engine = engine});
+    for (std::size_t i = 0; i < 2; ++i) closest_lines(context, subsets[i], scenes[i], nearest, {.engine = engine});
+    const Counters& counters = context.counters;
     EngineRow& result = row.engines[static_cast<std::size_t>(engine)];
     result = {clock.lap(), counters.cells, counters.block_tests, counters.pairs_evaluated, counters.pairs_exact};
   }

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <type_traits>
 
 #include "fathom/depth.hpp"
 #include "kernels/predicates/filter.hpp"
@@ -19,19 +20,28 @@ using testing::prepare;
 using testing::Prepared;
 using testing::text;
 
+CanonicalSubsets canonical_subsets(const Charts& charts) {
+  Context context;
+  return canonical_subsets(context, charts);
+}
+
+static_assert(!std::is_constructible_v<CanonicalPair, Colour, bool, std::span<const ChartArcOfB>, std::span<const ChartArcOfA>>,
+              "the arcs of A and of B exchanged");
+
 // C1 to C4 as the paper states them, under every perturbation, and the sum of products counts the crossings.
 TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
   for (const Case& input : cases_of_all_families(3, 10)) {
     const bool overlap = penetration_depth(input.a.points, input.b.points).status() == Status::penetrating;
     for (const Perturbation& perturbation : testing::perturbations()) {
       const auto p = prepare(input, perturbation);
-      const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+      const EdgeLinesOfA a(p->a, p->exponent);
+      const EdgeLinesOfB b(p->b, p->exponent);
       for (const Charts& charts : p->charts) {
         const CanonicalSubsets subsets = canonical_subsets(charts);
         const Report report = validate(subsets, charts);
         EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
         EXPECT_EQ(subsets.sums().product, crossings_naive(charts).size()) << input.id;
-        const Report separation = validate_separation(subsets, a, b, charts.frame.z.exact());
+        const Report separation = validate_separation(subsets, LineScene(charts, a, b));
         EXPECT_TRUE(!overlap || separation.ok()) << input.id << "\n" << text(separation);
       }
     }
@@ -92,12 +102,13 @@ TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
 // finds it, whatever other walls there are; errata_test.cpp shows what two skeletons of their own lose.
 TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   const auto node = [](long x, long y) { return Direction(Vector{x, y, 1}); };
-  const auto arc = [&](std::vector<Direction>& nodes, Direction from, Direction to) {
+  const auto arc = [&](IdVector<NodeId, Direction>& nodes, Direction from, Direction to) {
     const auto first = static_cast<std::uint32_t>(nodes.size());
     Direction circle(cross(from.exact(), to.exact()));
     nodes.push_back(std::move(from));
     nodes.push_back(std::move(to));
-    return Arc{std::move(circle), first, first + 1, first + 2, first};  // of the faces only the order from bottom to top matters
+    // Of the faces only the order from bottom to top matters.
+    return Arc{std::move(circle), NodeId(first), NodeId(first + 1), VertexId(first + 2), VertexId(first)};
   };
   GaussianDiagram a, b;
   a.rank = b.rank = 3;
@@ -105,8 +116,8 @@ TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   a.arcs = {arc(a.nodes, node(0, 0), node(10, 0)), arc(a.nodes, node(6, 100), node(12, 100))};
   b.arcs = {arc(b.nodes, node(5, -2), node(15, 8)), arc(b.nodes, node(4, 200), node(9, 200))};
   // x runs along v x z = (1,0,0) for v = (0,1,0), z = (0,0,1).
-  const Charts charts = make_charts(a, b, chart_frame(false));
-  EXPECT_EQ(crossings_naive(charts), (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0}}));
+  const Charts charts = make_charts(a, b, chart_frame(Hemisphere::upper));
+  EXPECT_EQ(crossings_naive(charts), (std::vector<std::pair<EdgeOfA, EdgeOfB>>{{EdgeOfA(0), EdgeOfB(0)}}));
   const Report report = validate(canonical_subsets(charts), charts);
   EXPECT_TRUE(report.ok()) << text(report);
 }
@@ -119,7 +130,7 @@ TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
   ASSERT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
   // Orientations of all arcs of one colour reversed: senses and orders no longer fit.
   Charts turned = charts;
-  for (ChartArc& arc : turned.arcs[1]) arc.flipped = !arc.flipped;
+  for (ChartArc& arc : turned.of.b.arcs) arc.flipped = !arc.flipped;
   const Report report = validate(subsets, turned);
   const auto says = [&](const char* words) {
     return std::ranges::any_of(report.faults, [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
@@ -141,19 +152,33 @@ TEST(CanonicalSubsets, BothSensesOccur) {
   EXPECT_GT(pairs[1], 10U);
 }
 
-// Progress rises to 1 at most, and a refusal ends the work.
+// Hears the shares, and stops the work at one of them.
+class Watch : public Monitor {
+ public:
+  explicit Watch(double stop) : stop_(stop) {}
+  void report(std::string_view stage, double share) override {
+    EXPECT_EQ(stage, "canonical subsets");
+    shares.push_back(share);
+  }
+  [[nodiscard]] bool stopped() override { return shares.back() >= stop_; }
+
+  std::vector<double> shares;
+
+ private:
+  double stop_;
+};
+
+// Progress rises from 0 to 1 at most, and a refusal ends the work.
 TEST(CanonicalSubsets, StopsWhenTold) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 2000));
-  std::vector<double> shares;
-  const CanonicalSubsets all = canonical_subsets(p->charts[0], [&](double share) {
-    shares.push_back(share);
-    return true;
-  });
-  EXPECT_GT(shares.size(), 5U);
-  EXPECT_TRUE(std::ranges::is_sorted(shares));
-  EXPECT_TRUE(shares.front() >= 0 && shares.back() <= 1);
-  const CanonicalSubsets some = canonical_subsets(p->charts[0], [](double share) { return share < 0.25; });
-  EXPECT_LT(some.size(), all.size());
+  Watch all(2), some(0.25);
+  Context heard(&all), stopped(&some);
+  canonical_subsets(heard, p->charts[0]);
+  EXPECT_GT(all.shares.size(), 5U);
+  EXPECT_TRUE(std::ranges::is_sorted(all.shares));
+  EXPECT_TRUE(all.shares.front() == 0 && all.shares.back() <= 1);
+  EXPECT_THROW(canonical_subsets(stopped, p->charts[0]), Interrupted);
+  EXPECT_LT(some.shares.size(), all.shares.size());
 }
 
 TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {

@@ -77,15 +77,16 @@ GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
     diagram.nodes.emplace_back(left);
     diagram.nodes.emplace_back(right);
     const auto lower = static_cast<std::uint32_t>(std::ranges::count_if(segments, [&](const Segment& t) { return t.y1 < s.y1; }));
-    diagram.arcs.push_back({Direction(cross(left, right)), from, from + 1, lower + 1, lower});
+    diagram.arcs.push_back({Direction(cross(left, right)), NodeId(from), NodeId(from + 1), VertexId(lower + 1), VertexId(lower)});
   }
   return diagram;
 }
 
 CanonicalSubsets family_of(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   const GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
-  const Charts charts = make_charts(diagram_a, diagram_b, chart_frame(false));
-  CanonicalSubsets subsets = canonical_subsets(charts);
+  const Charts charts = make_charts(diagram_a, diagram_b, chart_frame(Hemisphere::upper));
+  Context context;
+  CanonicalSubsets subsets = canonical_subsets(context, charts);
   EXPECT_TRUE(validate(subsets, charts).ok()) << testing::text(validate(subsets, charts));
   return subsets;
 }
@@ -102,8 +103,8 @@ TEST(Errata, TwoSkeletonsLoseACrossingThatOneFinds) {
   const CanonicalSubsets subsets =
       family_of({{0, 0, 10, 0}, {6, 100, 12, 100}, {2, 50, 14, 50}}, {{5, -2, 15, 8}, {4, 200, 9, 200}, {1, 300, 3, 300}});
   ASSERT_EQ(subsets.sums().product, 1U);
-  EXPECT_EQ(subsets[0].edges_of_a()[0], 0U);
-  EXPECT_EQ(subsets[0].edges_of_b()[0], 0U);
+  EXPECT_EQ(subsets[0].a[0], ChartArcOfA(0)) << "the lowest of each colour";
+  EXPECT_EQ(subsets[0].b[0], ChartArcOfB(0));
 }
 
 /// All ways to give 2 (of_e + of_f) abscissae to the two colours: calls `look` with e, f, the two sets of walls, and the crossing.
@@ -159,7 +160,7 @@ std::size_t singles(const CanonicalSubsets& subsets, Colour colour) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < subsets.size(); ++i) {
     const CanonicalPair pair = subsets[i];
-    if (pair.stored_of == Colour::a && (colour == Colour::a ? pair.edges_of_a() : pair.edges_of_b()).size() == 1) ++count;
+    if (pair.stored_of == Colour::a && (colour == Colour::a ? pair.a.size() : pair.b.size()) == 1) ++count;
   }
   return count;
 }
@@ -183,7 +184,7 @@ TEST(Errata, WithTheTextsColoursPairsOfOneArcOfADependOnB) {
 // ---- 4. "above" ----
 
 struct Pair {
-  std::uint32_t of_a, of_b;
+  ArcId of_a, of_b;
 };
 
 /// The edges on which <u,.> is least on A and greatest on B.
@@ -192,21 +193,24 @@ Pair edges_towards(const Polytope& a, const Polytope& b, const Vector& u) {
     mpz_class highest = dot(p.vertices[0], up);
     for (const Vector& v : p.vertices) highest = std::max(highest, dot(v, up));
     for (std::uint32_t i = 0; i < p.edges.size(); ++i) {
-      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return i;
+      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return ArcId(i);
     }
     ADD_FAILURE() << "no edge is extreme";
-    return 0U;
+    return ArcId::none();
   };
   return {edge(a, -u), edge(b, u)};
 }
 
-int times_reported(const testing::Prepared& p, const Pair& pair) {
-  int times = 0;
+std::ptrdiff_t times_reported(const testing::Prepared& p, const Pair& pair) {
+  std::ptrdiff_t times = 0;
+  Context context;
   for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const auto count = [](const ColourChart& chart, const auto& ids, ArcId arc) {
+      return std::ranges::count_if(ids, [&](auto id) { return chart.arcs[ChartArcId(id.value)].arc == arc; });
+    };
+    const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t i = 0; i < subsets.size(); ++i) {
-      times +=
-          static_cast<int>(std::ranges::count(subsets[i].edges_of_a(), pair.of_a) * std::ranges::count(subsets[i].edges_of_b(), pair.of_b));
+      times += count(charts.of.a, subsets[i].a, pair.of_a) * count(charts.of.b, subsets[i].b, pair.of_b);
     }
   }
   return times;
@@ -228,7 +232,7 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
     const Vector w = signs[0] > 0 ? normal : -normal;
     EXPECT_TRUE(same_direction(w, {1, 0, 0}));
-    const Vector step = p->b.vertices[e.above] - p->a.vertices[f.above];
+    const Vector step = p->b.vertices[e.above.value] - p->a.vertices[f.above.value];
     EXPECT_GT(dot(step, w), 0) << "C4 as a sign";
     EXPECT_EQ(times_reported(*p, pair), 1) << "in one of the two hemispheres";
   }
@@ -244,7 +248,7 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
     const auto p = prepare(input, perturbation);
     for (const Charts& charts : p->charts) {
       for (const auto& [i, j] : crossings_naive(charts)) {
-        if (is_zero(cross(p->minus_a.arcs[i].circle.exact(), p->of_b.arcs[j].circle.exact()))) ++parallel;
+        if (is_zero(cross(p->minus_a.arcs[ArcId(i.value)].circle.exact(), p->of_b.arcs[ArcId(j.value)].circle.exact()))) ++parallel;
       }
     }
     Options options;
@@ -266,7 +270,7 @@ TEST(Errata, LinesOfTouchingBodiesMeet) {
   const Arc& e = p->of_b.arcs[pair.of_b];
   const Arc& f = p->minus_a.arcs[pair.of_a];
   EXPECT_EQ(times_reported(*p, pair), 1);
-  EXPECT_EQ(dot(p->b.vertices[e.above] - p->a.vertices[f.above], cross(f.circle.exact(), e.circle.exact())), 0);
+  EXPECT_EQ(dot(p->b.vertices[e.above.value] - p->a.vertices[f.above.value], cross(f.circle.exact(), e.circle.exact())), 0);
 }
 
 // ---- 5. what the depth is ----

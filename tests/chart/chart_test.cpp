@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "kernels/predicates/filter.hpp"
+#include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 
@@ -17,6 +18,19 @@ using families::ratio;
 using testing::cases_of_all_families;
 using testing::prepare;
 using testing::text;
+
+// Each index finds what it is an index of, and nothing else.
+template <class Vector, class Index>
+concept Indexed = requires(const Vector vector, Index index) {
+  vector[index];
+};
+static_assert(Indexed<decltype(GaussianDiagram::arcs), ArcId> && Indexed<decltype(GaussianDiagram::nodes), NodeId>);
+static_assert(!Indexed<decltype(GaussianDiagram::arcs), NodeId> && !Indexed<decltype(GaussianDiagram::nodes), ArcId>);
+static_assert(Indexed<decltype(ColourChart::arcs), ChartArcId> && !Indexed<decltype(ColourChart::arcs), ArcId>);
+static_assert(Indexed<decltype(Charts::walls), WallId> && !Indexed<decltype(Charts::walls), NodeId>);
+static_assert(!Indexed<decltype(ColourChart::wall_of), WallId> && !Indexed<decltype(ColourChart::place_of), ChartArcId>);
+static_assert(!std::is_invocable_v<decltype(chart_frame), bool>, "a hemisphere is no bool");
+static_assert(!std::is_invocable_v<decltype(node_above_arc), const Charts&, Colour, VertexId, Colour, const ChartArc&>);
 
 // Chart coordinates, as rationals up to one positive factor: y is the coordinate along v, x along v x z.
 struct ChartPoint {
@@ -39,8 +53,8 @@ mpq_class height(const Vector& d, const Frame& frame, const mpq_class& x) {
 }
 
 TEST(ChartFrame, PoleIsNormalToTheVerticalIdentically) {
-  for (const bool lower : {false, true}) {
-    const Frame frame = chart_frame(lower);
+  for (const Hemisphere hemisphere : both_hemispheres) {
+    const Frame frame = chart_frame(hemisphere);
     const Perturbation p;
     for (unsigned level = 0; level <= infinitesimals; ++level) {
       EXPECT_EQ(dot(p.moved(frame.v.exact(), Role::vertical, level), p.moved(frame.z.exact(), Role::pole, level)), Infinitesimal());
@@ -70,9 +84,9 @@ TEST(Chart, WallsAreTotallyOrdered) {
     std::size_t walls = 0;
     for (const Charts& charts : p->charts) {
       walls += charts.walls.size();
-      const auto node = [&](std::size_t i) -> const Direction& { return charts.node(charts.walls[i].colour, charts.walls[i].node); };
-      for (std::size_t i = 0; i < charts.walls.size(); ++i) {
-        for (std::size_t j = 0; j < charts.walls.size(); ++j) {
+      const auto node = [&](std::uint32_t i) -> const Direction& { return charts.node(charts.walls[WallId(i)]); };
+      for (std::uint32_t i = 0; i < charts.walls.size(); ++i) {
+        for (std::uint32_t j = 0; j < charts.walls.size(); ++j) {
           if (i == j) continue;
           EXPECT_EQ(perturbed_x_order(charts.perturbation, node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
         }
@@ -95,7 +109,7 @@ TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
   const Frame frame{Direction(Vector{0, 0, 1}), Direction(Vector{1, 1, 0})};
   const Charts charts = make_charts(a, b, frame);
   ASSERT_EQ(charts.walls.size(), b.nodes.size());
-  for (std::uint32_t i = 0; i < charts.walls.size(); ++i) EXPECT_EQ(charts.walls[i].node, i);
+  for (const WallId i : charts.walls.ids()) EXPECT_EQ(charts.walls[i].node, NodeId(i.value));
   EXPECT_TRUE(validate(charts).ok()) << text(validate(charts));
 }
 
@@ -105,8 +119,8 @@ TEST(Chart, PerturbationKeepsTheOrderOfDifferentAbscissae) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
       std::optional<mpq_class> last;
-      for (const Charts::Wall& wall : charts.walls) {
-        const Vector& n = charts.node(wall.colour, wall.node).exact();
+      for (const Wall& wall : charts.walls) {
+        const Vector& n = charts.node(wall).exact();
         if (dot(n, charts.frame.z.exact()) == 0) continue;
         const mpq_class x = project(n, charts.frame).x;
         EXPECT_TRUE(!last || *last <= x) << input.id;
@@ -123,17 +137,17 @@ TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
       for (const Colour c : {Colour::a, Colour::b}) {
-        const auto covers = [&](const ChartArc& arc, std::uint32_t wall) {
-          return (arc.left == at_infinity || charts.wall(c, arc.left) < wall) &&
-                 (arc.right == at_infinity || wall < charts.wall(c, arc.right));
+        const auto covers = [&](const ChartArc& arc, WallId wall) {
+          return (arc.left == at_infinity || charts.of[c].wall_of[arc.left] < wall) &&
+                 (arc.right == at_infinity || wall < charts.of[c].wall_of[arc.right]);
         };
-        for (const ChartArc& e : charts.arcs_of(c)) {
-          for (const ChartArc& f : charts.arcs_of(c)) {
+        for (const ChartArc& e : charts.of[c].arcs) {
+          for (const ChartArc& f : charts.of[c].arcs) {
             if (e.arc == f.arc) continue;
-            for (std::uint32_t w = 0; w < charts.walls.size(); ++w) {
+            for (const WallId w : charts.walls.ids()) {
               if (!covers(e, w) || !covers(f, w)) continue;
               EXPECT_EQ(above_same_colour(charts, c, e, f), above_on_wall(charts, c, e, c, f, charts.walls[w]))
-                  << input.id << " arcs " << e.arc << ", " << f.arc << " wall " << w;
+                  << input.id << " arcs " << e.arc.value << ", " << f.arc.value << " wall " << w.value;
               ++compared;
             }
           }
@@ -153,11 +167,12 @@ TEST(Chart, ArcsAreListedInHeightOrder) {
       for (const Charts& charts : p->charts) {
         for (const Colour c : {Colour::a, Colour::b}) {
           // Walls count from 1 here: 0 is at infinity on the left.
-          const auto left = [&](const ChartArc& arc) { return arc.left == at_infinity ? 0 : charts.wall(c, arc.left) + 1; };
-          const auto right = [&](const ChartArc& arc) { return arc.right == at_infinity ? at_infinity : charts.wall(c, arc.right) + 1; };
-          const std::vector<ChartArc>& arcs = charts.arcs_of(c);
+          const auto left = [&](const ChartArc& arc) { return arc.left == at_infinity ? 0 : charts.of[c].wall_of[arc.left].value + 1; };
+          const auto right = [&](const ChartArc& arc) {
+            return arc.right == at_infinity ? UINT32_MAX : charts.of[c].wall_of[arc.right].value + 1;
+          };
+          const std::vector<ChartArc>& arcs = charts.of[c].arcs;
           for (std::size_t i = 0; i < arcs.size(); ++i) {
-            EXPECT_EQ(charts.flipped(c, arcs[i].arc), arcs[i].flipped);
             for (std::size_t j = i + 1; j < arcs.size(); ++j) {
               if (std::max(left(arcs[i]), left(arcs[j])) >= std::min(right(arcs[i]), right(arcs[j]))) continue;
               EXPECT_GT(above_same_colour(charts, c, arcs[j], arcs[i]), 0) << input.id << " arcs " << i << ", " << j;
@@ -175,7 +190,8 @@ TEST(Chart, ValidateCatchesABrokenHeightOrder) {
   for (const char* family : {"random_sphere", "crossed_fans", "boxes_aligned"}) {
     auto p = prepare(families::find_family(family)->make(1, 12));
     for (Charts& charts : p->charts) {
-      for (std::vector<ChartArc>& arcs : charts.arcs) {
+      for (const Colour c : both_colours) {
+        std::vector<ChartArc>& arcs = charts.of[c].arcs;
         if (arcs.size() < 2) continue;
         std::ranges::reverse(arcs);
         EXPECT_FALSE(validate(charts).ok()) << family;
@@ -188,9 +204,9 @@ TEST(Chart, ValidateCatchesABrokenHeightOrder) {
 TEST(Chart, ArcsThatLieAboveEachOtherInACircleAreRefused) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 12));
   GaussianDiagram broken = p->of_b;
-  std::swap(broken.arcs[0].above, broken.arcs[0].below);
-  const auto charts = [&](bool lower) { return make_charts(p->minus_a, broken, chart_frame(lower)); };
-  EXPECT_THROW((charts(false), charts(true)), std::logic_error);
+  std::swap(broken.arcs[ArcId(0)].above, broken.arcs[ArcId(0)].below);
+  const auto charts = [&](Hemisphere hemisphere) { return make_charts(p->minus_a, broken, chart_frame(hemisphere)); };
+  EXPECT_THROW((charts(Hemisphere::upper), charts(Hemisphere::lower)), std::logic_error);
 }
 
 // The place of a node against every arc over its abscissa.
@@ -199,14 +215,15 @@ TEST(Chart, PlacesAgreeWithEveryArcOverTheNode) {
   for (const Case& input : cases_of_all_families(3, 12)) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
-      for (const Charts::Wall& wall : charts.walls) {
+      for (const Wall& wall : charts.walls) {
         const Colour c = other(wall.colour);
-        const std::uint32_t at = charts.wall(wall.colour, wall.node);
-        const std::vector<ChartArc>& arcs = charts.arcs_of(c);
-        for (std::uint32_t i = 0; i < arcs.size(); ++i) {
-          if (arcs[i].left != at_infinity && charts.wall(c, arcs[i].left) > at) continue;
-          if (arcs[i].right != at_infinity && charts.wall(c, arcs[i].right) < at) continue;
-          EXPECT_EQ(i<charts.place(wall.colour, wall.node).height, node_above_arc(charts, wall.colour, wall.node, c, arcs[i])> 0);
+        const WallId at = charts.of[wall.colour].wall_of[wall.node];
+        const ChartArcId height = charts.of[wall.colour].place_of[wall.node].height;
+        const IdVector<ChartArcId, ChartArc>& arcs = charts.of[c].arcs;
+        for (const ChartArcId i : arcs.ids()) {
+          if (arcs[i].left != at_infinity && charts.of[c].wall_of[arcs[i].left] > at) continue;
+          if (arcs[i].right != at_infinity && charts.of[c].wall_of[arcs[i].right] < at) continue;
+          EXPECT_EQ(i<height, node_above_arc(charts, wall.colour, wall.node, c, arcs[i])> 0);
           ++compared;
         }
       }
@@ -222,16 +239,16 @@ TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
       const auto vertical = [&](const Vector& d) { return dot(d, charts.frame.v.exact()) == 0; };
-      for (const ChartArc& e : charts.arcs_of(Colour::a)) {
-        for (const ChartArc& f : charts.arcs_of(Colour::b)) {
-          const Vector& d_e = charts.circle(Colour::a, e).exact();
-          const Vector& d_f = charts.circle(Colour::b, f).exact();
+      for (const ChartArc& e : charts.of.a.arcs) {
+        for (const ChartArc& f : charts.of.b.arcs) {
+          const Vector& d_e = charts.of.a.circle(e).exact();
+          const Vector& d_f = charts.of.b.circle(f).exact();
           if (vertical(d_e) || vertical(d_f)) continue;
           const auto difference = [&](const mpq_class& x) {
             return sgn(mpq_class(height(d_e, charts.frame, x) - height(d_f, charts.frame, x)));
           };
-          for (const Charts::Wall& wall : charts.walls) {
-            const Vector& n = charts.node(wall.colour, wall.node).exact();
+          for (const Wall& wall : charts.walls) {
+            const Vector& n = charts.node(wall).exact();
             if (dot(n, charts.frame.z.exact()) == 0) continue;
             const int exact = difference(project(n, charts.frame).x);
             if (exact == 0) continue;
@@ -254,12 +271,12 @@ TEST(Chart, FaceBesideAnArcPrefersItsVertex) {
   for (const Case& input : cases_of_all_families(1, 8)) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
-      for (const ChartArc& arc : charts.arcs_of(Colour::b)) {
-        const Vector up = p->b.vertices[charts.vertex_above(Colour::b, arc)] - p->b.vertices[charts.vertex_below(Colour::b, arc)];
+      for (const ChartArc& arc : charts.of.b.arcs) {
+        const Vector up = p->b.vertices[charts.of.b.vertex_above(arc).value] - p->b.vertices[charts.of.b.vertex_below(arc).value];
         EXPECT_GE(dot(up, charts.frame.v.exact()), 0) << input.id;
       }
-      for (const ChartArc& arc : charts.arcs_of(Colour::a)) {
-        const Vector down = p->a.vertices[charts.vertex_above(Colour::a, arc)] - p->a.vertices[charts.vertex_below(Colour::a, arc)];
+      for (const ChartArc& arc : charts.of.a.arcs) {
+        const Vector down = p->a.vertices[charts.of.a.vertex_above(arc).value] - p->a.vertices[charts.of.a.vertex_below(arc).value];
         EXPECT_LE(dot(down, charts.frame.v.exact()), 0) << input.id << ": the diagram is that of -A";
       }
     }
@@ -283,8 +300,8 @@ TEST(Chart, RecordsWhichMonomialDecided) {
 TEST(Chart, QuestionsWithinABodyThatNothingResolvesAreRefused) {
   const auto p = prepare(families::find_family("boxes_aligned")->make(1, 8));
   const Charts& charts = p->charts[0];
-  const ChartArc& arc = charts.arcs_of(Colour::b).front();
-  const std::uint32_t end = arc.left != at_infinity ? arc.left : arc.right;
+  const ChartArc& arc = charts.of.b.arcs.front();
+  const NodeId end = arc.left != at_infinity ? arc.left : arc.right;
   EXPECT_THROW(node_above_arc(charts, Colour::b, end, Colour::b, arc), std::logic_error);
 }
 

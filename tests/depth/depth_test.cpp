@@ -149,7 +149,8 @@ TEST(Depth, TwoThreadsChangeNothing) {
   const PredicateCounts before = predicate_counts();
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
-  for (const Charts& charts : p->charts) crossings += canonical_subsets(charts).sums().product;
+  Context context;
+  for (const Charts& charts : p->charts) crossings += canonical_subsets(context, charts).sums().product;
   const PredicateCounts alone = predicate_counts() - before;
   EXPECT_EQ(depth.counters.crossings, crossings);
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {

@@ -28,18 +28,18 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 }
 
 Case short_arc(const Vector& from, const Vector& to) {
-  return {{3, {Direction(from), Direction(to)}, {{Direction(cross(from, to)), 0, 1, 0, 0}}}};
+  return {{3, {Direction(from), Direction(to)}, {{Direction(cross(from, to)), NodeId(0), NodeId(1), {}, {}}}}};
 }
 Case half_circle(const Vector& from, const Vector& circle) {
-  return {{2, {Direction(from), Direction(-from)}, {{Direction(circle), 0, 1, 0, 0}}}};
+  return {{2, {Direction(from), Direction(-from)}, {{Direction(circle), NodeId(0), NodeId(1), {}, {}}}}};
 }
-Case full_circle(const Vector& circle) { return {{1, {}, {{Direction(circle), no_facet, no_facet, 0, 0}}}}; }
+Case full_circle(const Vector& circle) { return {{1, {}, {{Direction(circle), NodeId::none(), NodeId::none(), {}, {}}}}}; }
 
 /// The arc as a chain of directions, each less than pi from the next.
 std::vector<Vector> chain(const Case& c) {
   const Vector d = c.arc().circle.exact();
-  if (c.diagram.rank == 3) return {c.diagram.nodes[0].exact(), c.diagram.nodes[1].exact()};
-  const Vector start = c.diagram.rank == 2 ? c.diagram.nodes[0].exact() : cross(d, d.x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  if (c.diagram.rank == 3) return {c.diagram.nodes[NodeId(0)].exact(), c.diagram.nodes[NodeId(1)].exact()};
+  const Vector start = c.diagram.rank == 2 ? c.diagram.nodes[NodeId(0)].exact() : cross(d, d.x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
   const Vector quarter = cross(d, start);
   if (c.diagram.rank == 2) return {start, quarter, -start};
   return {start, quarter, -start, -quarter, start};

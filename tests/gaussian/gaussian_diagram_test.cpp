@@ -93,16 +93,17 @@ TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
     const std::vector<Vector> points = points_of(polytope, reflected);
     ASSERT_EQ(diagram.rank, polytope.rank);
     ASSERT_EQ(diagram.arcs.size(), polytope.edges.size());
-    for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+    for (const ArcId i : diagram.arcs.ids()) {
       const Arc& arc = diagram.arcs[i];
+      const Edge& edge = polytope.edges[i.value];
       const Vector u = middle(diagram, arc), d = arc.circle.exact();
-      EXPECT_EQ(extreme_points_naive(points, u), sorted_pair(arc.above, arc.below));
-      EXPECT_EQ(sorted_pair(polytope.edges[i].from, polytope.edges[i].to), sorted_pair(arc.above, arc.below));
+      EXPECT_EQ(extreme_points_naive(points, u), sorted_pair(arc.above.value, arc.below.value));
+      EXPECT_EQ(sorted_pair(edge.from, edge.to), sorted_pair(arc.above.value, arc.below.value));
       // A little to either side. The step is small against every difference of products, which are integers.
       mpz_class k = 1;
       for (const Vector& p : points) k += 2 * abs(dot(p, d));
-      EXPECT_EQ(extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above});
-      EXPECT_EQ(extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below});
+      EXPECT_EQ(extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above.value});
+      EXPECT_EQ(extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below.value});
     }
   });
 }
@@ -111,8 +112,8 @@ TEST(GaussianDiagram, NodesAreTheNormalsOfTheirFacets) {
   for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
     const std::vector<Vector> points = points_of(polytope, reflected);
     ASSERT_EQ(diagram.nodes.size(), polytope.facets.size());
-    for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
-      const Facet& facet = polytope.facets[i];
+    for (const NodeId i : diagram.nodes.ids()) {
+      const Facet& facet = polytope.facets[i.value];
       std::vector<std::uint32_t> corners(polytope.corners.begin() + facet.begin, polytope.corners.begin() + facet.end);
       std::sort(corners.begin(), corners.end());
       EXPECT_EQ(extreme_points_naive(points, diagram.nodes[i].exact()), corners);
@@ -125,10 +126,10 @@ TEST(GaussianDiagram, OfASquare) {
   const GaussianDiagram d = gaussian_diagram(square);
   ASSERT_EQ(d.nodes.size(), 2U);
   ASSERT_EQ(d.arcs.size(), 4U);
-  EXPECT_EQ(d.nodes[0].exact(), -d.nodes[1].exact());
+  EXPECT_EQ(d.nodes[NodeId(0)].exact(), -d.nodes[NodeId(1)].exact());
   for (const Arc& arc : d.arcs) {
-    EXPECT_EQ(arc.from, 0U);
-    EXPECT_EQ(arc.to, 1U);
+    EXPECT_EQ(arc.from, NodeId(0));
+    EXPECT_EQ(arc.to, NodeId(1));
   }
 }
 
@@ -148,32 +149,32 @@ TEST(Validate, TellsADiagramFromThatOfTheReflection) {
 /// One way to spoil an arc; false if the diagram has no room for it.
 struct Mutation {
   std::string name;
-  std::function<bool(GaussianDiagram&, std::size_t)> spoil;
+  std::function<bool(GaussianDiagram&, ArcId)> spoil;
 };
 
 std::vector<Mutation> mutations_of_arcs() {
   return {
-      {"negated circle", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].circle = Direction(-d.arcs[i].circle.exact()), true; }},
-      {"above and below exchanged", [](GaussianDiagram& d, std::size_t i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
-      {"from and to exchanged", [](GaussianDiagram& d, std::size_t i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
-      {"above is below", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].above = d.arcs[i].below, true; }},
+      {"negated circle", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].circle = Direction(-d.arcs[i].circle.exact()), true; }},
+      {"above and below exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
+      {"from and to exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
+      {"above is below", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = d.arcs[i].below, true; }},
       {"another arc's circle",
-       [](GaussianDiagram& d, std::size_t i) {
+       [](GaussianDiagram& d, ArcId i) {
          const Direction old = d.arcs[i].circle;
-         d.arcs[i].circle = d.arcs[(i + 1) % d.arcs.size()].circle;
+         d.arcs[i].circle = d.arcs[ArcId((i.value + 1) % static_cast<std::uint32_t>(d.arcs.size()))].circle;
          return !same_direction(old.exact(), d.arcs[i].circle.exact());
        }},
       {"another node",
-       [](GaussianDiagram& d, std::size_t i) {
-         return d.rank > 1 && (d.arcs[i].from = static_cast<std::uint32_t>((d.arcs[i].from + 1) % d.nodes.size()), true);
+       [](GaussianDiagram& d, ArcId i) {
+         return d.rank > 1 && (d.arcs[i].from = NodeId((d.arcs[i].from.value + 1) % static_cast<std::uint32_t>(d.nodes.size())), true);
        }},
       {"a node on a full circle, none on another",
-       [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].to = d.rank == 1 ? 0 : no_facet, true; }},
-      {"a vertex that is not there", [](GaussianDiagram& d, std::size_t i) { return d.arcs[i].above = 1000000, true; }},
+       [](GaussianDiagram& d, ArcId i) { return d.arcs[i].to = d.rank == 1 ? NodeId(0) : NodeId::none(), true; }},
+      {"a vertex that is not there", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = VertexId(1000000), true; }},
       {"the arc is missing",
-       [](GaussianDiagram& d, std::size_t i) { return d.arcs.erase(d.arcs.begin() + static_cast<std::ptrdiff_t>(i)), true; }},
+       [](GaussianDiagram& d, ArcId i) { return d.arcs.erase(d.arcs.begin() + static_cast<std::ptrdiff_t>(i.value)), true; }},
       {"the faces of a parallel edge of the same length",
-       [](GaussianDiagram& d, std::size_t i) {
+       [](GaussianDiagram& d, ArcId i) {
          for (const Arc& other : d.arcs) {
            if (&other == &d.arcs[i] || !(other.circle.exact() == d.arcs[i].circle.exact())) continue;
            return d.arcs[i].above = other.above, d.arcs[i].below = other.below, true;
@@ -187,11 +188,11 @@ TEST(Validate, RefusesEveryMutationOfAnArc) {
   for (const Mutation& mutation : mutations_of_arcs()) {
     int tried = 0;
     for_all([&](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
-      for (std::size_t i = 0; i < diagram.arcs.size(); ++i) {
+      for (const ArcId i : diagram.arcs.ids()) {
         GaussianDiagram spoiled = diagram;
         if (!mutation.spoil(spoiled, i)) continue;
         ++tried;
-        ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << mutation.name << ", arc " << i;
+        ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << mutation.name << ", arc " << i.value;
       }
     });
     EXPECT_GT(tried, 0) << mutation.name;
@@ -200,13 +201,13 @@ TEST(Validate, RefusesEveryMutationOfAnArc) {
 
 TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
   for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
-    for (std::size_t i = 0; i < diagram.nodes.size(); ++i) {
+    for (const NodeId i : diagram.nodes.ids()) {
       GaussianDiagram spoiled = diagram;
       spoiled.nodes[i] = Direction(-diagram.nodes[i].exact());
-      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "negated node " << i;
+      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "negated node " << i.value;
       spoiled = diagram;
-      std::swap(spoiled.nodes[i], spoiled.nodes[(i + 1) % diagram.nodes.size()]);
-      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "exchanged node " << i;
+      std::swap(spoiled.nodes[i], spoiled.nodes[NodeId((i.value + 1) % static_cast<std::uint32_t>(diagram.nodes.size()))]);
+      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "exchanged node " << i.value;
       spoiled = diagram;
       spoiled.nodes.pop_back();
       ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());

@@ -47,7 +47,7 @@ TEST(CornersBeyond, VerdictsAreThoseOfExactArithmetic) {
         {
           const Rounding mode(rounding_modes[k % 4]);
           bound = line_bound(numerator, denominator, scene.exponent);
-          verdict = corners_beyond(all, {i, i + 2}, of_a, all, {j, j + 2}, of_b, bound);
+          verdict = corners_beyond(all, all, {{i, of_a, i + 1}, {j, of_b, j + 1}}, bound);
         }
         const mpq_class exact = mpq_class(numerator) / mpq_class(denominator);
         EXPECT_LE(mpq_class(bound.below), times_power_of_four(exact, -scene.exponent));
@@ -69,7 +69,7 @@ TEST(CornersBeyond, AnInfiniteBoundIsNeverPassed) {
   Random random(9);
   const Scene scene = random_lines(random, 30, 8);
   const LineImages all = images(scene);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NE(corners_beyond(all, {i, i + 2}, i, all, {0, 2}, 0, {infinite, 0}), CornerVerdict::beyond);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_NE(corners_beyond(all, all, {{i, i, i + 1}, {0, 0, 1}}, {infinite, 0}), CornerVerdict::beyond);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ using namespace fathom::testing;
 struct Arcs {
   GaussianDiagram diagram;
   std::vector<Line> lines;
+  [[nodiscard]] const Arc& arc(std::size_t i) const { return diagram.arcs[ArcId(static_cast<std::uint32_t>(i))]; }
 };
 
 /// Arcs of small integers, rank 3 or (half-circles between the poles) rank 2: shared ends, ends on circles, overlaps.
@@ -25,7 +26,7 @@ Arcs random_arcs(Random& random, int rank, unsigned long size, int n) {
     const auto node = static_cast<std::uint32_t>(arcs.diagram.nodes.size());
     arcs.diagram.nodes.emplace_back(from);
     arcs.diagram.nodes.emplace_back(to);
-    arcs.diagram.arcs.push_back({Direction(circle), node, node + 1, 0, 0});
+    arcs.diagram.arcs.push_back({Direction(circle), NodeId(node), NodeId(node + 1), {}, {}});
     arcs.lines.push_back({random_vector(random, size), circle});
   };
   const Vector pole = random_direction(random, size);
@@ -51,7 +52,7 @@ void scan_arcs(const Arcs& one, const Arcs& many, double bound, const Check& che
   const ArcImages arcs_a = arc_images(one.diagram), arcs_b = arc_images(many.diagram);
   std::vector<std::uint32_t> unsure;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    crossing_and_not_farther(a, arcs_a, i, b, arcs_b, bound, unsure);
+    crossing_and_not_farther({a, arcs_a}, i, {b, arcs_b}, bound, unsure);
     const std::vector<std::uint32_t> out = left_out(b.size(), unsure);
     for (const std::uint32_t j : unsure) check(i, j, true);
     for (const std::uint32_t j : out) check(i, j, false);
@@ -65,7 +66,7 @@ TEST(CrossingAndNotFarther, KeepsThePairsThatTouchAndNoOthers) {
   for (int repeat = 0; repeat < 60; ++repeat) {
     const Arcs one = random_arcs(random, 2 + repeat % 2, 3, 12), many = random_arcs(random, 2 + repeat / 2 % 2, 3, 70);
     scan_arcs(one, many, infinite, [&](std::size_t i, std::uint32_t j, bool back) {
-      const Arc &e = one.diagram.arcs[i], &f = many.diagram.arcs[j];
+      const Arc &e = one.arc(i), &f = many.arc(j);
       const bool parallel = is_zero(cross(e.circle.exact(), f.circle.exact()));
       ASSERT_EQ(back, parallel || touch(one.diagram, e, many.diagram, f));
       ASSERT_TRUE(back || strict_crossings(one.diagram, e, many.diagram, f).empty());
@@ -84,10 +85,10 @@ TEST(CrossingAndNotFarther, KeepsWhatBothTestsKeep) {
     const LineImages a = images(Scene{30, one.lines}), b = images(Scene{30, many.lines});
     const ArcImages arcs_a = arc_images(one.diagram), arcs_b = arc_images(many.diagram);
     for (std::size_t i = 0; i < a.size(); ++i) {
-      crossing_and_not_farther(a, arcs_a, i, b, arcs_b, infinite, crossing);
+      crossing_and_not_farther({a, arcs_a}, i, {b, arcs_b}, infinite, crossing);
       for (const double bound : {least_normal, 0.01, 0.3}) {
         not_farther(a, i, b, bound, near);
-        crossing_and_not_farther(a, arcs_a, i, b, arcs_b, bound, both);
+        crossing_and_not_farther({a, arcs_a}, i, {b, arcs_b}, bound, both);
         expected.clear();
         std::set_intersection(crossing.begin(), crossing.end(), near.begin(), near.end(), std::back_inserter(expected));
         ASSERT_EQ(both, expected);
@@ -104,13 +105,13 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     const Arcs one = random_arcs(random, 2 + repeat % 2, size, 6);
     Arcs many = random_arcs(random, 3, size, 30);
     // Ends one unit off the circles of the others.
-    for (std::size_t k = 0; k < 20; ++k) {
+    for (std::uint32_t k = 0; k < 20; ++k) {
       const Vector& circle = one.lines[k % 6].direction;
       const Vector end = cross(circle, random_direction(random, size)) + random_vector(random, 1);
-      const Vector other = many.diagram.nodes[many.diagram.arcs[k].to].exact(), normal = cross(end, other);
+      const Vector other = many.diagram.nodes[many.diagram.arcs[ArcId(k)].to].exact(), normal = cross(end, other);
       if (is_zero(normal)) continue;
-      many.diagram.nodes[many.diagram.arcs[k].from] = Direction(end);
-      many.diagram.arcs[k].circle = Direction(normal);
+      many.diagram.nodes[many.diagram.arcs[ArcId(k)].from] = Direction(end);
+      many.diagram.arcs[ArcId(k)].circle = Direction(normal);
       many.lines[k].direction = normal;
     }
     const long exponent = static_cast<long>(std::max(bits(one.lines[0].point), bits(many.lines[0].point)) + 60);
@@ -119,7 +120,7 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     for (const double bound : {infinite, image_bound(tie.numerator, tie.denominator, exponent), least_normal}) {
       const Rounding mode(rounding_modes[repeat / 2 % 4]);
       scan_arcs(one, many, bound, [&](std::size_t i, std::uint32_t j, bool back) {
-        const Arc &e = one.diagram.arcs[i], &f = many.diagram.arcs[j];
+        const Arc &e = one.arc(i), &f = many.arc(j);
         ++(back ? near : far);
         ASSERT_TRUE(back || !touch(one.diagram, e, many.diagram, f) || strictly_farther(one.lines[i], many.lines[j], bound, exponent));
       });

@@ -212,7 +212,7 @@ TEST(LineImages, GatherPicksInTheGivenOrder) {
     EXPECT_EQ(some.dy[i], all.dy[chosen[i]]);
     EXPECT_EQ(some.dz[i], all.dz[chosen[i]]);
   }
-  some.gather(all, {});
+  some.gather(all, std::vector<std::uint32_t>{});
   EXPECT_EQ(some.size(), 0U);
 }
 

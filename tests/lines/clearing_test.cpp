@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "kernels/filters/line_frame.hpp"
 #include "tests/support/grids.hpp"
 #include "tests/support/line_scenes.hpp"
 
@@ -50,7 +51,7 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
     mpz_ui_pow_ui(ten.get_mpz_t(), 10, static_cast<unsigned long>(k));
     const mpq_class above = distances.least() * mpq_class(ten + 1, ten);
     const NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : above);
-    const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.lines_a().images().exponent());
+    const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
     const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
     for (int n = 0; n < blocks / 12; ++n) {
       const Rounding mode(rounding_modes[n % 4]);
@@ -60,7 +61,7 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
       for (const std::uint32_t i : rows) {
         for (const std::uint32_t j : columns) least = std::min(least, distances.rank(i, j));
       }
-      const bool vertex = clearing.vertex_clears(rows, columns, nearest, bound);
+      const bool vertex = clearing.vertex_clears({side_of(rows), side_of(columns)}, nearest, bound);
       const bool frame = frames_beyond(line_frame(clearing.rows(), rows), line_frame(clearing.columns(), columns), bound.above);
       ++sums.blocks;
       sums.vertex += vertex;
@@ -83,7 +84,7 @@ TEST(Clearing, NeverClearsANearerPair) {
     ASSERT_NE(family, nullptr) << name;
     int audited = 0;
     for (unsigned seed = 1; audited < 3 && seed <= 6; ++seed) {
-      PreparedGrids(family->make(seed, 40)).for_each([&](const Grid& grid, const Charts&) {
+      PreparedGrids(family->make(seed, 40)).for_each([&](const Grid& grid) {
         if (audited >= 3 || grid.rows() * grid.columns() < 64) return;
         ++audited;
         audit(grid, 36000, random, sums, name);
@@ -106,7 +107,7 @@ TEST(Clearing, NeverClearsATie) {
     const families::Family* family = families::find_family(name);
     if (family == nullptr) continue;
     for (unsigned seed = 1; seed <= 30; ++seed) {
-      PreparedGrids(family->make(seed, 20)).for_each([&](const Grid& grid, const Charts&) {
+      PreparedGrids(family->make(seed, 20)).for_each([&](const Grid& grid) {
         if (grid.rows() * grid.columns() > 1) audit(grid, 120, random, sums, name);
       });
     }
@@ -119,15 +120,16 @@ TEST(Clearing, NeverClearsATie) {
 TEST(Clearing, WholePairIsTheBlockOfAll) {
   std::size_t clear = 0, kept = 0;
   for (const Case& input : cases_of_all_families(1, 24)) {
-    PreparedGrids(input).for_each([&](const Grid& grid, const Charts&) {
+    PreparedGrids(input).for_each([&](const Grid& grid) {
       const GridDistances distances(grid);
       if (distances.empty()) return;
       const Clearing clearing(grid);
       for (const int k : {1, 2, 4}) {
         const NearestPlanes nearest = plane_at(distances.least() / k);
-        const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.lines_a().images().exponent());
+        const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
         const bool whole = vertex_clears(grid, nearest, bound);
-        EXPECT_EQ(whole, clearing.vertex_clears(all_indices(grid.rows()), all_indices(grid.columns()), nearest, bound)) << input.id;
+        const Block all{side_of(all_indices(grid.rows())), side_of(all_indices(grid.columns()))};
+        EXPECT_EQ(whole, clearing.vertex_clears(all, nearest, bound)) << input.id;
         ++(whole ? clear : kept);
       }
     });

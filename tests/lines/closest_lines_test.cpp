@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "fathom/depth.hpp"
-#include "tests/support/prepared.hpp"
+#include "tests/support/grids.hpp"
 
 namespace fathom {
 namespace {
 
 using testing::cases_of_all_families;
 using testing::prepare;
+using testing::PreparedGrids;
 using testing::text;
 
 void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const std::string& where) {
@@ -24,20 +25,19 @@ void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const s
 // elsewhere would hide are seen as well.
 TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
   for (const Case& input : cases_of_all_families(2, 12)) {
-    const auto p = prepare(input);
-    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
-    for (const Charts& charts : p->charts) {
-      const CanonicalSubsets subsets = canonical_subsets(charts);
+    const PreparedGrids grids(input);
+    for (std::size_t h = 0; h < 2; ++h) {
+      const CanonicalSubsets& subsets = grids.subsets[h];
       NearestPlanes filtered, exact;
-      Counters counters;
-      ASSERT_TRUE(closest_lines(subsets, charts, a, b, filtered, counters, {.engine = ClosestLines::naive}));
+      Context context;
+      closest_lines(context, subsets, grids.scenes[h], filtered, {.engine = ClosestLines::naive});
       for (std::size_t i = 0; i < subsets.size(); ++i) {
-        for (const std::uint32_t e : subsets[i].edges_of_a()) {
-          for (const std::uint32_t f : subsets[i].edges_of_b()) offer_edges(a, e, b, f, exact);
+        for (const ChartArcOfA e : subsets[i].a) {
+          for (const ChartArcOfB f : subsets[i].b) offer_arcs(grids.scenes[h], e, f, exact);
         }
       }
       expect_equal(filtered, exact, input.id);
-      EXPECT_EQ(counters.pairs_evaluated, subsets.sums().product) << input.id;
+      EXPECT_EQ(context.counters.pairs_evaluated, subsets.sums().product) << input.id;
     }
   }
 }
@@ -47,9 +47,10 @@ TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
   std::size_t compared = 0;
   for (const Case& input : cases_of_all_families(1, 6)) {
     const auto p = prepare(input);
-    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
-    for (std::uint32_t e = 0; e < a.size(); ++e) {
-      for (std::uint32_t f = 0; f < b.size(); ++f) {
+    const EdgeLinesOfA a(p->a, p->exponent);
+    const EdgeLinesOfB b(p->b, p->exponent);
+    for (const EdgeOfA e : a.ids()) {
+      for (const EdgeOfB f : b.ids()) {
         NearestPlanes nearest;
         if (!offer_edges(a, e, b, f, nearest)) continue;
         // Feet p + s d and q + t g: <q + t g - p - s d, d> = <..., g> = 0, by Cramer's rule.
@@ -70,10 +71,9 @@ TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
   std::size_t checked = 0;
   for (const Case& input : cases_of_all_families(3, 10)) {
     if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
-    const auto p = prepare(input);
-    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
-    for (const Charts& charts : p->charts) {
-      const Report report = validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact());
+    const PreparedGrids grids(input);
+    for (std::size_t h = 0; h < 2; ++h) {
+      const Report report = validate_separation(grids.subsets[h], grids.scenes[h]);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
       ++checked;
     }
@@ -82,21 +82,10 @@ TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
 }
 
 TEST(ClosestLines, SeparationIsNoticedToFail) {
-  const auto p = prepare(families::find_family("random_disjoint")->make(1, 20));
-  const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
+  const PreparedGrids grids(families::find_family("random_disjoint")->make(1, 20));
   bool failed = false;
-  for (const Charts& charts : p->charts) failed |= !validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact()).ok();
+  for (std::size_t h = 0; h < 2; ++h) failed |= !validate_separation(grids.subsets[h], grids.scenes[h]).ok();
   EXPECT_TRUE(failed) << "disjoint bodies are not separated in every direction";
-}
-
-TEST(ClosestLines, StopsWhenAsked) {
-  const auto p = prepare(families::find_family("random_sphere")->make(1, 40));
-  const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
-  NearestPlanes nearest;
-  Counters counters;
-  EXPECT_FALSE(
-      closest_lines(canonical_subsets(p->charts[0]), p->charts[0], a, b, nearest, counters, {.keep_going = [](double) { return false; }}));
-  EXPECT_TRUE(nearest.empty());
 }
 
 // In general position exact arithmetic is rare: it decides improvements and near ties only.

@@ -13,13 +13,11 @@ namespace {
 
 using namespace fathom::testing;
 
-const std::function<bool(double)> go_on = [](double) { return true; };
-
 // Exact arithmetic on every pair.
 NearestPlanes exhaustive(const Grid& grid) {
   NearestPlanes nearest;
   for (std::size_t i = 0; i < grid.rows(); ++i) {
-    for (std::size_t j = 0; j < grid.columns(); ++j) grid.offer(i, j, nearest);
+    for (std::size_t j = 0; j < grid.columns(); ++j) offer_arcs(grid.scene(), grid.row(i), grid.column(j), nearest);
   }
   return nearest;
 }
@@ -36,11 +34,11 @@ void expect_engines_agree(const Grid& grid, std::uint64_t seed, const std::strin
   const NearestPlanes exact = exhaustive(grid);
   for (const bool informed : {false, true}) {
     NearestPlanes cutting = informed ? exact : NearestPlanes(), sampled = cutting;
-    Counters counters;
-    LineSearch first(grid.lines_a(), grid.lines_b(), cutting, counters, go_on, seed);
+    Context context;
+    LineSearch first(context, grid.scene(), cutting, seed);
     closest_by_cutting(grid, first, {.r = 2 + seed % 7, .few = 1 + seed % 3, .base = 4 + seed % 13});
     expect_equal(cutting, exact, where + ", cutting");
-    LineSearch second(grid.lines_a(), grid.lines_b(), sampled, counters, go_on, seed);
+    LineSearch second(context, grid.scene(), sampled, seed);
     closest_by_sampling(grid, second, {.r = 2 + seed % 7, .base = 64 + seed % 13});
     expect_equal(sampled, exact, where + ", sampled");
   }
@@ -52,7 +50,7 @@ TEST(Engines, AgreeOnTwoThousandCanonicalPairs) {
     ASSERT_LT(seed, 40U);
     for (const families::Family& family : families::families()) {
       std::size_t of_case = 0;
-      PreparedGrids(family.make(seed, 16 + 3 * seed)).for_each([&](const Grid& grid, const Charts&) {
+      PreparedGrids(family.make(seed, 16 + 3 * seed)).for_each([&](const Grid& grid) {
         const std::size_t product = grid.rows() * grid.columns();
         if (product < 12 || product > 4000 || of_case >= 12) return;
         expect_engines_agree(grid, pairs, std::string(family.name) + " " + std::to_string(seed));
@@ -75,14 +73,12 @@ TEST(Engines, AgreeOnFamiliesAndCatalogue) {
     const PreparedGrids grids(input);
     NearestPlanes found[3];
     for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
-      Counters counters;
+      Context context;
       // Whatever is not cleared as a whole is cut, and into small cells.
       const ClosestLinesOptions options{.engine = engine, .scanned = 8, .cutting_size = {4, 2, 8}, .sampled_size = {4, 8}};
       NearestPlanes& nearest = found[static_cast<std::size_t>(engine)];
-      for (std::size_t h = 0; h < 2; ++h) {
-        ASSERT_TRUE(closest_lines(grids.subsets[h], grids.prepared->charts[h], *grids.a, *grids.b, nearest, counters, options));
-      }
-      cut += counters.grids_cut;
+      for (std::size_t h = 0; h < 2; ++h) closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, options);
+      cut += context.counters.grids_cut;
     }
     expect_equal(found[0], found[2], input.id + ", cutting");
     expect_equal(found[1], found[2], input.id + ", sampled");
@@ -97,13 +93,12 @@ TEST(Engines, ResultsDoNotDependOnTheSeed) {
       std::optional<NearestPlanes> first;
       for (const std::uint64_t seed : {0ULL, 1ULL, 2ULL, 12345678901234567ULL}) {
         NearestPlanes nearest;
-        Counters counters;
+        Context context;
         for (std::size_t h = 0; h < 2; ++h) {
-          closest_lines(grids.subsets[h], grids.prepared->charts[h], *grids.a, *grids.b, nearest, counters,
-                        {.engine = engine, .seed = seed});
+          closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, {.engine = engine, .seed = seed});
         }
-        EXPECT_EQ(counters.seed, seed);
-        EXPECT_GT(counters.cells, 0U) << name;
+        EXPECT_EQ(context.counters.seed, seed);
+        EXPECT_GT(context.counters.cells, 0U) << name;
         if (first) expect_equal(nearest, *first, name);
         first = nearest;
       }
@@ -115,13 +110,13 @@ TEST(Engines, ResultsDoNotDependOnTheSeed) {
 TEST(Cutting, QuotasHoldAndNothingIsLost) {
   std::size_t cells = 0, within = 0, lost = 0;
   for (const char* name : {"crossed_fans", "crossed_parabolas", "crossed_ties", "crossed_fillets", "crossed_random_prisms"}) {
-    PreparedGrids(families::find_family(name)->make(2, 120)).for_each([&](const Grid& grid, const Charts&) {
+    PreparedGrids(families::find_family(name)->make(2, 120)).for_each([&](const Grid& grid) {
       if (grid.rows() < 16 || grid.columns() < 16) return;
       const GridDistances distances(grid);
       for (const GridAxis side : {GridAxis::rows, GridAxis::columns}) {
         NearestPlanes nearest = plane_at(distances.least() * mpq_class(1001, 1000));
-        Counters counters;
-        LineSearch search(grid.lines_a(), grid.lines_b(), nearest, counters, go_on, 1);
+        Context context;
+        LineSearch search(context, grid.scene(), nearest, 1);
         Blocks blocks(grid);
         const CuttingSize size{.r = 4, .few = 2, .base = 16};
         const std::vector<Cell> cutting = cut(blocks, side, CellTree::root, {CellTree::root}, size, search);
@@ -162,7 +157,7 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
 TEST(Cutting, CellsHalve) {
   const PreparedGrids grids(families::find_family("crossed_fans")->make(1, 50));
   bool seen = false;
-  grids.for_each([&](const Grid& grid, const Charts&) {
+  grids.for_each([&](const Grid& grid) {
     if (seen || grid.rows() < 20) return;
     seen = true;
     const LineImages images = grid.row_images();
@@ -178,24 +173,40 @@ TEST(Cutting, CellsHalve) {
   EXPECT_TRUE(seen);
 }
 
+// Hears the shares, and stops the work when it is asked for the time after the last.
+class Watch : public Monitor {
+ public:
+  explicit Watch(int last) : left_(last) {}
+  void report(std::string_view stage, double share) override {
+    EXPECT_EQ(stage, "closest lines");
+    shares.push_back(share);
+  }
+  [[nodiscard]] bool stopped() override { return left_-- == 0; }
+
+  std::vector<double> shares;
+
+ private:
+  int left_;
+};
+
 TEST(Engines, StopWhenAsked) {
   const PreparedGrids grids(families::find_family("crossed_vanishing_ties")->make(1, 300));
   for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
-    for (const int calls : {0, 1, 2}) {
+    for (const int last : {0, 1, -1}) {
       NearestPlanes nearest;
-      Counters counters;
-      int left = calls;
-      const bool finished = closest_lines(grids.subsets[0], grids.prepared->charts[0], *grids.a, *grids.b, nearest, counters,
-                                          {.engine = engine, .keep_going = [&](double share) {
-                                             EXPECT_GE(share, 0);
-                                             EXPECT_LE(share, 1);
-                                             return left-- > 0;
-                                           }});
-      if (calls == 0) {
-        EXPECT_FALSE(finished);
-        EXPECT_TRUE(nearest.empty());
+      Watch watch(last);
+      Context context(&watch);
+      const ClosestLinesOptions options{.engine = engine, .first_share = 0.25, .last_share = 0.75};
+      const auto work = [&] { closest_lines(context, grids.subsets[0], grids.scenes[0], nearest, options); };
+      if (last < 0) {
+        EXPECT_NO_THROW(work());
+      } else if (last == 0 || engine != ClosestLines::naive) {
+        EXPECT_THROW(work(), Interrupted);
       }
-      EXPECT_EQ(finished, left >= 0);
+      EXPECT_EQ(nearest.empty(), last == 0);
+      EXPECT_TRUE(std::ranges::is_sorted(watch.shares));
+      EXPECT_EQ(watch.shares.front(), 0.25);
+      EXPECT_LE(watch.shares.back(), 0.75);
     }
   }
 }

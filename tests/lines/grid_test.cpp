@@ -10,7 +10,6 @@ namespace fathom {
 namespace {
 
 using testing::cases_of_all_families;
-using testing::prepare;
 using testing::PreparedGrids;
 using testing::text;
 
@@ -21,12 +20,11 @@ TEST(Grid, IsValidOnAllFamilies) {
   unsigned k = 0;
   for (const Case& input : cases_of_all_families(2, 14)) {
     if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
-    const auto p = prepare(input, perturbations[k++ % perturbations.size()]);
-    const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
-    for (const Charts& charts : p->charts) {
-      const CanonicalSubsets subsets = canonical_subsets(charts);
+    const PreparedGrids prepared(input, perturbations[k++ % perturbations.size()]);
+    for (std::size_t h = 0; h < 2; ++h) {
+      const CanonicalSubsets& subsets = prepared.subsets[h];
       for (std::size_t i = 0; i < subsets.size(); ++i) {
-        const Report report = validate(Grid(subsets[i], charts, a, b), charts);
+        const Report report = validate(Grid(subsets[i], prepared.scenes[h]));
         ASSERT_TRUE(report.ok()) << input.id << "\n" << text(report);
         ++grids;
         falling += !subsets[i].rising;
@@ -44,17 +42,18 @@ TEST(Grid, ValidationNoticesDisorder) {
   const PreparedGrids fans(families::find_family("crossed_fans")->make(1, 30));
   for (std::size_t h = 0; h < 2; ++h) {
     const CanonicalSubsets& subsets = fans.subsets[h];
-    const Charts& charts = fans.prepared->charts[h];
+    const auto valid = [&](const CanonicalPair& pair) { return validate(Grid(pair, fans.scenes[h])).ok(); };
     for (std::size_t i = 0; i < subsets.size(); ++i) {
       const CanonicalPair pair = subsets[i];
-      if (pair.stored.size() < 2 || pair.queries.size() < 2) continue;
-      std::vector<std::uint32_t> stored(pair.stored.begin(), pair.stored.end()), queries(pair.queries.begin(), pair.queries.end());
-      std::swap(stored.front(), stored.back());
-      EXPECT_FALSE(validate(Grid({pair.stored_of, pair.rising, stored, pair.queries}, charts, *fans.a, *fans.b), charts).ok());
-      std::swap(queries.front(), queries[1]);
-      EXPECT_FALSE(validate(Grid({pair.stored_of, pair.rising, pair.stored, queries}, charts, *fans.a, *fans.b), charts).ok());
+      if (pair.a.size() < 2 || pair.b.size() < 2) continue;
+      std::vector<ChartArcOfA> a(pair.a.begin(), pair.a.end());
+      std::vector<ChartArcOfB> b(pair.b.begin(), pair.b.end());
+      std::swap(a.front(), a.back());
+      EXPECT_FALSE(valid({pair.stored_of, pair.rising, a, pair.b}));
+      std::swap(b.front(), b[1]);
+      EXPECT_FALSE(valid({pair.stored_of, pair.rising, pair.a, b}));
       ++shuffled;
-      EXPECT_FALSE(validate(Grid({pair.stored_of, !pair.rising, pair.stored, pair.queries}, charts, *fans.a, *fans.b), charts).ok());
+      EXPECT_FALSE(valid({pair.stored_of, !pair.rising, pair.a, pair.b}));
       ++turned;
     }
   }
@@ -68,7 +67,7 @@ TEST(Grid, EveryCrossingSupportsP) {
   for (const Case& input : cases_of_all_families(1, 10)) {
     if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const PreparedGrids grids(input);
-    grids.for_each([&](const Grid& grid, const Charts&) {
+    grids.for_each([&](const Grid& grid) {
       for (std::size_t i = 0; i < grid.rows(); ++i) {
         for (std::size_t j = 0; j < grid.columns(); ++j) {
           const Vector w = cross(grid.row_direction(i), grid.column_direction(j));

@@ -21,14 +21,15 @@ Work measure(const char* family, unsigned size) {
   const PreparedGrids grids(families::find_family(family)->make(1, size));
   Work result;
   NearestPlanes nearest;
-  Counters counters;
+  Context context;
   for (std::size_t h = 0; h < 2; ++h) {
-    closest_lines(grids.subsets[h], grids.prepared->charts[h], *grids.a, *grids.b, nearest, counters);
+    closest_lines(context, grids.subsets[h], grids.scenes[h], nearest);
     const CanonicalSubsets::Sums sums = grids.subsets[h].sums();
     result.crossings += static_cast<double>(sums.product);
     result.memory += static_cast<double>(sums.a + sums.b);
   }
-  result.edges = static_cast<double>(grids.a->size());
+  result.edges = static_cast<double>(grids.a.size());
+  const Counters& counters = context.counters;
   result.work = static_cast<double>(counters.cells + counters.block_tests + counters.pairs_evaluated);
   return result;
 }

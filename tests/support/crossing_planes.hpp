@@ -40,17 +40,19 @@ struct MeasuredCrossing {
 };
 
 inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
-  const auto ends = [](const Polytope& body, std::uint32_t edge) {
-    const auto [low, high] = std::minmax(body.input_ids[body.edges[edge].from], body.input_ids[body.edges[edge].to]);
+  const auto ends = [](const Polytope& body, const ChartArc& arc) {
+    const Edge& edge = body.edges[arc.arc.value];
+    const auto [low, high] = std::minmax(body.input_ids[edge.from], body.input_ids[edge.to]);
     return std::array<std::uint32_t, 2>{low, high};
   };
+  Context context;
   std::vector<MeasuredCrossing> result;
   for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t k = 0; k < subsets.size(); ++k)
-      for (const std::uint32_t i : subsets[k].edges_of_a())
-        for (const std::uint32_t j : subsets[k].edges_of_b()) {
-          const auto a = ends(p.a, i), b = ends(p.b, j);
+      for (const ChartArcOfA i : subsets[k].a)
+        for (const ChartArcOfB j : subsets[k].b) {
+          const auto a = ends(p.a, charts.of.a.arcs[ChartArcId(i.value)]), b = ends(p.b, charts.of.b.arcs[ChartArcId(j.value)]);
           result.push_back({a, b, spanned_plane(p.lattice.a[a[0]], p.lattice.a[a[1]], p.lattice.b[b[0]], p.lattice.b[b[1]])});
         }
   }

@@ -13,23 +13,30 @@
 
 namespace fathom::testing {
 
-/// The canonical pairs of a case, of both hemispheres.
+/// The canonical pairs of a case, and the lines, of both hemispheres. Scenes refer to the lines.
 struct PreparedGrids {
   std::unique_ptr<Prepared> prepared;
+  EdgeLinesOfA a;
+  EdgeLinesOfB b;
   std::vector<CanonicalSubsets> subsets;
-  std::unique_ptr<EdgeLines> a, b;
+  std::vector<LineScene> scenes;
 
-  explicit PreparedGrids(const Case& input) : prepared(prepare(input)) {
-    for (const Charts& charts : prepared->charts) subsets.push_back(canonical_subsets(charts));
-    a = std::make_unique<EdgeLines>(prepared->a, prepared->exponent);
-    b = std::make_unique<EdgeLines>(prepared->b, prepared->exponent);
+  explicit PreparedGrids(const Case& input, const Perturbation& perturbation = {})
+      : prepared(prepare(input, perturbation)), a(prepared->a, prepared->exponent), b(prepared->b, prepared->exponent) {
+    Context context;
+    for (const Charts& charts : prepared->charts) {
+      subsets.push_back(canonical_subsets(context, charts));
+      scenes.emplace_back(charts, a, b);
+    }
   }
+  PreparedGrids(const PreparedGrids&) = delete;
+  PreparedGrids& operator=(const PreparedGrids&) = delete;
 
-  /// f(grid, charts) for each.
+  /// f(grid) for each.
   template <class F>
   void for_each(F f) const {
     for (std::size_t h = 0; h < subsets.size(); ++h) {
-      for (std::size_t i = 0; i < subsets[h].size(); ++i) f(Grid(subsets[h][i], prepared->charts[h], *a, *b), prepared->charts[h]);
+      for (std::size_t i = 0; i < subsets[h].size(); ++i) f(Grid(subsets[h][i], scenes[h]));
     }
   }
 };

@@ -42,7 +42,7 @@ inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& 
   p->b = convex_hull(p->lattice.b);
   p->minus_a = gaussian_diagram_of_reflection(p->a);
   p->of_b = gaussian_diagram(p->b);
-  for (const bool lower : {false, true}) p->charts.push_back(make_charts(p->minus_a, p->of_b, chart_frame(lower), perturbation));
+  for (const Hemisphere h : both_hemispheres) p->charts.push_back(make_charts(p->minus_a, p->of_b, chart_frame(h), perturbation));
   return p;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <type_traits>
 
 #include "kernels/predicates/filter.hpp"
 #include "tests/support/prepared.hpp"
@@ -14,6 +15,8 @@ namespace {
 using testing::cases_of_all_families;
 using testing::prepare;
 using testing::text;
+
+static_assert(!std::is_constructible_v<VertexFacetPair, Colour, VertexId, NodeId>, "vertex and facet exchanged");
 
 TEST(VertexFacet, SweepFindsAnExtremeVertexForEveryFacet) {
   for (const Case& input : cases_of_all_families(6, 12)) {
@@ -33,7 +36,7 @@ TEST(VertexFacet, ValidateCatchesAWrongVertexAndAMissingFacet) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 20));
   const Charts& charts = p->charts[0];
   std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
-  pairs[0].vertex = (pairs[0].vertex + 1) % 20;
+  pairs[0].vertex = VertexId((pairs[0].vertex.value + 1) % 20);
   EXPECT_FALSE(validate(pairs, charts, p->a, p->b).ok());
   pairs = vertex_facet_pairs(charts);
   pairs.pop_back();

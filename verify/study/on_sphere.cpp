@@ -32,7 +32,7 @@ bool on_equator(const Arc& arc) { return arc.circle.exact().x == 0 && arc.circle
 std::map<Vector, std::uint32_t, LexicographicOrder> passages(const GaussianDiagram& diagram) {
   std::map<Vector, std::uint32_t, LexicographicOrder> result;
   for (std::uint32_t i = 0; i < diagram.arcs.size(); ++i) {
-    const Arc& arc = diagram.arcs[i];
+    const Arc& arc = diagram.arcs[ArcId(i)];
     if (on_equator(arc)) continue;
     const Vector leaves = primitive({arc.circle.exact().y, -arc.circle.exact().x, 0});
     if (diagram.rank == 1) {
@@ -48,10 +48,10 @@ std::map<Vector, std::uint32_t, LexicographicOrder> passages(const GaussianDiagr
 
 void find_on_equator(const Subject& subject, bool of_a, Findings& findings) {
   for (std::uint32_t i = 0; i < subject.diagram.nodes.size(); ++i) {
-    if (subject.diagram.nodes[i].exact().z == 0) findings.add(Coincidence::nodes_on_equator, one_facet(subject, of_a, i));
+    if (subject.diagram.nodes[NodeId(i)].exact().z == 0) findings.add(Coincidence::nodes_on_equator, one_facet(subject, of_a, i));
   }
   for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i) {
-    if (on_equator(subject.diagram.arcs[i])) findings.add(Coincidence::arcs_on_equator, one_edge(subject, of_a, i));
+    if (on_equator(subject.diagram.arcs[ArcId(i)])) findings.add(Coincidence::arcs_on_equator, one_edge(subject, of_a, i));
   }
 }
 
@@ -59,9 +59,9 @@ void find_on_equator(const Subject& subject, bool of_a, Findings& findings) {
 void find_passages_through_arcs(const Subject& lying, const Subject& passing, bool a_lies, Findings& findings) {
   const auto through = passages(passing.diagram);
   for (std::uint32_t i = 0; i < lying.diagram.arcs.size(); ++i) {
-    if (!on_equator(lying.diagram.arcs[i])) continue;
+    if (!on_equator(lying.diagram.arcs[ArcId(i)])) continue;
     for (const auto& [u, j] : through) {
-      if (!inside(lying.diagram, lying.diagram.arcs[i], u)) continue;
+      if (!inside(lying.diagram, lying.diagram.arcs[ArcId(i)], u)) continue;
       findings.add(Coincidence::crossings_on_equator,
                    a_lies ? Involved{{lying.edge(i)}, {passing.edge(j)}} : Involved{{passing.edge(j)}, {lying.edge(i)}});
     }
@@ -77,9 +77,9 @@ void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, 
     const Subject &nodes = node_of_a ? a : b, &arcs = node_of_a ? b : a;
     for (std::uint32_t i = 0; i < nodes.diagram.nodes.size(); ++i) {
       context.report("normals on arcs", static_cast<double>(done++) / all);
-      const Direction& node = nodes.diagram.nodes[i];
+      const Direction& node = nodes.diagram.nodes[NodeId(i)];
       for (std::uint32_t j = 0; j < arcs.diagram.arcs.size(); ++j) {
-        const Arc& arc = arcs.diagram.arcs[j];
+        const Arc& arc = arcs.diagram.arcs[ArcId(j)];
         if (side_of_arc(node, arc.circle) != 0 || !inside(arcs.diagram, arc, node.exact())) continue;
         findings.add(Coincidence::normals_on_arcs, node_of_a ? Involved{{a.facet(i)}, {b.edge(j)}} : Involved{{a.edge(j)}, {b.facet(i)}});
       }
@@ -94,7 +94,7 @@ void find_equator_hits(const Subject& a, const Subject& b, Findings& findings) {
   for (const auto& [u, e] : of_a) {
     const auto found = of_b.find(u);
     if (found == of_b.end()) continue;
-    const bool one_circle = is_zero(cross(a.diagram.arcs[e].circle.exact(), b.diagram.arcs[found->second].circle.exact()));
+    const bool one_circle = is_zero(cross(a.diagram.arcs[ArcId(e)].circle.exact(), b.diagram.arcs[ArcId(found->second)].circle.exact()));
     if (!one_circle) findings.add(Coincidence::crossings_on_equator, {{a.edge(e)}, {b.edge(found->second)}});
   }
   find_passages_through_arcs(a, b, true, findings);
@@ -107,11 +107,11 @@ void find_verticals(const Subject& a, const Subject& b, Findings& findings) {
   for (const bool of_a : {true, false}) {
     const Subject& subject = of_a ? a : b;
     for (std::uint32_t i = 0; i < subject.diagram.nodes.size(); ++i) {
-      const Vector& n = subject.diagram.nodes[i].exact();
+      const Vector& n = subject.diagram.nodes[NodeId(i)].exact();
       if (n.z != 0) groups[primitive({n.x, 0, n.z})][of_a ? 0 : 1].push_back(i);
     }
     for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i) {
-      if (subject.diagram.arcs[i].circle.exact().y == 0) findings.add(Coincidence::arcs_on_verticals, one_edge(subject, of_a, i));
+      if (subject.diagram.arcs[ArcId(i)].circle.exact().y == 0) findings.add(Coincidence::arcs_on_verticals, one_edge(subject, of_a, i));
     }
   }
   for (const auto& [abscissa, nodes] : groups) {

@@ -22,10 +22,10 @@ BodySize size_of(const Polytope& body) { return {body.rank, body.vertices.size()
 /// The predicates that the topology of a pair calls, whether or not the bodies overlap.
 PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiagram& b) {
   const PredicateCounts before = predicate_counts();
-  for (const bool lower : {false, true}) {
-    const Charts charts = make_charts(minus_a, b, chart_frame(lower));
-    vertex_facet_pairs(charts);
-    canonical_subsets(charts);
+  Context context;
+  for (const Hemisphere hemisphere : both_hemispheres) {
+    const Charts charts = make_charts(minus_a, b, chart_frame(hemisphere));
+    canonical_subsets(context, charts);
   }
   return predicate_counts() - before;
 }

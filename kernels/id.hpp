@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Indices that cannot be confused: an index of one kind does not compile where one of another kind is expected.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <ranges>
+#include <vector>
+
+namespace fathom {
+
+/// The index of one kind of thing, which the tag names. As cheap as the number.
+template <class Tag>
+struct Id {
+  std::uint32_t value = 0;
+
+  constexpr Id() = default;
+  explicit constexpr Id(std::uint32_t index) : value(index) {}
+  explicit constexpr operator std::uint32_t() const { return value; }
+
+  /// The id of nothing. It is greater than all others.
+  static constexpr Id none() { return Id(UINT32_MAX); }
+  [[nodiscard]] constexpr bool is_none() const { return value == UINT32_MAX; }
+
+  [[nodiscard]] constexpr Id next() const { return Id(value + 1); }
+
+  friend constexpr auto operator<=>(Id, Id) = default;
+};
+
+/// The ids 0, 1, ..., count - 1.
+template <class I>
+auto ids_below(std::size_t count) {
+  return std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(count)) |
+         std::views::transform([](std::uint32_t i) { return I(i); });
+}
+
+/// A vector whose elements are found by ids of type I alone.
+template <class I, class T>
+struct IdVector : std::vector<T> {
+  using std::vector<T>::vector;
+
+  decltype(auto) operator[](I id) { return std::vector<T>::operator[](id.value); }
+  decltype(auto) operator[](I id) const { return std::vector<T>::operator[](id.value); }
+
+  /// The ids of all elements, ascending.
+  [[nodiscard]] auto ids() const { return ids_below<I>(this->size()); }
+};
+
+}  // namespace fathom

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/lines/line_scene.hpp"
+
+#include <ranges>
+
+namespace fathom {
+
+template <Colour c>
+ChartLines<c>::ChartLines(const ColourChart& chart, const EdgeLines<c>& lines) : chart_(&chart), lines_(&lines) {
+  images_.gather(lines.images(), chart.arcs | std::views::transform([](const ChartArc& arc) { return arc.arc; }));
+  for (const ChartArcId i : chart.arcs.ids()) {
+    if (chart.arcs[i].flipped) images_.reverse(i.value);
+  }
+}
+
+template class ChartLines<Colour::a>;
+template class ChartLines<Colour::b>;
+
+bool offer_arcs(const LineScene& scene, ChartArcOfA e, ChartArcOfB f, NearestPlanes& nearest) {
+  return offer_edges(scene.a.lines(), scene.a.edge(e), scene.b.lines(), scene.b.edge(f), nearest);
+}
+
+}  // namespace fathom

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   the charts of one hemisphere, and the lines through the bodies' edges.
+// Output  what closest lines are sought in: the lines by chart arcs, all directed upward, so that every search speaks of chart arcs alone.
+// Size    linear.
+#pragma once
+
+#include "reference/chart/chart.hpp"
+#include "reference/lines/edge_lines.hpp"
+
+namespace fathom {
+
+/// The lines of one colour's chart arcs, directed upward in the chart: <d,v> > 0. Line i carries the edge of chart arc i.
+template <Colour c>
+class ChartLines {
+ public:
+  using Arc = ChartArcOf<c>;
+
+  ChartLines(const ColourChart& chart, const EdgeLines<c>& lines);
+
+  [[nodiscard]] EdgeOf<c> edge(Arc i) const { return EdgeOf<c>(arc(i).arc.value); }
+  [[nodiscard]] const Vector& point(Arc i) const { return lines_->point(edge(i)); }
+  [[nodiscard]] Vector direction(Arc i) const { return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i)); }
+  [[nodiscard]] const LineImages& images() const { return images_; }
+  [[nodiscard]] const EdgeLines<c>& lines() const { return *lines_; }
+
+ private:
+  [[nodiscard]] const ChartArc& arc(Arc i) const { return chart_->arcs[ChartArcId(i.value)]; }
+
+  const ColourChart* chart_;
+  const EdgeLines<c>* lines_;
+  LineImages images_;
+};
+
+/// The lines of both bodies in one hemisphere. The charts and the lines must outlive it.
+struct LineScene {
+  Vector pole;
+  ChartLines<Colour::a> a;
+  ChartLines<Colour::b> b;
+
+  LineScene(const Charts& charts, const EdgeLinesOfA& lines_a, const EdgeLinesOfB& lines_b)
+      : pole(charts.frame.z.exact()), a(charts.of.a, lines_a), b(charts.of.b, lines_b) {}
+};
+
+/// As offer_edges, of the edges of two chart arcs.
+bool offer_arcs(const LineScene& scene, ChartArcOfA e, ChartArcOfB f, NearestPlanes& nearest);
+
+}  // namespace fathom
