@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/query_filing.hpp"
 
 namespace fathom {
@@ -54,8 +53,10 @@ Iterator partition_point_near(Iterator first, Iterator last, Iterator hint, cons
 // Builds T_A or T_B of one hemisphere and answers its queries.
 class CanonicalBuilder {
  public:
-  CanonicalBuilder(const Charts& charts, Colour stored_of, CanonicalSubsets& out, const std::function<bool(double)>& keep_going)
-      : charts_(charts),
+  CanonicalBuilder(const PerturbedKernel& kernel, const Charts& charts, Colour stored_of, CanonicalSubsets& out,
+                   const std::function<bool(double)>& keep_going)
+      : kernel_(kernel),
+        charts_(charts),
         stored_of_(stored_of),
         root_{0, static_cast<std::uint32_t>(charts.walls.size() + 1)},
         filing_(charts, stored_of),
@@ -75,7 +76,7 @@ class CanonicalBuilder {
     }
     std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     descend(root_, std::move(partial), std::move(queries));
-    count_calls(Predicate::order_on_vertical, probed_);
+    kernel_.count_calls(Predicate::order_on_vertical, probed_);
     return !stopped_;
   }
 
@@ -156,11 +157,11 @@ class CanonicalBuilder {
     const Charts::Wall& w = charts_.walls[wall - 1];
     const VerticalProbe probe(charts_.circles_of(query_of)[query], image(charts_.node(w.colour, w.node)), image(charts_.frame.v));
     return search([&](std::uint32_t s) {
-      if (const int sign = probe.sign(circles[s])) {
+      if (const std::optional<Sign> sign = probe.sign(circles[s])) {
         ++probed_;
-        return sign > 0;
+        return sign == Sign::positive;
       }
-      return above_on_wall(charts_, query_of, q, stored_of_, stored[s], w) > 0;
+      return above_on_wall(kernel_, charts_, query_of, q, stored_of_, stored[s], w) == Sign::positive;
     });
   }
 
@@ -216,6 +217,7 @@ class CanonicalBuilder {
     });
   }
 
+  const PerturbedKernel& kernel_;
   const Charts& charts_;
   Colour stored_of_;
   Strip root_;
@@ -244,9 +246,11 @@ CanonicalSubsets::Sums CanonicalSubsets::sums() const {
   return sums;
 }
 
-CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going) {
+CanonicalSubsets canonical_subsets(Context& context, const Charts& charts, const std::function<bool(double)>& keep_going) {
+  const PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
   CanonicalSubsets result;
-  if (CanonicalBuilder(charts, Colour::a, result, keep_going).run()) CanonicalBuilder(charts, Colour::b, result, keep_going).run();
+  if (CanonicalBuilder(kernel, charts, Colour::a, result, keep_going).run())
+    CanonicalBuilder(kernel, charts, Colour::b, result, keep_going).run();
   return result;
 }
 

@@ -56,7 +56,7 @@ class CanonicalSubsets {
 };
 
 /// `keep_going` is called now and then with the share done; if it returns false, the rest is left out.
-CanonicalSubsets canonical_subsets(const Charts& charts, const std::function<bool(double)>& keep_going = {});
+CanonicalSubsets canonical_subsets(Context& context, const Charts& charts, const std::function<bool(double)>& keep_going = {});
 
 /// The naive twin: all pairs (edge of A, edge of B) whose perturbed arcs cross in the hemisphere; ascending. Tests every pair on the
 /// sphere, without the charts' walls and orders, under the charts' perturbation.

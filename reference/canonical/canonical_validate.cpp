@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 
 namespace fathom {
@@ -32,17 +31,19 @@ class ArcOfEdge {
   std::array<std::vector<std::uint32_t>, 2> index_;
 };
 
-int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
+Sign orientation(const ChartArc& arc) { return arc.flipped ? Sign::negative : Sign::positive; }
 
 // Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a rising r is still below s and a falling
 // one above it. The crossing has the direction +-(d_q x d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
-bool crosses_first(const Charts& charts, Colour of_queries, const ChartArc& q, const ChartArc& r, const ChartArc& s) {
-  const int sign = perturbed_order_at_infinity(charts.perturbation, charts.circle(of_queries, q), charts.circle(other(of_queries), s),
-                                               charts.circle(of_queries, r));
-  return orientation(q) * orientation(r) * orientation(s) * sign < 0;
+bool crosses_first(const PerturbedKernel& kernel, const Charts& charts, Colour of_queries, const ChartArc& q, const ChartArc& r,
+                   const ChartArc& s) {
+  const Sign sign =
+      kernel.order_at_infinity(charts.circle(of_queries, q), charts.circle(other(of_queries), s), charts.circle(of_queries, r));
+  return orientation(q) * orientation(r) * orientation(s) * sign == Sign::negative;
 }
 
-void check_grid(Report& report, const Charts& charts, const ArcOfEdge& arc_of_edge, const CanonicalPair& pair) {
+void check_grid(Report& report, const PerturbedKernel& kernel, const Charts& charts, const ArcOfEdge& arc_of_edge,
+                const CanonicalPair& pair) {
   const Colour of_stored = pair.stored_of, of_queries = other(of_stored);
   const auto stored = [&](std::size_t i) { return arc_of_edge(of_stored, pair.stored[i]); };
   const auto query = [&](std::size_t i) { return arc_of_edge(of_queries, pair.queries[i]); };
@@ -51,13 +52,14 @@ void check_grid(Report& report, const Charts& charts, const ArcOfEdge& arc_of_ed
   for (std::size_t i = 0; i < pair.queries.size(); ++i) here = here && query(i) != nullptr;
   if (!report.expect(here, "an edge of a canonical pair has no arc in the hemisphere")) return;
   for (std::size_t i = 1; i < pair.stored.size(); ++i) {
-    report.expect(above_same_colour(charts, of_stored, *stored(i), *stored(i - 1)) > 0, "stored arcs are not in height order");
+    report.expect(above_same_colour(kernel, charts, of_stored, *stored(i), *stored(i - 1)) == Sign::positive,
+                  "stored arcs are not in height order");
   }
   for (std::size_t i = 0; i < pair.stored.size(); ++i) {
     for (std::size_t k = 0; k < pair.queries.size(); ++k) {
-      const bool from_below = above_far_left(charts, of_queries, *query(k), of_stored, *stored(i)) < 0;
+      const bool from_below = above_far_left(kernel, charts, of_queries, *query(k), of_stored, *stored(i)) == Sign::negative;
       report.expect(from_below == pair.rising, "a query crosses in the other sense");
-      report.expect(k == 0 || crosses_first(charts, of_queries, *query(k - 1), *query(k), *stored(i)),
+      report.expect(k == 0 || crosses_first(kernel, charts, of_queries, *query(k - 1), *query(k), *stored(i)),
                     "queries are not in the order in which they cross");
     }
   }
@@ -67,6 +69,8 @@ void check_grid(Report& report, const Charts& charts, const ArcOfEdge& arc_of_ed
 
 Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
   Report report;
+  PredicateCounts uncounted;
+  const PerturbedKernel kernel(charts.perturbation, uncounted);
   const GaussianDiagram& a = charts.diagram(Colour::a);
   const GaussianDiagram& b = charts.diagram(Colour::b);
   const ArcOfEdge arc_of_edge(charts);
@@ -81,7 +85,7 @@ Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
       report.expect(sorted.empty() || sorted.back() < (side.data() == pair.edges_of_a().data() ? a : b).arcs.size(),
                     "C1: an index is not an edge");
     }
-    check_grid(report, charts, arc_of_edge, pair);
+    check_grid(report, kernel, charts, arc_of_edge, pair);
     for (const std::uint32_t i : pair.edges_of_a()) {
       for (const std::uint32_t j : pair.edges_of_b()) ++reported[{i, j}];
     }

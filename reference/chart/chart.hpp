@@ -10,8 +10,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/context.hpp"
 #include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "kernels/report.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
@@ -87,18 +88,21 @@ struct Charts {
 };
 
 /// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
-Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation = {});
+Charts make_charts(Context& context, const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame,
+                   const Perturbation& perturbation = {});
 
-/// Questions of the combinatorial layer; each answer is 1 or -1, never 0.
-/// 1: the node lies above the line of the arc. Not for an end of the arc.
-int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc);
-/// 1: arc e lies above arc f on the wall.
-int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall);
-/// 1: arc e lies above arc f far to the left.
-int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f);
-/// 1: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
+/// Questions of the combinatorial layer; no answer is zero.
+/// Positive: the node lies above the line of the arc. Not for an end of the arc.
+Sign node_above_arc(const PerturbedKernel& kernel, const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc,
+                    const ChartArc& arc);
+/// Positive: arc e lies above arc f on the wall.
+Sign above_on_wall(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f,
+                   const Charts::Wall& wall);
+/// Positive: arc e lies above arc f far to the left.
+Sign above_far_left(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f);
+/// Positive: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
 /// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
-int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
+Sign above_same_colour(const PerturbedKernel& kernel, const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f);
 
 /// Checks walls' order pairwise for neighbours, orientation and hemisphere of every arc and end, and at each face that the arcs below it
 /// come before those above it: then the arcs are in height order [proofs/chart.md]. Linear. Places are checked by vertex_facet.

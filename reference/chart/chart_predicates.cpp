@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of the combinatorial layer: orientation of arcs on top of the predicates of kernels/.
-#include "kernels/predicates/filter.hpp"
 #include "reference/chart/chart.hpp"
 
 namespace fathom {
 namespace {
 
-int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
+Sign orientation(const ChartArc& arc) { return arc.flipped ? Sign::negative : Sign::positive; }
 
 }  // namespace
 
-int node_above_arc(const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc, const ChartArc& arc) {
-  return orientation(arc) * perturbed_side_of_arc(charts.perturbation, charts.node(of_node, node), charts.circle(of_arc, arc));
+Sign node_above_arc(const PerturbedKernel& kernel, const Charts& charts, Colour of_node, std::uint32_t node, Colour of_arc,
+                    const ChartArc& arc) {
+  return orientation(arc) * kernel.side_of_arc(charts.node(of_node, node), charts.circle(of_arc, arc));
 }
 
-int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Charts::Wall& wall) {
+Sign above_on_wall(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f,
+                   const Charts::Wall& wall) {
   return orientation(e) * orientation(f) *
-         perturbed_order_on_vertical(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f),
-                                     charts.node(wall.colour, wall.node), charts.frame.v);
+         kernel.order_on_vertical(charts.circle(of_e, e), charts.circle(of_f, f), charts.node(wall.colour, wall.node), charts.frame.v);
 }
 
-int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
-  return orientation(e) * orientation(f) *
-         perturbed_order_at_infinity(charts.perturbation, charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
+Sign above_far_left(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
+  return orientation(e) * orientation(f) * kernel.order_at_infinity(charts.circle(of_e, e), charts.circle(of_f, f), charts.frame.z);
 }
 
-int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
+Sign above_same_colour(const PerturbedKernel& kernel, const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
   const auto wall = [&](std::uint32_t node) { return charts.wall(colour, node); };
   // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
   if (e.left != f.left) {
     const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) > wall(f.left));
-    return later ? node_above_arc(charts, colour, e.left, colour, f) : -node_above_arc(charts, colour, f.left, colour, e);
+    return later ? node_above_arc(kernel, charts, colour, e.left, colour, f) : -node_above_arc(kernel, charts, colour, f.left, colour, e);
   }
   if (e.right != f.right) {
     const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
-    return earlier ? node_above_arc(charts, colour, e.right, colour, f) : -node_above_arc(charts, colour, f.right, colour, e);
+    return earlier ? node_above_arc(kernel, charts, colour, e.right, colour, f)
+                   : -node_above_arc(kernel, charts, colour, f.right, colour, e);
   }
   // Both run from one node to the same infinity, or from it to one node: the order there is that of their slopes.
-  const int far_left = above_far_left(charts, colour, e, colour, f);
+  const Sign far_left = above_far_left(kernel, charts, colour, e, colour, f);
   return e.left == at_infinity ? far_left : -far_left;
 }
 

@@ -5,8 +5,6 @@
 #include <array>
 #include <bit>
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
@@ -14,8 +12,9 @@ namespace {
 // the greatest index in its subtree.
 class SweepLine {
  public:
-  SweepLine(const Charts& charts, Colour colour)
-      : charts_(charts),
+  SweepLine(const PerturbedKernel& kernel, const Charts& charts, Colour colour)
+      : kernel_(kernel),
+        charts_(charts),
         colour_(colour),
         leaves_(std::bit_ceil(std::max<std::uint32_t>(1, static_cast<std::uint32_t>(charts.arcs_of(colour).size())))),
         highest_(2 * std::size_t{leaves_}, none) {}
@@ -42,11 +41,11 @@ class SweepLine {
   static constexpr std::uint32_t none = UINT32_MAX;
 
   [[nodiscard]] bool passes_below(std::uint32_t arc, std::uint32_t node, const Vec3<double>& at) const {
-    if (const int side = sure_side_of_arc(at, charts_.circles_of(colour_)[arc])) {
-      count_calls(Predicate::side_of_arc, 1);
-      return side > 0;
+    if (const std::optional<Sign> side = sure_side_of_arc(at, charts_.circles_of(colour_)[arc])) {
+      kernel_.count_calls(Predicate::side_of_arc, 1);
+      return side == Sign::positive;
     }
-    return node_above_arc(charts_, other(colour_), node, colour_, charts_.arcs_of(colour_)[arc]) > 0;
+    return node_above_arc(kernel_, charts_, other(colour_), node, colour_, charts_.arcs_of(colour_)[arc]) == Sign::positive;
   }
 
   // Of the arcs on the sweep line the highest that passes below the node. A predicate is asked only where both subtrees hold arcs.
@@ -72,6 +71,7 @@ class SweepLine {
     return highest_[i];
   }
 
+  const PerturbedKernel& kernel_;
   const Charts& charts_;
   Colour colour_;
   std::uint32_t leaves_;
@@ -97,7 +97,7 @@ struct Incidence {
 };
 
 // Both colours' arcs that reach to the same infinity are sorted there by index. Merges them by height.
-void locate_at_infinity(Charts& charts, bool at_left) {
+void locate_at_infinity(const PerturbedKernel& kernel, Charts& charts, bool at_left) {
   std::array<std::vector<std::uint32_t>, 2> ends;
   for (const std::size_t c : {0, 1}) {
     for (std::uint32_t i = 0; i < charts.arcs[c].size(); ++i) {
@@ -109,8 +109,9 @@ void locate_at_infinity(Charts& charts, bool at_left) {
   while (next[0] < ends[0].size() || next[1] < ends[1].size()) {
     std::size_t c = next[0] < ends[0].size() ? 0 : 1;
     if (next[0] < ends[0].size() && next[1] < ends[1].size()) {
-      const int sign = above_far_left(charts, Colour::a, charts.arcs[0][ends[0][next[0]]], Colour::b, charts.arcs[1][ends[1][next[1]]]);
-      c = (sign > 0) == at_left ? 1 : 0;
+      const Sign sign =
+          above_far_left(kernel, charts, Colour::a, charts.arcs[0][ends[0][next[0]]], Colour::b, charts.arcs[1][ends[1][next[1]]]);
+      c = (sign == Sign::positive) == at_left ? 1 : 0;
     }
     const std::uint32_t lower = ends[c][next[c]++];
     ChartArc& arc = charts.arcs[c][lower];
@@ -122,13 +123,13 @@ void locate_at_infinity(Charts& charts, bool at_left) {
 }  // namespace
 
 // A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located.
-void locate_nodes(Charts& charts, Colour colour) {
+void locate_nodes(const PerturbedKernel& kernel, Charts& charts, Colour colour) {
   std::vector<NodePlace>& places = charts.place_of[static_cast<std::size_t>(colour)];
   places.assign(charts.diagram(colour).nodes.size(), {});
   const Colour of_arcs = other(colour);
   const std::vector<ChartArc>& arcs = charts.arcs_of(of_arcs);
   const Incidence incidence(charts, of_arcs);
-  SweepLine line(charts, of_arcs);
+  SweepLine line(kernel, charts, of_arcs);
   for (std::uint32_t i = 0; i < arcs.size(); ++i) {
     if (arcs[i].left == at_infinity) line.insert(i);
   }
@@ -148,14 +149,14 @@ void locate_nodes(Charts& charts, Colour colour) {
   }
 }
 
-void locate_ends(Charts& charts) {
+void locate_ends(const PerturbedKernel& kernel, Charts& charts) {
   for (const Colour c : {Colour::a, Colour::b}) {
     for (ChartArc& arc : charts.arcs[static_cast<std::size_t>(c)]) {
       if (arc.left != at_infinity) arc.left_height = charts.place(c, arc.left).height;
       if (arc.right != at_infinity) arc.right_height = charts.place(c, arc.right).height;
     }
   }
-  for (const bool at_left : {true, false}) locate_at_infinity(charts, at_left);
+  for (const bool at_left : {true, false}) locate_at_infinity(kernel, charts, at_left);
 }
 
 }  // namespace fathom

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
@@ -35,11 +33,11 @@ bool close_together(double x, double y) { return !(std::abs(y - x) > 0x1p-40 * (
 
 }  // namespace
 
-void raise_walls(Charts& charts) {
+void raise_walls(const PerturbedKernel& kernel, Charts& charts) {
   const auto left_of = [&](const Candidate& s, const Candidate& t) {
     const bool same = s.wall.colour == t.wall.colour && s.wall.node == t.wall.node;
-    return !same && perturbed_x_order(charts.perturbation, charts.node(s.wall.colour, s.wall.node), charts.node(t.wall.colour, t.wall.node),
-                                      charts.frame.v) > 0;
+    return !same && kernel.x_order(charts.node(s.wall.colour, s.wall.node), charts.node(t.wall.colour, t.wall.node), charts.frame.v) ==
+                        Sign::positive;
   };
   std::vector<Candidate> all = candidates(charts);
   std::ranges::sort(all, {}, &Candidate::x);

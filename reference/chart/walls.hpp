@@ -8,6 +8,6 @@ namespace fathom {
 
 /// Fills in the walls, and in wall_of their indices, for the nodes that wall_of marks with anything but at_infinity. Sorted exactly, in
 /// O(N log N); where abscissae are well apart, one predicate a wall.
-void raise_walls(Charts& charts);
+void raise_walls(const PerturbedKernel& kernel, Charts& charts);
 
 }  // namespace fathom

@@ -5,7 +5,6 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/parallel.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/depth/certified_depth.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/depth/deciding_points.hpp"
@@ -61,9 +60,10 @@ class Penetration {
   void run() {
     progress("hulls");
     Polytope a, b;
+    Context context;
     run_both(
-        lattice_.a.size() + lattice_.b.size() >= worth_a_thread, [&] { a = convex_hull(lattice_.a); },
-        [&] { b = convex_hull(lattice_.b); });
+        lattice_.a.size() + lattice_.b.size() >= worth_a_thread, context, [&](Context&) { a = convex_hull(lattice_.a); },
+        [&](Context&) { b = convex_hull(lattice_.b); });
     if (options_.validate) {
       insist(validate(a, lattice_.a));
       insist(validate(b, lattice_.b));
@@ -106,7 +106,6 @@ class Penetration {
 };
 
 Depth depth_on(const Lattice& lattice, const Options& options, const FindNearest& find_nearest) {
-  const PredicateCounts before = predicate_counts();
   const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
   const PointCloud cloud_a(lattice.a, exponent), cloud_b(lattice.b, exponent);
   if (options.method == Method::certificate) {
@@ -129,7 +128,6 @@ Depth depth_on(const Lattice& lattice, const Options& options, const FindNearest
     result.direction = result.distance->direction;
   }
   if (result.status == Status::penetrating) Penetration(lattice, exponent, options, find_nearest, result).run();
-  result.counters.predicates = predicate_counts() - before;
   return result;
 }
 

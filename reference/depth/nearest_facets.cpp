@@ -30,7 +30,8 @@ class Pipeline {
         lines_a_(a, exponent),
         lines_b_(b, exponent) {
     run_both(
-        in_two_threads_, [&] { of_minus_a_ = gaussian_diagram_of_reflection(a); }, [&] { of_b_ = gaussian_diagram(b); });
+        in_two_threads_, context_, [&](Context&) { of_minus_a_ = gaussian_diagram_of_reflection(a); },
+        [&](Context&) { of_b_ = gaussian_diagram(b); });
     if (options.validate) {
       insist(validate(of_minus_a_, a, true));
       insist(validate(of_b_, b, false));
@@ -39,11 +40,13 @@ class Pipeline {
 
   NearestPlanes run() {
     std::array<Charts, 2> hemispheres;
-    in_both("charts", [&](std::size_t i, const auto&) { hemispheres[i] = charts(i == 1); });
+    in_both("charts", [&](Context& context, std::size_t i, const auto&) { hemispheres[i] = charts(context, i == 1); });
     for (const Charts& charts : hemispheres) offer_vertex_facets(charts);
     std::array<CanonicalSubsets, 2> subsets;
-    in_both("canonical subsets",
-            [&](std::size_t i, const auto& keep_going) { subsets[i] = canonical_subsets(hemispheres[i], keep_going); });
+    in_both("canonical subsets", [&](Context& context, std::size_t i, const auto& keep_going) {
+      subsets[i] = canonical_subsets(context, hemispheres[i], keep_going);
+    });
+    counters_.predicates += context_.counters.predicates;
     for (std::size_t i = 0; i < 2; ++i) offer_crossing_edges(subsets[i], hemispheres[i], 0.5 * static_cast<double>(i));
     return std::move(nearest_);
   }
@@ -53,10 +56,10 @@ class Pipeline {
     if (options_.progress && !options_.progress(stage, share)) throw Interrupted();
   }
 
-  // Calls work(0, keep_going) and work(1, keep_going), one for each hemisphere. Only the calling thread talks; the other one hears from it
+  // Calls work(context, 0, keep_going) and work(context, 1, keep_going), one for each hemisphere. Only the calling thread talks; the other one hears from it
   // whether to go on.
   template <class Work>
-  void in_both(const char* stage, const Work& work) const {
+  void in_both(const char* stage, const Work& work) {
     progress(stage, 0);
     std::atomic<bool> stopped = false;
     const std::function<bool(double)> talk = [&](double share) {
@@ -65,12 +68,12 @@ class Pipeline {
     };
     const std::function<bool(double)> listen = [&](double) { return !stopped; };
     run_both(
-        in_two_threads_, [&] { work(0, talk); }, [&] { work(1, listen); });
+        in_two_threads_, context_, [&](Context& context) { work(context, 0, talk); }, [&](Context& context) { work(context, 1, listen); });
     if (stopped) throw Interrupted();
   }
 
-  Charts charts(bool lower) const {
-    Charts charts = make_charts(of_minus_a_, of_b_, chart_frame(lower), options_.perturbation);
+  Charts charts(Context& context, bool lower) const {
+    Charts charts = make_charts(context, of_minus_a_, of_b_, chart_frame(lower), options_.perturbation);
     if (options_.validate) insist(validate(charts));
     return charts;
   }
@@ -105,6 +108,7 @@ class Pipeline {
   const Polytope& b_;
   const Options& options_;
   Counters& counters_;
+  Context context_;
   bool in_two_threads_;
   GaussianDiagram of_minus_a_, of_b_;
   EdgeLines lines_a_, lines_b_;

@@ -23,9 +23,9 @@ void offer_facets(const Polytope& a, const Polytope& b, ExtremePoint extreme, Ne
   }
 }
 
-void offer_crossing(const GaussianDiagram& of_a, const EdgeLines& a, std::uint32_t e, const GaussianDiagram& of_b, const EdgeLines& b,
-                    std::uint32_t f, NearestPlanes& nearest) {
-  if (!strict_crossings(of_a, of_a.arcs[e], of_b, of_b.arcs[f]).empty()) offer_edges(a, e, b, f, nearest);
+void offer_crossing(const UnperturbedKernel& kernel, const GaussianDiagram& of_a, const EdgeLines& a, std::uint32_t e,
+                    const GaussianDiagram& of_b, const EdgeLines& b, std::uint32_t f, NearestPlanes& nearest) {
+  if (!strict_crossings(kernel, of_a, of_a.arcs[e], of_b, of_b.arcs[f]).empty()) offer_edges(a, e, b, f, nearest);
 }
 
 ArcImages arc_images(const GaussianDiagram& diagram) {
@@ -45,10 +45,12 @@ NearestPlanes nearest_facets_naive(const Polytope& a, const Polytope& b) {
         return points[extreme_points_naive(points, u).front()];
       },
       nearest);
+  PredicateCounts uncounted;
+  const UnperturbedKernel kernel(uncounted);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   const EdgeLines lines_a(a, 0), lines_b(b, 0);
   for (std::uint32_t e = 0; e < lines_a.size(); ++e) {
-    for (std::uint32_t f = 0; f < lines_b.size(); ++f) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
+    for (std::uint32_t f = 0; f < lines_b.size(); ++f) offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, f, nearest);
   }
   return nearest;
 }
@@ -63,6 +65,8 @@ NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exp
         return cloud[extreme_points(cloud, u).front()];
       },
       nearest);
+  PredicateCounts uncounted;
+  const UnperturbedKernel kernel(uncounted);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   const EdgeLines lines_a(a, exponent), lines_b(b, exponent);
   const bool arcs_have_ends = a.rank >= 2 && b.rank >= 2;
@@ -75,7 +79,7 @@ NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exp
     } else {
       not_farther(lines_a.images(), e, lines_b.images(), bound, unsure);
     }
-    for (const std::uint32_t f : unsure) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
+    for (const std::uint32_t f : unsure) offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, f, nearest);
   }
   return nearest;
 }

@@ -14,15 +14,12 @@ LineRun span_of(Clearing::Lines lines) { return {lines.front(), std::size_t{line
 // The vertex test in exact arithmetic, on the corners and the middle lines of a block.
 bool exact_corners_clear(const Grid& grid, LineRun rows, std::size_t of_row, LineRun columns, std::size_t of_column,
                          const NearestPlanes& nearest) {
-  if (nearest.empty()) return false;
   const Vector s = grid.column_point(of_column) - grid.row_point(of_row);
   for (const std::size_t i : {rows.first, rows.last - 1}) {
     const Vector d = grid.row_direction(i);
     for (const std::size_t j : {columns.first, columns.last - 1}) {
       const Vector w = cross(d, grid.column_direction(j));
-      const mpz_class height = dot(s, w);
-      if (height <= 0) return false;
-      if (mpz_class(height * height * nearest.denominator()) <= mpz_class(nearest.numerator() * dot(w, w))) return false;
+      if (!nearest.nearer_than(w, dot(s, w))) return false;
     }
   }
   return true;

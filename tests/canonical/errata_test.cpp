@@ -84,8 +84,9 @@ GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
 
 CanonicalSubsets family_of(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   const GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
-  const Charts charts = make_charts(diagram_a, diagram_b, chart_frame(false));
-  CanonicalSubsets subsets = canonical_subsets(charts);
+  Context context;
+  const Charts charts = make_charts(context, diagram_a, diagram_b, chart_frame(false));
+  CanonicalSubsets subsets = canonical_subsets(context, charts);
   EXPECT_TRUE(validate(subsets, charts).ok()) << testing::text(validate(subsets, charts));
   return subsets;
 }
@@ -203,7 +204,7 @@ Pair edges_towards(const Polytope& a, const Polytope& b, const Vector& u) {
 int times_reported(const testing::Prepared& p, const Pair& pair) {
   int times = 0;
   for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t i = 0; i < subsets.size(); ++i) {
       times +=
           static_cast<int>(std::ranges::count(subsets[i].edges_of_a(), pair.of_a) * std::ranges::count(subsets[i].edges_of_b(), pair.of_b));
@@ -223,10 +224,10 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
     const Arc& e = p->of_b.arcs[pair.of_b];
     const Arc& f = p->minus_a.arcs[pair.of_a];
-    const std::vector<int> signs = strict_crossings(p->minus_a, f, p->of_b, e);
+    const std::vector<Sign> signs = strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
     ASSERT_EQ(signs.size(), 1U);
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
-    const Vector w = signs[0] > 0 ? normal : -normal;
+    const Vector w = signs[0] == Sign::positive ? normal : -normal;
     EXPECT_TRUE(same_direction(w, {1, 0, 0}));
     const Vector step = p->b.vertices[e.above] - p->a.vertices[f.above];
     EXPECT_GT(dot(step, w), 0) << "C4 as a sign";

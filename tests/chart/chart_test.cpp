@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "kernels/predicates/filter.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/signs.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom {
@@ -52,9 +52,10 @@ TEST(ChartFrame, PoleIsNormalToTheVerticalIdentically) {
 TEST(ChartFrame, ArbitraryTiltIsNoOrder) {
   const Direction v(Vector{0, 8, 1}), z(Vector{0, 0, 1});
   const std::array<Direction, 3> n{Direction(Vector{3, 7, 1}), Direction(Vector{0, 12, 1}), Direction(Vector{-3, 7, 1})};
-  for (const Direction& d : n) ASSERT_GT(side_of_equator(d, z), 0);
-  EXPECT_EQ(x_order(n[0], n[1], v), x_order(n[1], n[2], v));
-  EXPECT_EQ(x_order(n[1], n[2], v), x_order(n[2], n[0], v));
+  const auto signs = unperturbed();
+  for (const Direction& d : n) ASSERT_GT(signs.side_of_equator(d, z), 0);
+  EXPECT_EQ(signs.x_order(n[0], n[1], v), signs.x_order(n[1], n[2], v));
+  EXPECT_EQ(signs.x_order(n[1], n[2], v), signs.x_order(n[2], n[0], v));
 }
 
 TEST(Chart, LawsHoldOnEveryFamily) {
@@ -74,7 +75,7 @@ TEST(Chart, WallsAreTotallyOrdered) {
       for (std::size_t i = 0; i < charts.walls.size(); ++i) {
         for (std::size_t j = 0; j < charts.walls.size(); ++j) {
           if (i == j) continue;
-          EXPECT_EQ(perturbed_x_order(charts.perturbation, node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
+          EXPECT_EQ(perturbed(charts.perturbation).x_order(node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
         }
       }
     }
@@ -93,7 +94,8 @@ TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
     b.nodes.emplace_back(Vector{k + part, sum - part - k, 0});
   }
   const Frame frame{Direction(Vector{0, 0, 1}), Direction(Vector{1, 1, 0})};
-  const Charts charts = make_charts(a, b, frame);
+  Context context;
+  const Charts charts = make_charts(context, a, b, frame);
   ASSERT_EQ(charts.walls.size(), b.nodes.size());
   for (std::uint32_t i = 0; i < charts.walls.size(); ++i) EXPECT_EQ(charts.walls[i].node, i);
   EXPECT_TRUE(validate(charts).ok()) << text(validate(charts));
@@ -132,7 +134,7 @@ TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
             if (e.arc == f.arc) continue;
             for (std::uint32_t w = 0; w < charts.walls.size(); ++w) {
               if (!covers(e, w) || !covers(f, w)) continue;
-              EXPECT_EQ(above_same_colour(charts, c, e, f), above_on_wall(charts, c, e, c, f, charts.walls[w]))
+              EXPECT_EQ(above_same_colour(kernel_of(charts), charts, c, e, f), above_on_wall(kernel_of(charts), charts, c, e, c, f, charts.walls[w]))
                   << input.id << " arcs " << e.arc << ", " << f.arc << " wall " << w;
               ++compared;
             }
@@ -160,7 +162,7 @@ TEST(Chart, ArcsAreListedInHeightOrder) {
             EXPECT_EQ(charts.flipped(c, arcs[i].arc), arcs[i].flipped);
             for (std::size_t j = i + 1; j < arcs.size(); ++j) {
               if (std::max(left(arcs[i]), left(arcs[j])) >= std::min(right(arcs[i]), right(arcs[j]))) continue;
-              EXPECT_GT(above_same_colour(charts, c, arcs[j], arcs[i]), 0) << input.id << " arcs " << i << ", " << j;
+              EXPECT_EQ(above_same_colour(kernel_of(charts), charts, c, arcs[j], arcs[i]), Sign::positive) << input.id << " arcs " << i << ", " << j;
               ++compared;
             }
           }
@@ -189,7 +191,7 @@ TEST(Chart, ArcsThatLieAboveEachOtherInACircleAreRefused) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 12));
   GaussianDiagram broken = p->of_b;
   std::swap(broken.arcs[0].above, broken.arcs[0].below);
-  const auto charts = [&](bool lower) { return make_charts(p->minus_a, broken, chart_frame(lower)); };
+  const auto charts = [&](bool lower) { return make_charts(p->context, p->minus_a, broken, chart_frame(lower)); };
   EXPECT_THROW((charts(false), charts(true)), std::logic_error);
 }
 
@@ -206,7 +208,7 @@ TEST(Chart, PlacesAgreeWithEveryArcOverTheNode) {
         for (std::uint32_t i = 0; i < arcs.size(); ++i) {
           if (arcs[i].left != at_infinity && charts.wall(c, arcs[i].left) > at) continue;
           if (arcs[i].right != at_infinity && charts.wall(c, arcs[i].right) < at) continue;
-          EXPECT_EQ(i<charts.place(wall.colour, wall.node).height, node_above_arc(charts, wall.colour, wall.node, c, arcs[i])> 0);
+          EXPECT_EQ(i<charts.place(wall.colour, wall.node).height, node_above_arc(kernel_of(charts), charts, wall.colour, wall.node, c, arcs[i]) == Sign::positive);
           ++compared;
         }
       }
@@ -235,14 +237,14 @@ TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
             if (dot(n, charts.frame.z.exact()) == 0) continue;
             const int exact = difference(project(n, charts.frame).x);
             if (exact == 0) continue;
-            EXPECT_EQ(above_on_wall(charts, Colour::a, e, Colour::b, f, wall), exact) << input.id;
+            EXPECT_EQ(to_int(above_on_wall(kernel_of(charts), charts, Colour::a, e, Colour::b, f, wall)), exact) << input.id;
             ++compared;
           }
           // Heights are linear in x: far to the left the slopes decide.
           const mpq_class slope_e = height(d_e, charts.frame, 1) - height(d_e, charts.frame, 0);
           const mpq_class slope_f = height(d_f, charts.frame, 1) - height(d_f, charts.frame, 0);
           if (slope_e == slope_f) continue;
-          EXPECT_EQ(above_far_left(charts, Colour::a, e, Colour::b, f), slope_e < slope_f ? 1 : -1) << input.id;
+          EXPECT_EQ(to_int(above_far_left(kernel_of(charts), charts, Colour::a, e, Colour::b, f)), slope_e < slope_f ? 1 : -1) << input.id;
         }
       }
     }
@@ -268,9 +270,8 @@ TEST(Chart, FaceBesideAnArcPrefersItsVertex) {
 
 // Boxes: every normal on an axis, every edge parallel to one. All of it is resolved, and recorded by monomial.
 TEST(Chart, RecordsWhichMonomialDecided) {
-  const PredicateCounts before = predicate_counts();
   const auto p = prepare(families::find_family("boxes_aligned")->make(1, 8));
-  const PredicateCounts counts = predicate_counts() - before;
+  const PredicateCounts& counts = p->context.counters.predicates;
   for (const Predicate predicate : {Predicate::side_of_equator, Predicate::x_order, Predicate::side_of_arc}) {
     const TierCounts& tiers = counts[static_cast<std::size_t>(predicate)];
     std::uint64_t decided = 0;
@@ -285,7 +286,7 @@ TEST(Chart, QuestionsWithinABodyThatNothingResolvesAreRefused) {
   const Charts& charts = p->charts[0];
   const ChartArc& arc = charts.arcs_of(Colour::b).front();
   const std::uint32_t end = arc.left != at_infinity ? arc.left : arc.right;
-  EXPECT_THROW(node_above_arc(charts, Colour::b, end, Colour::b, arc), std::logic_error);
+  EXPECT_THROW(std::ignore = node_above_arc(kernel_of(charts), charts, Colour::b, end, Colour::b, arc), std::logic_error);
 }
 
 }  // namespace

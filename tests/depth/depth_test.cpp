@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/nearest_facets.hpp"
 #include "tests/oracles/brute_oracle.hpp"
@@ -146,11 +145,10 @@ TEST(Depth, CountersAreThoseOfTheRun) {
 TEST(Depth, TwoThreadsChangeNothing) {
   const Case input = families::find_family("random_sphere")->make(3, 1100);
   const Depth depth = solve(input);
-  const PredicateCounts before = predicate_counts();
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
-  for (const Charts& charts : p->charts) crossings += canonical_subsets(charts).sums().product;
-  const PredicateCounts alone = predicate_counts() - before;
+  for (const Charts& charts : p->charts) crossings += canonical_subsets(p->context, charts).sums().product;
+  const PredicateCounts& alone = p->context.counters.predicates;
   EXPECT_EQ(depth.counters.crossings, crossings);
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     EXPECT_EQ(depth.counters.predicates[i].calls, alone[i].calls) << predicate_names[i];

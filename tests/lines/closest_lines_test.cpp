@@ -27,7 +27,7 @@ TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
     const auto p = prepare(input);
     const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
     for (const Charts& charts : p->charts) {
-      const CanonicalSubsets subsets = canonical_subsets(charts);
+      const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
       NearestPlanes filtered, exact;
       Counters counters;
       ASSERT_TRUE(closest_lines(subsets, charts, a, b, filtered, counters, {.engine = ClosestLines::naive}));
@@ -73,7 +73,7 @@ TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
     const auto p = prepare(input);
     const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
     for (const Charts& charts : p->charts) {
-      const Report report = validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact());
+      const Report report = validate_separation(canonical_subsets(p->context, charts), a, b, charts.frame.z.exact());
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
       ++checked;
     }
@@ -85,7 +85,7 @@ TEST(ClosestLines, SeparationIsNoticedToFail) {
   const auto p = prepare(families::find_family("random_disjoint")->make(1, 20));
   const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
   bool failed = false;
-  for (const Charts& charts : p->charts) failed |= !validate_separation(canonical_subsets(charts), a, b, charts.frame.z.exact()).ok();
+  for (const Charts& charts : p->charts) failed |= !validate_separation(canonical_subsets(p->context, charts), a, b, charts.frame.z.exact()).ok();
   EXPECT_TRUE(failed) << "disjoint bodies are not separated in every direction";
 }
 
@@ -95,7 +95,7 @@ TEST(ClosestLines, StopsWhenAsked) {
   NearestPlanes nearest;
   Counters counters;
   EXPECT_FALSE(
-      closest_lines(canonical_subsets(p->charts[0]), p->charts[0], a, b, nearest, counters, {.keep_going = [](double) { return false; }}));
+      closest_lines(canonical_subsets(p->context, p->charts[0]), p->charts[0], a, b, nearest, counters, {.keep_going = [](double) { return false; }}));
   EXPECT_TRUE(nearest.empty());
 }
 

@@ -24,7 +24,7 @@ TEST(Grid, IsValidOnAllFamilies) {
     const auto p = prepare(input, perturbations[k++ % perturbations.size()]);
     const EdgeLines a(p->a, p->exponent), b(p->b, p->exponent);
     for (const Charts& charts : p->charts) {
-      const CanonicalSubsets subsets = canonical_subsets(charts);
+      const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
       for (std::size_t i = 0; i < subsets.size(); ++i) {
         const Report report = validate(Grid(subsets[i], charts, a, b), charts);
         ASSERT_TRUE(report.ok()) << input.id << "\n" << text(report);

@@ -45,8 +45,9 @@ inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
     return std::array<std::uint32_t, 2>{low, high};
   };
   std::vector<MeasuredCrossing> result;
+  Context context;
   for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t k = 0; k < subsets.size(); ++k)
       for (const std::uint32_t i : subsets[k].edges_of_a())
         for (const std::uint32_t j : subsets[k].edges_of_b()) {

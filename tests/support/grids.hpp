@@ -20,7 +20,7 @@ struct PreparedGrids {
   std::unique_ptr<EdgeLines> a, b;
 
   explicit PreparedGrids(const Case& input) : prepared(prepare(input)) {
-    for (const Charts& charts : prepared->charts) subsets.push_back(canonical_subsets(charts));
+    for (const Charts& charts : prepared->charts) subsets.push_back(canonical_subsets(prepared->context, charts));
     a = std::make_unique<EdgeLines>(prepared->a, prepared->exponent);
     b = std::make_unique<EdgeLines>(prepared->b, prepared->exponent);
   }

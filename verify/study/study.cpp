@@ -5,7 +5,6 @@
 
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -19,13 +18,13 @@ BodySize size_of(const Polytope& body) { return {body.rank, body.vertices.size()
 
 /// The predicates that the topology of a pair calls, whether or not the bodies overlap.
 PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiagram& b) {
-  const PredicateCounts before = predicate_counts();
+  Context context;
   for (const bool lower : {false, true}) {
-    const Charts charts = make_charts(minus_a, b, chart_frame(lower));
+    const Charts charts = make_charts(context, minus_a, b, chart_frame(lower));
     vertex_facet_pairs(charts);
-    canonical_subsets(charts);
+    canonical_subsets(context, charts);
   }
-  return predicate_counts() - before;
+  return context.counters.predicates;
 }
 
 mpz_class common_divisor(const Lattice& lattice, mpz_class Vector::*axis) {
