@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -18,6 +19,8 @@ class NearestPlanes {
   /// Takes the plane <normal,x> = height into account; `normal` may not be zero. Planes with height <= 0 are ignored: with O inside P none
   /// of them supports P. Returns whether the plane is among the nearest now.
   bool offer(const Vector& normal, const mpz_class& height);
+  /// Whether height > 0 and the plane <normal,x> = height is farther from O than the nearest planes; false if there are none.
+  [[nodiscard]] bool nearer_than(const Vector& normal, const mpz_class& height) const;
 
   [[nodiscard]] bool empty() const { return directions_.empty(); }
   /// Squared distance of the nearest planes as a quotient, not in lowest terms. Only if not empty.
@@ -27,6 +30,9 @@ class NearestPlanes {
   [[nodiscard]] const std::set<Vector, LexicographicOrder>& directions() const { return directions_; }
 
  private:
+  /// The order of the plane's distance and that of the nearest.
+  [[nodiscard]] Sign compare(const Vector& normal, const mpz_class& height) const;
+
   mpz_class numerator_, denominator_ = 1;
   std::set<Vector, LexicographicOrder> directions_;
 };

@@ -6,28 +6,19 @@
 #include <system_error>
 #include <thread>
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
-// What became of work in another thread.
-struct Outcome {
-  PredicateCounts counts;
-  std::exception_ptr error;
-  bool done = false;
-};
-
-// An allocator may want a large block for a new thread, and glibc ends the process where a thread's counts get no memory: ask first.
+// An allocator may want a large block for a new thread: ask first.
 bool has_memory() {
   void* const block = ::operator new(1, std::nothrow);
   ::operator delete(block);
   return block != nullptr;
 }
 
-std::exception_ptr error_of(const std::function<void()>& work) {
+std::exception_ptr error_of(const std::function<void(Context&)>& work, Context& context) {
   try {
-    work();
+    work(context);
   } catch (...) {
     return std::current_exception();
   }
@@ -36,32 +27,32 @@ std::exception_ptr error_of(const std::function<void()>& work) {
 
 }  // namespace
 
-void run_both(bool worth_it, const std::function<void()>& first, const std::function<void()>& second) {
-  Outcome outcome;
+void run_both(bool worth_it, Context& context, const std::function<void(Context&)>& first, const std::function<void(Context&)>& second) {
+  Context worker = context.worker();
+  std::exception_ptr error_of_second;
+  bool done = false;
   std::thread thread;
   if (worth_it) {
     try {
       thread = std::thread([&] {
         if (!has_memory()) return;
-        outcome.done = true;
-        outcome.error = error_of(second);
-        const std::exception_ptr uncounted = error_of([&] { outcome.counts = predicate_counts(); });
-        if (!outcome.error) outcome.error = uncounted;
+        done = true;
+        error_of_second = error_of(second, worker);
       });
     } catch (const std::system_error&) {  // no thread to be had
     }
   }
   if (!thread.joinable()) {
-    first();
-    second();
+    first(context);
+    second(context);
     return;
   }
-  const std::exception_ptr error = error_of(first);
+  const std::exception_ptr error = error_of(first, context);
   thread.join();
-  predicate_counts() += outcome.counts;
+  context.join(worker);
   if (error) std::rethrow_exception(error);
-  if (!outcome.done) return second();
-  if (outcome.error) std::rethrow_exception(outcome.error);
+  if (!done) return second(context);
+  if (error_of_second) std::rethrow_exception(error_of_second);
 }
 
 }  // namespace fathom

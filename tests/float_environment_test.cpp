@@ -128,8 +128,8 @@ class Writer {
     return put("]");
   }
   Writer& operator<<(const Depth& d) {
-    return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness() << d.distance()
-                 << d.flat_a << d.flat_b;
+    return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness()
+                 << d.distance() << d.flat_a << d.flat_b;
   }
   [[nodiscard]] std::string text() const { return text_; }
 

@@ -17,7 +17,6 @@
 #include <string_view>
 
 #include "cli/io/exit_code.hpp"
-#include "kernels/predicates/filter.hpp"
 
 namespace {
 
@@ -122,7 +121,6 @@ namespace fathom::cli {
 void guard_memory() {
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(terminated);
-  predicate_counts();  // glibc ends a process that has no memory to note a destructor of thread_local objects
   guarded = true;
 }
 

@@ -41,9 +41,10 @@ bool may_have_inner_points(const Case& input, bool one_body) {
 std::optional<std::string> hull_note(const Case& input, bool one_body) {
   const std::vector<Point>&a = input.a.points, &b = input.b.points;
   std::vector<std::string> notes(2);
+  Context context;
   run_both(
-      !one_body && a.size() + b.size() >= worth_a_thread, [&] { notes[0] = note_on('A', a); },
-      [&] { notes[1] = one_body ? "" : note_on('B', b); });
+      !one_body && a.size() + b.size() >= worth_a_thread, context, [&](Context&) { notes[0] = note_on('A', a); },
+      [&](Context&) { notes[1] = one_body ? "" : note_on('B', b); });
   std::erase(notes, "");
   if (notes.empty()) return std::nullopt;
   return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));

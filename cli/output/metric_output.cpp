@@ -71,7 +71,8 @@ std::string metric_block(const MetricResult& result, const UnitBall& ball) {
 }
 
 std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball) {
-  std::vector<std::string> parts{std::string(name(result.status())), fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
+  std::vector<std::string> parts{std::string(name(result.status())),
+                                 fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
   if (!result.optima().empty()) {
     parts.push_back("translation " + point_text(result.optima().front().translation));
     parts.emplace_back(name(result.optima().front().contact.kind));

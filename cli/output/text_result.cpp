@@ -24,7 +24,9 @@ bool is_width(const Request& request) { return request.command == Command::width
 std::string quantity(const Request& request) { return is_width(request) ? "width" : "depth"; }
 
 /// A pair of planes is found from both of its sides.
-std::size_t ties(const Depth& depth, const Request& request) { return is_width(request) ? depth.optima().size() / 2 : depth.optima().size(); }
+std::size_t ties(const Depth& depth, const Request& request) {
+  return is_width(request) ? depth.optima().size() / 2 : depth.optima().size();
+}
 
 std::string ties_text(const Depth& depth, const Request& request) {
   const std::size_t count = ties(depth, request);

@@ -3,7 +3,11 @@
 // of these from one array.                                                                       [proofs/kernels.md, "Plain doubles"]
 #pragma once
 
+#include <optional>
+
+#include "kernels/filters/error_bounds.hpp"
 #include "kernels/predicates/direction.hpp"
+#include "kernels/sign.hpp"
 
 namespace fathom {
 
@@ -13,11 +17,16 @@ inline Vec3<double> image(const Direction& d) {
   return {e.x.low, e.y.low, e.z.low};
 }
 
-/// The sign of <n,d>, exact; or 0 for unsure. Of images or their negatives, in any rounding mode.
-inline int sure_side_of_arc(const Vec3<double>& n, const Vec3<double>& d) {
-  constexpr double error_bound = 0x1p-48;
-  const double value = dot(n, d);
-  return value > error_bound ? 1 : value < -error_bound ? -1 : 0;
+/// The sign of a number of which `value` errs by `error` at most; nullopt if unsure.
+inline std::optional<Sign> sure_sign(double value, double error) {
+  if (value > error) return Sign::positive;
+  if (value < -error) return Sign::negative;
+  return std::nullopt;
+}
+
+/// The sign of <n,d>, for images or their negatives.
+inline std::optional<Sign> sure_side_of_arc(const Vec3<double>& n, const Vec3<double>& d) {
+  return sure_sign(dot(n, d), error_bound::product);
 }
 
 /// The point of arc d1 on the vertical through n: OrderOnVertical(d1, d2, n, v) = <c, d2> for c = n <d1,v> - v <d1,n>.
@@ -29,14 +38,10 @@ class VerticalProbe {
     c_ = {n.x * s - v.x * t, n.y * s - v.y * t, n.z * s - v.z * t};
   }
 
-  /// The sign of OrderOnVertical(d1, d2, n, v), exact; or 0 for unsure. d2 as the others. In any rounding mode. [proofs/kernels.md]
-  [[nodiscard]] int sign(const Vec3<double>& d2) const {
-    const double value = dot(c_, d2);
-    return value > error_bound ? 1 : value < -error_bound ? -1 : 0;
-  }
+  /// The sign of OrderOnVertical(d1, d2, n, v). d2 as the others.
+  [[nodiscard]] std::optional<Sign> sign(const Vec3<double>& d2) const { return sure_sign(dot(c_, d2), error_bound::order_on_vertical); }
 
  private:
-  static constexpr double error_bound = 0x1p-44;
   Vec3<double> c_;
 };
 

@@ -9,6 +9,7 @@
 // Underflow adds less than 2^-1000. So a height beyond 32 w = 2^-47 and a turn beyond 256 w = 2^-44 have the right sign.
 #include "kernels/filters/planar_view.hpp"
 
+#include "kernels/filters/double_images.hpp"
 #include "kernels/filters/plane.hpp"
 #include "kernels/predicates/direction.hpp"
 
@@ -43,26 +44,22 @@ double PlanarView::height(std::uint32_t p, std::uint32_t q) const {
   return image_.x * (c.xs()[q] - c.xs()[p]) + image_.y * (c.ys()[q] - c.ys()[p]) + image_.z * (c.zs()[q] - c.zs()[p]);
 }
 
-int PlanarView::rise(std::uint32_t p, std::uint32_t q) const {
-  const double h = height(p, q);
-  if (h > error_of_height) return 1;
-  if (h < -error_of_height) return -1;
-  const mpz_class exact = dot(u_, (*cloud_)[q] - (*cloud_)[p]);
-  return sgn(exact);
+Sign PlanarView::rise(std::uint32_t p, std::uint32_t q) const {
+  if (const auto sure = sure_sign(height(p, q), error_of_height)) return *sure;
+  return sign_of(dot(u_, (*cloud_)[q] - (*cloud_)[p]));
 }
 
-int PlanarView::turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const {
+Sign PlanarView::turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const {
   const std::span<const double> rights = right_ == 0 ? cloud_->xs() : right_ == 1 ? cloud_->ys() : cloud_->zs();
   const double t = (rights[p] - rights[o]) * height(o, q) - height(o, p) * (rights[q] - rights[o]);
-  if (t > error_of_turn) return 1;
-  if (t < -error_of_turn) return -1;
+  if (const auto sure = sure_sign(t, error_of_turn)) return *sure;
   const Vector op = (*cloud_)[p] - (*cloud_)[o], oq = (*cloud_)[q] - (*cloud_)[o];
   const mpz_class up_p = dot(u_, op), up_q = dot(u_, oq);
   for (const int axis : {right_, far_}) {
     const mpz_class exact = coordinate(op, axis) * up_q - up_p * coordinate(oq, axis);
-    if (exact != 0) return sgn(exact);
+    if (exact != 0) return sign_of(exact);
   }
-  return 0;
+  return Sign::zero;
 }
 
 }  // namespace fathom

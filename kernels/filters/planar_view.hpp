@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "kernels/filters/support.hpp"
+#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -18,11 +19,10 @@ class PlanarView {
   /// u must not be zero; the cloud must outlive the view.
   PlanarView(const PointCloud& cloud, const Vector& u);
 
-  /// The sign of <u, q - p>: 1 if q is higher. Exact.
-  [[nodiscard]] int rise(std::uint32_t p, std::uint32_t q) const;
-  /// 1 if the way from o to q appears to the left of the way from o to p, -1 if to the right; 0 if they are parallel, or both level.
-  /// Exact.
-  [[nodiscard]] int turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const;
+  /// The sign of <u, q - p>: positive if q is higher.
+  [[nodiscard]] Sign rise(std::uint32_t p, std::uint32_t q) const;
+  /// Positive if the way from o to q appears to the left of the way from o to p; zero if they are parallel, or both level.
+  [[nodiscard]] Sign turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const;
 
  private:
   [[nodiscard]] double height(std::uint32_t p, std::uint32_t q) const;

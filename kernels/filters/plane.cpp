@@ -6,40 +6,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/filters/double_images.hpp"
+#include "kernels/predicates/filtered_cgal.hpp"
+
 namespace fathom {
 namespace {
 
-using Interval = CGAL::Interval_nt<false>;  // asks its caller to round upward: a Protector in each function that computes
+using Interval = IntervalKernel::FT;
 
-Interval interval(const DoubleInterval& e) { return {e.low, e.high}; }
 DoubleInterval enclosure(const Interval& i) { return {i.inf(), i.sup()}; }
-
-Vec3<Interval> interval(const Vec3<DoubleInterval>& v) { return {interval(v.x), interval(v.y), interval(v.z)}; }
-Vec3<DoubleInterval> enclosure(const Vec3<Interval>& v) { return {enclosure(v.x), enclosure(v.y), enclosure(v.z)}; }
-
-/// The sign of all numbers in i, if they agree.
-std::optional<int> certain_sign(const Interval& i) {
-  if (i.inf() > 0) return 1;
-  if (i.sup() < 0) return -1;
-  if (i.inf() == 0 && i.sup() == 0) return 0;
-  return std::nullopt;
-}
 
 double largest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// (q - p) x (r - p).
-template <class NT>
-Vec3<NT> normal_of(const Vec3<NT>& p, const Vec3<NT>& q, const Vec3<NT>& r) {
-  return cross(q - p, r - p);
+template <class Vector_3>
+Vector_3 normal_of(const Vector_3& p, const Vector_3& q, const Vector_3& r) {
+  return CGAL::cross_product(Vector_3(q - p), Vector_3(r - p));
 }
 
-/// The same, of the projections along an axis.
-template <class NT>
-NT turn_of(const Vec3<NT>& p, const Vec3<NT>& q, const Vec3<NT>& r, int axis) {
-  const int right = (axis + 1) % 3, up = (axis + 2) % 3;
-  const Vec3<NT> u = q - p, v = r - p;
-  return NT(coordinate(u, right) * coordinate(v, up) - coordinate(u, up) * coordinate(v, right));
-}
+/// An operand of filtered predicates.
+struct PointOperand {
+  const BoxedPoints& points;
+  std::uint32_t index;
+
+  [[nodiscard]] const Vector& exact() const { return points.exact(index); }
+  [[nodiscard]] const Vec3<DoubleInterval>& enclosure() const { return points.box(index); }
+};
 
 }  // namespace
 
@@ -65,21 +57,18 @@ Plane::Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::u
   error_ = 0x1p-49 * (largest(u) + largest(v) + largest(u) * largest(v)) + 0x1p-98;
 }
 
-int Plane::rise(std::uint32_t s, std::uint32_t t) const {
-  {
-    const Vec3<double> step = points_->image(t) - points_->image(s);
-    const double height = dot(image_, step), length = largest(step);
-    const double error = 0x1p-48 * size_ * (1 + length) + (4 * length + 0x1p-48) * error_;
-    if (height > error) return 1;
-    if (height < -error) return -1;
-  }
-  {
-    const Interval::Protector upward;
-    const Interval height = dot(interval(box()), interval(points_->box(t)) - interval(points_->box(s)));
-    if (const auto sign = certain_sign(height)) return *sign;
-  }
-  const mpz_class height = dot(normal(), points_->exact(t) - points_->exact(s));
-  return sgn(height);
+Sign Plane::rise(std::uint32_t s, std::uint32_t t) const {
+  struct Normal {
+    const Plane& plane;
+    [[nodiscard]] const Vector& exact() const { return plane.normal(); }
+    [[nodiscard]] const Vec3<DoubleInterval>& enclosure() const { return plane.box(); }
+  };
+  const Vec3<double> step = points_->image(t) - points_->image(s);
+  const double length = largest(step);
+  const double error = 0x1p-48 * size_ * (1 + length) + (4 * length + 0x1p-48) * error_;
+  if (const auto sure = sure_sign(dot(image_, step), error)) return *sure;
+  return filtered_sign(HeightOrder<ExactKernel>{}, HeightOrder<IntervalKernel>{}, Normal{*this}, PointOperand{*points_, s},
+                       PointOperand{*points_, t});
 }
 
 bool Plane::degenerate() const {
@@ -93,24 +82,23 @@ bool Plane::degenerate() const {
 const Vec3<DoubleInterval>& Plane::box() const {
   if (!box_) {
     const Interval::Protector upward;
-    box_ = enclosure(normal_of(interval(points_->box(p_)), interval(points_->box(q_)), interval(points_->box(r_))));
+    const auto n = normal_of(to_intervals(points_->box(p_)), to_intervals(points_->box(q_)), to_intervals(points_->box(r_)));
+    box_ = {enclosure(n.x()), enclosure(n.y()), enclosure(n.z())};
   }
   return *box_;
 }
 
 const Vector& Plane::normal() const {
-  if (!normal_) normal_ = normal_of(points_->exact(p_), points_->exact(q_), points_->exact(r_));
+  if (!normal_) {
+    const auto point = [&](std::uint32_t i) { return to_cgal<ExactKernel>(points_->exact(i)); };
+    normal_ = from_cgal(normal_of(point(p_), point(q_), point(r_)));
+  }
   return *normal_;
 }
 
-int turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-  {
-    const Interval::Protector upward;
-    const Interval t = turn_of(interval(points.box(p)), interval(points.box(q)), interval(points.box(r)), axis);
-    if (const auto sign = certain_sign(t)) return *sign;
-  }
-  const mpz_class t = turn_of(points.exact(p), points.exact(q), points.exact(r), axis);
-  return sgn(t);
+Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+  return filtered_sign(ProjectedTurn<ExactKernel>{axis}, ProjectedTurn<IntervalKernel>{axis}, PointOperand{points, p},
+                       PointOperand{points, q}, PointOperand{points, r});
 }
 
 }  // namespace fathom

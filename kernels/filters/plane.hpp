@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernels/predicates/direction.hpp"
+#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -36,9 +37,9 @@ class Plane {
   Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r);
 
   /// The sign of <n, s - p>.
-  [[nodiscard]] int side(std::uint32_t s) const { return rise(p_, s); }
-  /// The sign of <n, t - s>: 1 if t lies higher than s.
-  [[nodiscard]] int rise(std::uint32_t s, std::uint32_t t) const;
+  [[nodiscard]] Sign side(std::uint32_t s) const { return rise(p_, s); }
+  /// The sign of <n, t - s>: positive if t lies higher than s.
+  [[nodiscard]] Sign rise(std::uint32_t s, std::uint32_t t) const;
   /// Whether p, q, r lie on one line: n = 0.
   [[nodiscard]] bool degenerate() const;
   /// n exactly, not reduced.
@@ -51,13 +52,13 @@ class Plane {
   std::uint32_t p_, q_, r_;
   Vec3<double> image_;                               // of n, up to the points' scale
   double size_, error_;                              // the image's largest component, and a bound on the error of each
-  mutable std::optional<Vec3<DoubleInterval>> box_;  // of n, in the same scale; found for the first question that the image leaves open
-  mutable std::optional<Vector> normal_;             // likewise, for the first question that the boxes leave open
+  mutable std::optional<Vec3<DoubleInterval>> box_;  // of n, in the same scale. Computed when the image is unsure for the first time
+  mutable std::optional<Vector> normal_;             // Computed when the box is unsure for the first time
 };
 
 /// The points as seen along coordinate `axis` (0, 1, 2 for x, y, z) from its positive end, where the two coordinates that follow it
-/// cyclically point right and up: 1 if p, q, r turn left, -1 if right, 0 if they lie on one line.
-int turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r);
+/// cyclically point right and up: positive if p, q, r turn left, zero if they lie on one line.
+Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r);
 
 /// Coordinate 0, 1 or 2 of v.
 template <class NT>

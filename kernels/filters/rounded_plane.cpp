@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/filters/double_images.hpp"
+
 namespace fathom {
 namespace {
 
@@ -64,10 +66,9 @@ RoundedPlane::RoundedPlane(const Vec3<double>& p, const Vec3<double>& q, const V
   trustworthy_ = length > 0x1p20 * N;
 }
 
-int RoundedPlane::side(const Vec3<double>& s) const {
+std::optional<Sign> RoundedPlane::side(const Vec3<double>& s) const {
   const Vec3<double> w = minus(s, p_);
-  const double value = product(n_, w), bound = error(greatest(w));
-  return value > bound ? 1 : value < -bound ? -1 : 0;
+  return sure_sign(product(n_, w), error(greatest(w)));
 }
 
 bool RoundedPlane::surely_beyond(double radius) const { return height_ > 0 && height_ > radius * length_ * slack; }

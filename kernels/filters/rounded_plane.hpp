@@ -2,6 +2,9 @@
 // A plane through three points in binary64 with the error it may have: answers at once where it is sure, and says so where it is not.
 #pragma once
 
+#include <optional>
+
+#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
@@ -18,8 +21,8 @@ class RoundedPlane {
  public:
   RoundedPlane(const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r);
 
-  /// The sign of <n, s - p>, or 0 if it is not certain.
-  [[nodiscard]] int side(const Vec3<double>& s) const;
+  /// The sign of <n, s - p>; nullopt if unsure.
+  [[nodiscard]] std::optional<Sign> side(const Vec3<double>& s) const;
   /// True only if <n, p> > radius * |n| for certain: O lies below the plane, farther from it than `radius` >= 0.
   [[nodiscard]] bool surely_beyond(double radius) const;
   /// An estimate of <n, p> / |n|, finite; nothing is promised.

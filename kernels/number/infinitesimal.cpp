@@ -70,7 +70,8 @@ Infinitesimal operator*(const Infinitesimal& s, const Infinitesimal& t) {
   for (const auto& [m, c] : s.terms_) {
     for (const auto& [n, d] : t.terms_) products.emplace_back(m * n, c * d);
   }
-  std::ranges::stable_sort(products, {}, &Infinitesimal::Term::first);
+  // A factor of one term keeps the order of the other.
+  if (s.terms_.size() > 1 && t.terms_.size() > 1) std::ranges::stable_sort(products, {}, &Infinitesimal::Term::first);
   Infinitesimal result;
   for (std::size_t i = 0; i < products.size();) {
     Infinitesimal::Term sum = std::move(products[i]);

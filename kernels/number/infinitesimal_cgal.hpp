@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's traits of the ring of infinitesimals: an integral domain without division, ordered like the reals. With them
-// CGAL::Simple_cartesian<Infinitesimal> is a kernel for every construction and predicate that does not divide.  [proofs/perturbation.md]
+// CGAL::Simple_cartesian<Infinitesimal> is a kernel for every construction and predicate that does not divide: no intersections.
 #pragma once
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/mpz_class.h>
 
 #include <cmath>
@@ -13,7 +12,6 @@
 #include <utility>
 
 #include "kernels/number/infinitesimal.hpp"
-#include "kernels/vector.hpp"
 
 namespace CGAL {
 
@@ -59,21 +57,3 @@ class Real_embeddable_traits<fathom::Infinitesimal> : public INTERN_RET::Real_em
 };
 
 }  // namespace CGAL
-
-namespace fathom {
-
-/// The symbolic tier as a CGAL kernel. Without division: no intersections, no circumcentres.
-using InfinitesimalKernel = CGAL::Simple_cartesian<Infinitesimal>;
-
-/// The operands of predicates.hpp, as vectors of a CGAL kernel and back.
-template <class Kernel>
-typename Kernel::Vector_3 to_cgal(const Vec3<typename Kernel::FT>& v) {
-  return {v.x, v.y, v.z};
-}
-
-template <class Vector_3>
-auto from_cgal(const Vector_3& v) {
-  return Vec3<typename Vector_3::R::FT>{v.x(), v.y(), v.z()};
-}
-
-}  // namespace fathom

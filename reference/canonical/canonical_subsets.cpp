@@ -9,7 +9,6 @@
 #include <ranges>
 
 #include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/query_filing.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
@@ -57,8 +56,9 @@ Iterator partition_point_near(Iterator first, Iterator last, Iterator hint, cons
 // Builds T_A or T_B of one hemisphere and answers its queries.
 class CanonicalBuilder {
  public:
-  CanonicalBuilder(Context& context, const Charts& charts, Colour stored_of, CanonicalSubsets& out)
+  CanonicalBuilder(Context& context, const PerturbedKernel& kernel, const Charts& charts, Colour stored_of, CanonicalSubsets& out)
       : context_(context),
+        kernel_(kernel),
         charts_(charts),
         stored_of_(stored_of),
         query_of_(other(stored_of)),
@@ -79,7 +79,7 @@ class CanonicalBuilder {
     }
     std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     descend(root_, std::move(partial), std::move(queries));
-    count_calls(Predicate::order_on_vertical, probed_);
+    kernel_.count_calls(Predicate::order_on_vertical, probed_);
   }
 
  private:
@@ -157,11 +157,11 @@ class CanonicalBuilder {
     const Wall& w = charts_.walls[WallId(wall - 1)];
     const VerticalProbe probe(charts_.of[query_of_].circles[query], image(charts_.node(w)), image(charts_.frame.v));
     return search([&](ChartArcId s) {
-      if (const int sign = probe.sign(circles[s])) {
+      if (const std::optional<Sign> sign = probe.sign(circles[s])) {
         ++probed_;
-        return sign > 0;
+        return sign == Sign::positive;
       }
-      return above_on_wall(charts_, query_of_, q, stored_of_, stored_arcs_[s], w) > 0;
+      return above_on_wall(kernel_, charts_, query_of_, q, stored_of_, stored_arcs_[s], w) == Sign::positive;
     });
   }
 
@@ -227,6 +227,7 @@ class CanonicalBuilder {
   }
 
   Context& context_;
+  const PerturbedKernel& kernel_;
   const Charts& charts_;
   Colour stored_of_, query_of_;
   const IdVector<ChartArcId, ChartArc>& stored_arcs_;
@@ -256,8 +257,9 @@ CanonicalSubsets::Sums CanonicalSubsets::sums() const {
 
 CanonicalSubsets canonical_subsets(Context& context, const Charts& charts) {
   context.report("canonical subsets");
+  const PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
   CanonicalSubsets result;
-  for (const Colour stored_of : both_colours) CanonicalBuilder(context, charts, stored_of, result).run();
+  for (const Colour stored_of : both_colours) CanonicalBuilder(context, kernel, charts, stored_of, result).run();
   return result;
 }
 

@@ -4,21 +4,21 @@
 #include <set>
 #include <string>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
 namespace fathom {
 namespace {
 
-int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
+Sign orientation(const ChartArc& arc) { return arc.flipped ? Sign::negative : Sign::positive; }
 
 // Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a rising r is still below s and a falling
 // one above it. The crossing has the direction +-(d_q x d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
-bool crosses_first(const Charts& charts, Colour of_queries, const ChartArc& q, const ChartArc& r, const ChartArc& s) {
+bool crosses_first(const PerturbedKernel& kernel, const Charts& charts, Colour of_queries, const ChartArc& q, const ChartArc& r,
+                   const ChartArc& s) {
   const ColourChart &queries = charts.of[of_queries], &stored = charts.of[other(of_queries)];
-  const int sign = perturbed_order_at_infinity(charts.perturbation, queries.circle(q), stored.circle(s), queries.circle(r));
-  return orientation(q) * orientation(r) * orientation(s) * sign < 0;
+  const Sign sign = kernel.order_at_infinity(queries.circle(q), stored.circle(s), queries.circle(r));
+  return orientation(q) * orientation(r) * orientation(s) * sign == Sign::negative;
 }
 
 // The arcs of one side of a pair, or none if one of them is not an arc of the chart.
@@ -31,17 +31,19 @@ std::vector<const ChartArc*> arcs_of(const ColourChart& chart, const auto& ids) 
   return arcs;
 }
 
-void check_grid(Report& report, const Charts& charts, const CanonicalPair& pair, const PerColour<std::vector<const ChartArc*>>& arcs) {
+void check_grid(Report& report, const PerturbedKernel& kernel, const Charts& charts, const CanonicalPair& pair,
+                const PerColour<std::vector<const ChartArc*>>& arcs) {
   const Colour of_stored = pair.stored_of, of_queries = other(of_stored);
   const std::vector<const ChartArc*>&stored = arcs[of_stored], &queries = arcs[of_queries];
   for (std::size_t i = 1; i < stored.size(); ++i) {
-    report.expect(above_same_colour(charts, of_stored, *stored[i], *stored[i - 1]) > 0, "stored arcs are not in height order");
+    report.expect(above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == Sign::positive,
+                  "stored arcs are not in height order");
   }
   for (const ChartArc* s : stored) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
-      const bool from_below = above_far_left(charts, of_queries, *queries[k], of_stored, *s) < 0;
+      const bool from_below = above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == Sign::negative;
       report.expect(from_below == pair.rising, "a query crosses in the other sense");
-      report.expect(k == 0 || crosses_first(charts, of_queries, *queries[k - 1], *queries[k], *s),
+      report.expect(k == 0 || crosses_first(kernel, charts, of_queries, *queries[k - 1], *queries[k], *s),
                     "queries are not in the order in which they cross");
     }
   }
@@ -55,6 +57,8 @@ void check_once(Report& report, const std::vector<const ChartArc*>& arcs) {
 
 Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
   Report report;
+  PredicateCounts uncounted;
+  const PerturbedKernel kernel(charts.perturbation, uncounted);
   std::map<std::pair<EdgeOfA, EdgeOfB>, int> reported;
   for (std::size_t k = 0; k < subsets.size(); ++k) {
     const CanonicalPair pair = subsets[k];
@@ -63,7 +67,7 @@ Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
     if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(), "C1: an id is not an arc of the chart")) continue;
     check_once(report, arcs.a);
     check_once(report, arcs.b);
-    check_grid(report, charts, pair, arcs);
+    check_grid(report, kernel, charts, pair, arcs);
     for (const ChartArc* e : arcs.a) {
       for (const ChartArc* f : arcs.b) ++reported[{EdgeOfA(e->arc.value), EdgeOfB(f->arc.value)}];
     }

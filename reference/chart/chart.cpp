@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/chart/height_order.hpp"
 #include "reference/chart/locate.hpp"
 #include "reference/chart/walls.hpp"
@@ -15,14 +14,14 @@ namespace {
 // Tells the nodes of this hemisphere from the others, before their walls are known.
 constexpr WallId some_wall{0};
 
-void find_nodes(const Charts& charts, ColourChart& chart) {
+void find_nodes(const PerturbedKernel& kernel, const Charts& charts, ColourChart& chart) {
   chart.wall_of.assign(chart.diagram->nodes.size(), WallId::none());
   for (const NodeId i : chart.wall_of.ids()) {
-    if (perturbed_side_of_equator(charts.perturbation, chart.node(i), charts.frame.z) > 0) chart.wall_of[i] = some_wall;
+    if (kernel.side_of_equator(chart.node(i), charts.frame.z) == Sign::positive) chart.wall_of[i] = some_wall;
   }
 }
 
-void find_arcs(const Charts& charts, ColourChart& chart) {
+void find_arcs(const PerturbedKernel& kernel, const Charts& charts, ColourChart& chart) {
   const GaussianDiagram& diagram = *chart.diagram;
   const auto end = [&](NodeId node) { return node.is_none() || chart.wall_of[node].is_none() ? at_infinity : node; };
   for (const ArcId i : diagram.arcs.ids()) {
@@ -30,7 +29,7 @@ void find_arcs(const Charts& charts, ColourChart& chart) {
     const NodeId from = end(arc.from), to = end(arc.to);
     // An arc of rank 2 or 3 with no end here lies in the other hemisphere: it is no longer than pi.
     if (diagram.rank > 1 && from == at_infinity && to == at_infinity) continue;
-    const bool flipped = perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) < 0;
+    const bool flipped = kernel.side_of_arc(charts.frame.v, arc.circle) == Sign::negative;
     chart.arcs.push_back({i, flipped ? to : from, flipped ? from : to, flipped, {}, {}});
   }
 }
@@ -59,20 +58,22 @@ Frame chart_frame(Hemisphere hemisphere) {
   return {Direction(Vector{0, 1, 0}, Role::vertical), Direction(Vector{0, 0, hemisphere == Hemisphere::upper ? 1 : -1}, Role::pole)};
 }
 
-Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation) {
+Charts make_charts(Context& context, const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame,
+                   const Perturbation& perturbation) {
   Charts charts{perturbation, frame, {}, {}};
   charts.of.a.diagram = &minus_a;
   charts.of.b.diagram = &b;
+  const PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
   for (const Colour c : both_colours) {
     ColourChart& chart = charts.of[c];
-    find_nodes(charts, chart);
-    find_arcs(charts, chart);
+    find_nodes(kernel, charts, chart);
+    find_arcs(kernel, charts, chart);
     sort_by_height(chart);
     draw_circles(chart);
   }
-  raise_walls(charts);
-  for (const Colour c : both_colours) locate_nodes(charts, c);
-  locate_ends(charts);
+  raise_walls(kernel, charts);
+  for (const Colour c : both_colours) locate_nodes(kernel, charts, c);
+  locate_ends(kernel, charts);
   return charts;
 }
 
@@ -96,14 +97,16 @@ bool in_height_order(const ColourChart& chart) {
 
 Report validate(const Charts& charts) {
   Report report;
+  PredicateCounts uncounted;
+  const PerturbedKernel kernel(charts.perturbation, uncounted);
   for (std::uint32_t i = 1; i < charts.walls.size(); ++i) {
     const Direction &left = charts.node(charts.walls[WallId(i - 1)]), &right = charts.node(charts.walls[WallId(i)]);
-    report.expect(perturbed_x_order(charts.perturbation, left, right, charts.frame.v) > 0,
+    report.expect(kernel.x_order(left, right, charts.frame.v) == Sign::positive,
                   "wall " + std::to_string(i) + " is not right of the one before");
   }
   for (const Colour c : both_colours) {
     const ColourChart& chart = charts.of[c];
-    const auto here = [&](NodeId node) { return perturbed_side_of_equator(charts.perturbation, chart.node(node), charts.frame.z) > 0; };
+    const auto here = [&](NodeId node) { return kernel.side_of_equator(chart.node(node), charts.frame.z) == Sign::positive; };
     const auto is_end = [&](NodeId end, NodeId node) {
       return end == at_infinity ? node.is_none() || !here(node) : end == node && here(node);
     };
@@ -111,7 +114,7 @@ Report validate(const Charts& charts) {
     for (const ChartArc& part : chart.arcs) {
       const std::string name = "arc " + std::to_string(part.arc.value) + ": ";
       const Arc& arc = chart.diagram->arcs[part.arc];
-      report.expect((perturbed_side_of_arc(charts.perturbation, charts.frame.v, arc.circle) > 0) != part.flipped,
+      report.expect((kernel.side_of_arc(charts.frame.v, arc.circle) == Sign::positive) != part.flipped,
                     name + "flipped against its circle");
       report.expect(is_end(part.left, part.flipped ? arc.to : arc.from), name + "left end");
       report.expect(is_end(part.right, part.flipped ? arc.from : arc.to), name + "right end");

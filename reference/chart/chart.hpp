@@ -6,8 +6,9 @@
 //         equator at x = -infinity and x = +infinity.
 #pragma once
 
+#include "kernels/context.hpp"
 #include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "kernels/report.hpp"
 #include "reference/gaussian/colour.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
@@ -98,7 +99,8 @@ struct Charts {
 };
 
 /// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
-Charts make_charts(const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame, const Perturbation& perturbation = {});
+Charts make_charts(Context& context, const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame,
+                   const Perturbation& perturbation = {});
 
 /// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each face that the arcs below it come before
 /// those above it; then the arcs are in height order [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/chart/chart_predicates.hpp"
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
@@ -10,22 +8,21 @@ int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
 
 }  // namespace
 
-int node_above_arc(const Charts& charts, Colour of_node, NodeId node, Colour of_arc, const ChartArc& arc) {
-  return orientation(arc) * perturbed_side_of_arc(charts.perturbation, charts.of[of_node].node(node), charts.of[of_arc].circle(arc));
+Sign node_above_arc(const PerturbedKernel& kernel, const Charts& charts, Colour of_node, NodeId node, Colour of_arc, const ChartArc& arc) {
+  return orientation(arc) * kernel.side_of_arc(charts.of[of_node].node(node), charts.of[of_arc].circle(arc));
 }
 
-int above_on_wall(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f, const Wall& wall) {
+Sign above_on_wall(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f,
+                   const Wall& wall) {
   return orientation(e) * orientation(f) *
-         perturbed_order_on_vertical(charts.perturbation, charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.node(wall),
-                                     charts.frame.v);
+         kernel.order_on_vertical(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.node(wall), charts.frame.v);
 }
 
-int above_far_left(const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
-  return orientation(e) * orientation(f) *
-         perturbed_order_at_infinity(charts.perturbation, charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.frame.z);
+Sign above_far_left(const PerturbedKernel& kernel, const Charts& charts, Colour of_e, const ChartArc& e, Colour of_f, const ChartArc& f) {
+  return orientation(e) * orientation(f) * kernel.order_at_infinity(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.frame.z);
 }
 
-int above_same_colour(const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
+Sign above_same_colour(const PerturbedKernel& kernel, const Charts& charts, Colour colour, const ChartArc& e, const ChartArc& f) {
   const auto wall = [&](NodeId node) { return charts.of[colour].wall_of[node]; };
   // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
   if (e.left != f.left) {

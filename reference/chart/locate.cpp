@@ -7,7 +7,6 @@
 #include <numeric>
 #include <span>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
 namespace fathom {
@@ -17,8 +16,9 @@ namespace {
 // greatest id in its subtree.
 class SweepLine {
  public:
-  SweepLine(const Charts& charts, Colour colour)
-      : charts_(charts),
+  SweepLine(const PerturbedKernel& kernel, const Charts& charts, Colour colour)
+      : kernel_(kernel),
+        charts_(charts),
         colour_(colour),
         chart_(charts.of[colour]),
         leaves_(std::bit_ceil(std::max<std::size_t>(1, chart_.arcs.size()))),
@@ -45,11 +45,11 @@ class SweepLine {
 
  private:
   [[nodiscard]] bool passes_below(ChartArcId arc, NodeId node, const Vec3<double>& at) const {
-    if (const int side = sure_side_of_arc(at, chart_.circles[arc])) {
-      count_calls(Predicate::side_of_arc, 1);
-      return side > 0;
+    if (const std::optional<Sign> side = sure_side_of_arc(at, chart_.circles[arc])) {
+      kernel_.count_calls(Predicate::side_of_arc, 1);
+      return side == Sign::positive;
     }
-    return node_above_arc(charts_, other(colour_), node, colour_, chart_.arcs[arc]) > 0;
+    return node_above_arc(kernel_, charts_, other(colour_), node, colour_, chart_.arcs[arc]) == Sign::positive;
   }
 
   // Of the arcs on the sweep line the highest that passes below the node. Asks a predicate only where both subtrees hold arcs.
@@ -75,6 +75,7 @@ class SweepLine {
     return highest_[i];
   }
 
+  const PerturbedKernel& kernel_;
   const Charts& charts_;
   Colour colour_;
   const ColourChart& chart_;
@@ -114,7 +115,7 @@ constexpr Ends left_ends{&ChartArc::left, &ChartArc::left_height};
 constexpr Ends right_ends{&ChartArc::right, &ChartArc::right_height};
 
 // The arcs of each colour that reach to one infinity are sorted there by id. Merges both colours by height.
-void locate_at_infinity(Charts& charts, const Ends& side) {
+void locate_at_infinity(const PerturbedKernel& kernel, Charts& charts, const Ends& side) {
   const bool at_left = side.node == left_ends.node;
   PerColour<std::vector<ChartArcId>> ends;
   for (const Colour c : both_colours) {
@@ -127,7 +128,7 @@ void locate_at_infinity(Charts& charts, const Ends& side) {
   while (next.a < ends.a.size() || next.b < ends.b.size()) {
     Colour lower = next.a < ends.a.size() ? Colour::a : Colour::b;
     if (next.a < ends.a.size() && next.b < ends.b.size()) {
-      const bool a_above = above_far_left(charts, Colour::a, arc(Colour::a), Colour::b, arc(Colour::b)) > 0;
+      const bool a_above = above_far_left(kernel, charts, Colour::a, arc(Colour::a), Colour::b, arc(Colour::b)) == Sign::positive;
       lower = a_above == at_left ? Colour::b : Colour::a;
     }
     arc(lower).*side.height = height[other(lower)];
@@ -138,12 +139,12 @@ void locate_at_infinity(Charts& charts, const Ends& side) {
 }  // namespace
 
 // A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located.
-void locate_nodes(Charts& charts, Colour colour) {
+void locate_nodes(const PerturbedKernel& kernel, Charts& charts, Colour colour) {
   IdVector<NodeId, NodePlace>& places = charts.of[colour].place_of;
   places.assign(charts.of[colour].diagram->nodes.size(), {});
   const IdVector<ChartArcId, ChartArc>& arcs = charts.of[other(colour)].arcs;
   const Incidence incidence(charts.of[other(colour)]);
-  SweepLine line(charts, other(colour));
+  SweepLine line(kernel, charts, other(colour));
   for (const ChartArcId i : arcs.ids()) {
     if (arcs[i].left == at_infinity) line.insert(i);
   }
@@ -162,7 +163,7 @@ void locate_nodes(Charts& charts, Colour colour) {
   }
 }
 
-void locate_ends(Charts& charts) {
+void locate_ends(const PerturbedKernel& kernel, Charts& charts) {
   for (const Colour c : both_colours) {
     ColourChart& chart = charts.of[c];
     for (ChartArc& arc : chart.arcs) {
@@ -170,7 +171,7 @@ void locate_ends(Charts& charts) {
       if (arc.right != at_infinity) arc.right_height = chart.place_of[arc.right].height;
     }
   }
-  for (const Ends& side : {left_ends, right_ends}) locate_at_infinity(charts, side);
+  for (const Ends& side : {left_ends, right_ends}) locate_at_infinity(kernel, charts, side);
 }
 
 }  // namespace fathom

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
@@ -35,9 +33,9 @@ bool close_together(double x, double y) { return !(std::abs(y - x) > 0x1p-40 * (
 
 }  // namespace
 
-void raise_walls(Charts& charts) {
+void raise_walls(const PerturbedKernel& kernel, Charts& charts) {
   const auto left_of = [&](const Candidate& s, const Candidate& t) {
-    return s.wall != t.wall && perturbed_x_order(charts.perturbation, charts.node(s.wall), charts.node(t.wall), charts.frame.v) > 0;
+    return s.wall != t.wall && kernel.x_order(charts.node(s.wall), charts.node(t.wall), charts.frame.v) == Sign::positive;
   };
   std::vector<Candidate> all = candidates(charts);
   std::ranges::sort(all, {}, &Candidate::x);

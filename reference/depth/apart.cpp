@@ -46,8 +46,8 @@ Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts
   Hulls hulls;
   const bool one_body = pair.a.points() == pair.b.points();
   run_both(
-      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, [&] { hulls.a = convex_hull(pair.a.points()); },
-      [&] { hulls.b = one_body ? hulls.a : convex_hull(pair.b.points()); });
+      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, context, [&](Context&) { hulls.a = convex_hull(pair.a.points()); },
+      [&](Context&) { hulls.b = one_body ? hulls.a : convex_hull(pair.b.points()); });
   const auto& [a, b] = hulls;
   if (checked) {
     insist(validate(a, pair.a.points()));

@@ -24,9 +24,9 @@ void offer_facets(const Polytope& a, const Polytope& b, ExtremePoint extreme, Ne
   }
 }
 
-void offer_crossing(const GaussianDiagram& of_a, const EdgeLinesOfA& a, EdgeOfA e, const GaussianDiagram& of_b, const EdgeLinesOfB& b,
-                    EdgeOfB f, NearestPlanes& nearest) {
-  if (!strict_crossings(of_a, of_a.arcs[ArcId(e.value)], of_b, of_b.arcs[ArcId(f.value)]).empty()) offer_edges(a, e, b, f, nearest);
+void offer_crossing(const UnperturbedKernel& kernel, const GaussianDiagram& of_a, const EdgeLinesOfA& a, EdgeOfA e,
+                    const GaussianDiagram& of_b, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest) {
+  if (!strict_crossings(kernel, of_a, of_a.arcs[ArcId(e.value)], of_b, of_b.arcs[ArcId(f.value)]).empty()) offer_edges(a, e, b, f, nearest);
 }
 
 ArcImages arc_images(const GaussianDiagram& diagram) {
@@ -46,11 +46,13 @@ NearestPlanes nearest_facets_naive(const Polytope& a, const Polytope& b) {
         return points[extreme_points_naive(points, u).front()];
       },
       nearest);
+  PredicateCounts uncounted;
+  const UnperturbedKernel kernel(uncounted);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   const EdgeLinesOfA lines_a(a, 0);
   const EdgeLinesOfB lines_b(b, 0);
   for (const EdgeOfA e : lines_a.ids()) {
-    for (const EdgeOfB f : lines_b.ids()) offer_crossing(of_a, lines_a, e, of_b, lines_b, f, nearest);
+    for (const EdgeOfB f : lines_b.ids()) offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, f, nearest);
   }
   return nearest;
 }
@@ -65,6 +67,8 @@ NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exp
         return cloud[extreme_points(cloud, u).front()];
       },
       nearest);
+  PredicateCounts uncounted;
+  const UnperturbedKernel kernel(uncounted);
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   const EdgeLinesOfA lines_a(a, exponent);
   const EdgeLinesOfB lines_b(b, exponent);
@@ -78,7 +82,7 @@ NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exp
     } else {
       not_farther(lines_a.images(), e.value, lines_b.images(), bound, unsure);
     }
-    for (const std::uint32_t f : unsure) offer_crossing(of_a, lines_a, e, of_b, lines_b, EdgeOfB(f), nearest);
+    for (const std::uint32_t f : unsure) offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, EdgeOfB(f), nearest);
   }
   return nearest;
 }

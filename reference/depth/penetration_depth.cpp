@@ -2,10 +2,8 @@
 #include "reference/depth/penetration_depth.hpp"
 
 #include <array>
-#include <functional>
 
 #include "kernels/parallel.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/depth/apart.hpp"
@@ -20,24 +18,20 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 4096;  // edges
 
-// Calls work(0, context) and work(1, context), one for each hemisphere, in two threads if there are many edges.
-template <class Work>
-void in_both(Context& context, bool in_two_threads, const Work& work) {
-  Context worker = context.worker();
-  run_both(
-      in_two_threads, [&] { work(0, context); }, [&] { work(1, worker); });
-  context.join(worker);
-}
-
 // The facet planes of P nearest to O, which is in the interior of P.
 NearestPlanes nearest_facets(Context& context, const Hulls& hulls, long exponent, const ExactOptions& options) {
   const Polytope &a = hulls.a, &b = hulls.b;
   const bool in_two_threads = a.edges.size() + b.edges.size() >= worth_a_thread;
-  const PredicateCounts before = predicate_counts();
+  // Calls work(context, 0) and work(context, 1), one for each hemisphere.
+  const auto in_both = [&](const auto& work) {
+    run_both(
+        in_two_threads, context, [&](Context& own) { work(own, 0); }, [&](Context& own) { work(own, 1); });
+  };
 
   GaussianDiagram of_minus_a, of_b;
   run_both(
-      in_two_threads, [&] { of_minus_a = gaussian_diagram_of_reflection(a); }, [&] { of_b = gaussian_diagram(b); });
+      in_two_threads, context, [&](Context&) { of_minus_a = gaussian_diagram_of_reflection(a); },
+      [&](Context&) { of_b = gaussian_diagram(b); });
   if (options.validate) {
     insist(validate(of_minus_a, a, true));
     insist(validate(of_b, b, false));
@@ -45,8 +39,8 @@ NearestPlanes nearest_facets(Context& context, const Hulls& hulls, long exponent
 
   std::array<Charts, 2> hemispheres;
   context.report("charts");
-  in_both(context, in_two_threads, [&](std::size_t i, Context&) {
-    hemispheres[i] = make_charts(of_minus_a, of_b, chart_frame(i == 1), options.perturbation);
+  in_both([&](Context& own, std::size_t i) {
+    hemispheres[i] = make_charts(own, of_minus_a, of_b, chart_frame(both_hemispheres[i]), options.perturbation);
     if (options.validate) insist(validate(hemispheres[i]));
   });
 
@@ -60,8 +54,8 @@ NearestPlanes nearest_facets(Context& context, const Hulls& hulls, long exponent
   }
 
   std::array<CanonicalSubsets, 2> subsets;
-  in_both(context, in_two_threads, [&](std::size_t i, Context& own) {
-    subsets[i] = canonical_subsets(hemispheres[i], [&](double share) { return own.report("canonical subsets", share), true; });
+  in_both([&](Context& own, std::size_t i) {
+    subsets[i] = canonical_subsets(own, hemispheres[i]);
     const CanonicalSubsets::Sums sums = subsets[i].sums();
     own.counters.canonical_pairs += subsets[i].size();
     own.counters.sum_a += sums.a;
@@ -69,18 +63,18 @@ NearestPlanes nearest_facets(Context& context, const Hulls& hulls, long exponent
     own.counters.crossings += sums.product;
   });
 
-  const EdgeLines lines_a(a, exponent), lines_b(b, exponent);
+  const EdgeLinesOfA lines_a(a, exponent);
+  const EdgeLinesOfB lines_b(b, exponent);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Charts& charts = hemispheres[i];
+    const LineScene scene(hemispheres[i], lines_a, lines_b);
     if (options.validate) {
-      insist(validate(subsets[i], charts));
-      insist(validate_separation(subsets[i], lines_a, lines_b, charts.frame.z.exact()));
-      for (std::size_t k = 0; k < subsets[i].size(); ++k) insist(validate(Grid(subsets[i][k], charts, lines_a, lines_b), charts));
+      insist(validate(subsets[i], hemispheres[i]));
+      insist(validate_separation(subsets[i], scene));
+      for (std::size_t k = 0; k < subsets[i].size(); ++k) insist(validate(Grid(subsets[i][k], scene)));
     }
-    const auto report = [&](double share) { return context.report("closest lines", (static_cast<double>(i) + share) / 2), true; };
-    closest_lines(subsets[i], charts, lines_a, lines_b, nearest, context.counters, {options.closest_lines, options.seed, report});
+    const double share = 0.5 * static_cast<double>(i);
+    closest_lines(context, subsets[i], scene, nearest, {options.closest_lines, options.seed, share, share + 0.5});
   }
-  context.counters.predicates += predicate_counts() - before;
   return nearest;
 }
 

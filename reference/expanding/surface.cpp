@@ -68,7 +68,7 @@ const ExactPlane& Surface::plane(std::uint32_t t) {
 }
 
 int Surface::side(std::uint32_t t, const SurfaceVertex& vertex) {
-  if (const int sure = triangles_[t].rounded.side(vertex.rounded)) return sure;
+  if (const auto sure = triangles_[t].rounded.side(vertex.rounded)) return to_int(*sure);
   const ExactPlane& p = plane(t);
   return sgn(mpz_class(dot(p.normal, vertex.exact) - p.height));
 }

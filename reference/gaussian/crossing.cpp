@@ -1,45 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gaussian/crossing.hpp"
 
-#include "kernels/predicates/filter.hpp"
-
 namespace fathom {
 namespace {
 
-// The sign of the point in which the arc's interior crosses the circle: 1 where the arc leaves the circle's positive side, -1 where it
-// enters it, 0 for none, 2 for a full circle, which does both.
-template <class Side>
-int crossing_sense(const GaussianDiagram& diagram, const Arc& arc, const Direction& circle, Side side) {
-  if (diagram.rank == 1) return 2;
-  const int from = side(diagram.nodes[arc.from], circle);
-  const int to = side(diagram.nodes[arc.to], circle);
-  return from * to < 0 ? from : 0;
+// How the arc's interior crosses the circle. A full circle does both.
+struct Senses {
+  bool leaves = false;  // the circle's positive side
+  bool enters = false;
+};
+
+template <class Kernel>
+Senses crossing_senses(const Kernel& kernel, const GaussianDiagram& diagram, const Arc& arc, const Direction& circle) {
+  if (diagram.rank == 1) return {true, true};
+  const Sign from = kernel.side_of_arc(diagram.nodes[arc.from], circle);
+  const Sign to = kernel.side_of_arc(diagram.nodes[arc.to], circle);
+  if (from * to != Sign::negative) return {};
+  return {from == Sign::positive, to == Sign::positive};
 }
 
-template <class Side>
-std::vector<int> crossings(const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f, Side side) {
-  const int e_sense = crossing_sense(of_e, e, f.circle, side);
-  if (e_sense == 0) return {};
-  const int f_sense = crossing_sense(of_f, f, e.circle, side);
-  if (f_sense == 0) return {};
-  std::vector<int> signs;
-  for (const int sign : {-1, 1}) {
-    if ((e_sense == 2 || e_sense == sign) && (f_sense == 2 || f_sense == -sign)) signs.push_back(sign);
-  }
+template <class Kernel>
+std::vector<Sign> crossings(const Kernel& kernel, const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f) {
+  const Senses of_arc_e = crossing_senses(kernel, of_e, e, f.circle);
+  if (!of_arc_e.leaves && !of_arc_e.enters) return {};
+  const Senses of_arc_f = crossing_senses(kernel, of_f, f, e.circle);
+  std::vector<Sign> signs;
+  if (of_arc_e.enters && of_arc_f.leaves) signs.push_back(Sign::negative);
+  if (of_arc_e.leaves && of_arc_f.enters) signs.push_back(Sign::positive);
   return signs;
 }
 
 }  // namespace
 
-std::vector<int> strict_crossings(const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f) {
+std::vector<Sign> strict_crossings(const UnperturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f,
+                                   const Arc& f) {
   // Two full circles may coincide; other arcs of one circle have a zero at an end.
   if (of_e.rank == 1 && of_f.rank == 1 && is_zero(cross(e.circle.exact(), f.circle.exact()))) return {};
-  return crossings(of_e, e, of_f, f, side_of_arc);
+  return crossings(kernel, of_e, e, of_f, f);
 }
 
-std::vector<int> perturbed_crossings(const Perturbation& perturbation, const GaussianDiagram& of_e, const Arc& e,
-                                     const GaussianDiagram& of_f, const Arc& f) {
-  return crossings(of_e, e, of_f, f, [&](const Direction& n, const Direction& d) { return perturbed_side_of_arc(perturbation, n, d); });
+std::vector<Sign> perturbed_crossings(const PerturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f,
+                                      const Arc& f) {
+  return crossings(kernel, of_e, e, of_f, f);
 }
 
 bool contains(const GaussianDiagram& diagram, const Arc& arc, const Vector& u) {

@@ -8,15 +8,12 @@ namespace {
 
 // The vertex test in exact arithmetic.
 bool exact_corners_clear(const Grid& grid, const Block& block, const NearestPlanes& nearest) {
-  if (nearest.empty()) return false;
   const Vector s = grid.column_point(block.columns.middle) - grid.row_point(block.rows.middle);
   for (const std::size_t i : {block.rows.first, block.rows.last}) {
     const Vector d = grid.row_direction(i);
     for (const std::size_t j : {block.columns.first, block.columns.last}) {
       const Vector w = cross(d, grid.column_direction(j));
-      const mpz_class height = dot(s, w);
-      if (height <= 0) return false;
-      if (mpz_class(height * height * nearest.denominator()) <= mpz_class(nearest.numerator() * dot(w, w))) return false;
+      if (!nearest.nearer_than(w, dot(s, w))) return false;
     }
   }
   return true;

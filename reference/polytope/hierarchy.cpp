@@ -24,7 +24,7 @@ std::vector<Index> face_of_cycle(const HierarchyDescent& descent, const Polytope
   std::vector<Index> face{descent.highest()};
   for (const Index v : p.rank == 2 ? descent.neighbours() : std::vector{1 - descent.highest()}) {
     ++steps;
-    if (descent.view().rise(descent.highest(), v) == 0) face.push_back(v);
+    if (descent.view().rise(descent.highest(), v) == Sign::zero) face.push_back(v);
   }
   return face.size() == 3 ? all_vertices(p) : face;  // then the polygon's plane is level
 }

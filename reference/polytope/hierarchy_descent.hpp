@@ -45,12 +45,12 @@ class HierarchyDescent {
     bool level = false;
   };
 
-  int rise(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->rise(p, q); }
-  int turn(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->turn(highest_, p, q); }
+  Sign rise(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->rise(p, q); }
+  Sign turn(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->turn(highest_, p, q); }
   bool climb(std::uint32_t v);
   void choose_sides();
   void collect(Side& s);
-  bool hides(std::uint32_t apex, const Side& s, int sense);
+  bool hides(std::uint32_t apex, const Side& s, Sign sense);
   Side side_to(std::uint32_t apex);
   bool step_down_solid();
   bool step_down_polygon();

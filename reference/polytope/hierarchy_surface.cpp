@@ -83,13 +83,13 @@ std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) c
   std::size_t best = 2;
   Plane plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
   for (std::size_t i = 3; i < hole.size(); ++i) {
-    if (plane.side(origin_[hole[i]]) <= 0) continue;
+    if (plane.side(origin_[hole[i]]) != Sign::positive) continue;
     best = i;
     plane = Plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
   }
   std::vector<std::size_t> corners;
   for (std::size_t i = 2; i < hole.size(); ++i)
-    if (i == best || plane.side(origin_[hole[i]]) == 0) corners.push_back(i);
+    if (i == best || plane.side(origin_[hole[i]]) == Sign::zero) corners.push_back(i);
   return corners;
 }
 

@@ -51,7 +51,7 @@ struct PlanarTraits {
     return [view = *this](Index p, Index q) { return view.less(p, q, 2, 1); };
   }
   [[nodiscard]] Left_turn_2 left_turn_2_object() const {
-    return [view = *this](Index p, Index q, Index r) { return turn(*view.points, view.axis, p, q, r) > 0; };
+    return [view = *this](Index p, Index q, Index r) { return turn(*view.points, view.axis, p, q, r) == Sign::positive; };
   }
   [[nodiscard]] Orientation_2 orientation_2_object() const {
     return [view = *this](Index p, Index q, Index r) { return static_cast<CGAL::Orientation>(turn(*view.points, view.axis, p, q, r)); };
@@ -84,14 +84,14 @@ struct SpatialTraits {
   };
   struct Coplanar_3 {
     const BoxedPoints* points;
-    bool operator()(Index p, Index q, Index r, Index s) const { return Plane(*points, p, q, r).side(s) == 0; }
+    bool operator()(Index p, Index q, Index r, Index s) const { return Plane(*points, p, q, r).side(s) == Sign::zero; }
   };
   struct Construct_plane_3 {
     const BoxedPoints* points;
     Plane_3 operator()(Index p, Index q, Index r) const { return {Plane(*points, p, q, r), p}; }
   };
   struct Less_signed_distance_to_plane_3 {
-    bool operator()(const Plane_3& h, Index s, Index t) const { return h.plane.rise(s, t) > 0; }
+    bool operator()(const Plane_3& h, Index s, Index t) const { return h.plane.rise(s, t) == Sign::positive; }
   };
   struct Less_distance_to_point_3 {
     const BoxedPoints* points;
@@ -104,7 +104,7 @@ struct SpatialTraits {
   struct Has_on_positive_side_3 {
     const SpatialTraits* traits;
     bool operator()(const Plane_3& h, Index s) const {
-      if (const int side = h.plane.side(s)) return side > 0;
+      if (const Sign side = h.plane.side(s); side != Sign::zero) return side == Sign::positive;
       if (!h.heart_side) h.heart_side = traits->heart_side(h);
       return *h.heart_side > 0;
     }
@@ -140,15 +140,15 @@ Heart choose_heart(const BoxedPoints& points, std::vector<Index>& order) {
   const auto off_line = [&](Index r) { return !Plane(points, order[0], order[1], r).degenerate(); };
   std::iter_swap(order.begin() + 2, std::find_if(order.begin() + 2, order.end(), off_line));
   const Plane plane(points, order[0], order[1], order[2]);
-  const bool below = std::ranges::any_of(order, [&](Index s) { return plane.side(s) < 0; });
+  const bool below = std::ranges::any_of(order, [&](Index s) { return plane.side(s) == Sign::negative; });
   return {order[0], order[1], order[2], below ? -1 : 1};
 }
 
 /// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns all.
 void orient_outward(const BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
   const Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
-  const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != 0; });
-  if (plane.side(*off_plane) < 0) return;
+  const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != Sign::zero; });
+  if (plane.side(*off_plane) == Sign::negative) return;
   for (HullTriangle& t : triangles) std::swap(t[0], t[1]);
 }
 

@@ -41,13 +41,14 @@ void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<c
   }
   const Vector& n = depth.direction();
   const mpq_class h = testing::support(a, b, n), s = h / dot(n, n);
-  EXPECT_EQ(depth.translation(), (Point{s * n.x, s * n.y, s * n.z})) << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
+  EXPECT_EQ(depth.translation(), (Point{s * n.x, s * n.y, s * n.z}))
+      << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
   ASSERT_TRUE(depth.contact()) << what;
   EXPECT_EQ(depth.contact()->kind, testing::kind_of(depth.contact()->a.size(), depth.contact()->b.size())) << what;
   if (!depth.witness()) return;
-  EXPECT_EQ(
-      (Point{depth.witness()->b.x - depth.witness()->a.x, depth.witness()->b.y - depth.witness()->a.y, depth.witness()->b.z - depth.witness()->a.z}),
-      depth.translation())
+  EXPECT_EQ((Point{depth.witness()->b.x - depth.witness()->a.x, depth.witness()->b.y - depth.witness()->a.y,
+                   depth.witness()->b.z - depth.witness()->a.z}),
+            depth.translation())
       << what;
   EXPECT_TRUE(testing::in_hull(depth.witness()->a, a, depth.contact()->a)) << what;
   EXPECT_TRUE(testing::in_hull(depth.witness()->b, b, depth.contact()->b)) << what;

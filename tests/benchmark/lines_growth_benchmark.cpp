@@ -68,15 +68,15 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
   row.hulls = clock.lap();
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
+  Context context;
   std::vector<Charts> charts;
-  for (const Hemisphere h : both_hemispheres) charts.push_back(make_charts(of_a, of_b, chart_frame(h)));
+  for (const Hemisphere h : both_hemispheres) charts.push_back(make_charts(context, of_a, of_b, chart_frame(h)));
   row.charts = clock.lap();
   NearestPlanes start;
   for (const Charts& c : charts) offer(vertex_facet_pairs(c), c, a, b, start);
   row.vertex_facets = clock.lap();
   std::vector<CanonicalSubsets> subsets;
-  Context uncounted;
-  for (const Charts& c : charts) subsets.push_back(canonical_subsets(uncounted, c));
+  for (const Charts& c : charts) subsets.push_back(canonical_subsets(context, c));
   row.canonical = clock.lap();
   for (const CanonicalSubsets& s : subsets) {
     const CanonicalSubsets::Sums sums = s.sums();

@@ -37,7 +37,7 @@ TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
       const EdgeLinesOfA a(p->a, p->exponent);
       const EdgeLinesOfB b(p->b, p->exponent);
       for (const Charts& charts : p->charts) {
-        const CanonicalSubsets subsets = canonical_subsets(charts);
+        const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
         const Report report = validate(subsets, charts);
         EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
         EXPECT_EQ(subsets.sums().product, crossings_naive(charts).size()) << input.id;
@@ -55,7 +55,7 @@ TEST(CanonicalSubsets, GeneralPositionNeedsNoInfinitesimals) {
       const PredicateCounts before = predicate_counts();
       const Case input = families::find_family(family)->make(seed, 60);
       const auto p = prepare(input);
-      for (const Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(charts), charts).ok()) << input.id;
+      for (const Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
       const PredicateCounts counts = predicate_counts() - before;
       for (std::size_t i = 0; i < counts.size(); ++i) {
         EXPECT_EQ(counts[i].zero, 0U) << input.id << ", " << predicate_names[i];
@@ -73,7 +73,7 @@ TEST(CanonicalSubsets, SumsAreNearLinear) {
       const double edges = static_cast<double>(p->a.edges.size() + p->b.edges.size());
       double sum = 0, crossings = 0;
       for (const Charts& charts : p->charts) {
-        const CanonicalSubsets::Sums sums = canonical_subsets(charts).sums();
+        const CanonicalSubsets::Sums sums = canonical_subsets(p->context, charts).sums();
         sum += static_cast<double>(sums.a + sums.b);
         crossings += static_cast<double>(sums.product);
       }
@@ -90,10 +90,10 @@ TEST(CanonicalSubsets, SumsAreNearLinear) {
 TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
   for (const unsigned n : {64U, 256U, 1024U}) {
     const auto p = prepare(families::find_family("random_sphere")->make(1, n));
-    const PredicateCounts before = predicate_counts();
-    for (const Charts& charts : p->charts) canonical_subsets(charts);
+    Context context;
+    for (const Charts& charts : p->charts) canonical_subsets(context, charts);
     std::uint64_t calls = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) calls += predicate_counts()[i].calls - before[i].calls;
+    for (const TierCounts& tiers : context.counters.predicates) calls += tiers.calls;
     EXPECT_LE(calls, 6 * std::uint64_t{n} * std::bit_width(n) * std::bit_width(n)) << n;
   }
 }
@@ -126,7 +126,7 @@ TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
 TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
   const auto p = prepare(families::find_family("crossed_fans")->make(1, 12));
   const Charts& charts = p->charts[0];
-  const CanonicalSubsets subsets = canonical_subsets(charts);
+  const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
   ASSERT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
   // Orientations of all arcs of one colour reversed: senses and orders no longer fit.
   Charts turned = charts;
@@ -145,7 +145,7 @@ TEST(CanonicalSubsets, BothSensesOccur) {
   std::array<std::size_t, 2> pairs{};
   const auto p = prepare(families::find_family("random_sphere")->make(1, 60));
   for (const Charts& charts : p->charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
     for (std::size_t i = 0; i < subsets.size(); ++i) ++pairs[subsets[i].rising ? 1 : 0];
   }
   EXPECT_GT(pairs[0], 10U);
@@ -185,7 +185,7 @@ TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {
   Case input{"segments", {{{0, 0, 0}, {1, 0, 0}}}, {{{0, 0, 0}, {0, 1, 0}}}};
   const auto p = prepare(input);
   for (const Charts& charts : p->charts) {
-    const CanonicalSubsets subsets = canonical_subsets(charts);
+    const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
     EXPECT_EQ(subsets.sums().product, 1U);
     EXPECT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
   }

@@ -227,10 +227,10 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
     const Arc& e = p->of_b.arcs[pair.of_b];
     const Arc& f = p->minus_a.arcs[pair.of_a];
-    const std::vector<int> signs = strict_crossings(p->minus_a, f, p->of_b, e);
+    const std::vector<Sign> signs = strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
     ASSERT_EQ(signs.size(), 1U);
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
-    const Vector w = signs[0] > 0 ? normal : -normal;
+    const Vector w = signs[0] == Sign::positive ? normal : -normal;
     EXPECT_TRUE(same_direction(w, {1, 0, 0}));
     const Vector step = p->b.vertices[e.above.value] - p->a.vertices[f.above.value];
     EXPECT_GT(dot(step, w), 0) << "C4 as a sign";

@@ -9,6 +9,7 @@
 #include "kernels/predicates/filter.hpp"
 #include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/signs.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom {
@@ -66,9 +67,10 @@ TEST(ChartFrame, PoleIsNormalToTheVerticalIdentically) {
 TEST(ChartFrame, ArbitraryTiltIsNoOrder) {
   const Direction v(Vector{0, 8, 1}), z(Vector{0, 0, 1});
   const std::array<Direction, 3> n{Direction(Vector{3, 7, 1}), Direction(Vector{0, 12, 1}), Direction(Vector{-3, 7, 1})};
-  for (const Direction& d : n) ASSERT_GT(side_of_equator(d, z), 0);
-  EXPECT_EQ(x_order(n[0], n[1], v), x_order(n[1], n[2], v));
-  EXPECT_EQ(x_order(n[1], n[2], v), x_order(n[2], n[0], v));
+  const auto signs = unperturbed();
+  for (const Direction& d : n) ASSERT_GT(signs.side_of_equator(d, z), 0);
+  EXPECT_EQ(signs.x_order(n[0], n[1], v), signs.x_order(n[1], n[2], v));
+  EXPECT_EQ(signs.x_order(n[1], n[2], v), signs.x_order(n[2], n[0], v));
 }
 
 TEST(Chart, LawsHoldOnEveryFamily) {
@@ -88,7 +90,7 @@ TEST(Chart, WallsAreTotallyOrdered) {
       for (std::uint32_t i = 0; i < charts.walls.size(); ++i) {
         for (std::uint32_t j = 0; j < charts.walls.size(); ++j) {
           if (i == j) continue;
-          EXPECT_EQ(perturbed_x_order(charts.perturbation, node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
+          EXPECT_EQ(perturbed(charts.perturbation).x_order(node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
         }
       }
     }
@@ -107,7 +109,8 @@ TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
     b.nodes.emplace_back(Vector{k + part, sum - part - k, 0});
   }
   const Frame frame{Direction(Vector{0, 0, 1}), Direction(Vector{1, 1, 0})};
-  const Charts charts = make_charts(a, b, frame);
+  Context context;
+  const Charts charts = make_charts(context, a, b, frame);
   ASSERT_EQ(charts.walls.size(), b.nodes.size());
   for (const WallId i : charts.walls.ids()) EXPECT_EQ(charts.walls[i].node, NodeId(i.value));
   EXPECT_TRUE(validate(charts).ok()) << text(validate(charts));
@@ -175,7 +178,8 @@ TEST(Chart, ArcsAreListedInHeightOrder) {
           for (std::size_t i = 0; i < arcs.size(); ++i) {
             for (std::size_t j = i + 1; j < arcs.size(); ++j) {
               if (std::max(left(arcs[i]), left(arcs[j])) >= std::min(right(arcs[i]), right(arcs[j]))) continue;
-              EXPECT_GT(above_same_colour(charts, c, arcs[j], arcs[i]), 0) << input.id << " arcs " << i << ", " << j;
+              EXPECT_EQ(above_same_colour(kernel_of(charts), charts, c, arcs[j], arcs[i]), Sign::positive)
+                  << input.id << " arcs " << i << ", " << j;
               ++compared;
             }
           }
@@ -252,14 +256,14 @@ TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
             if (dot(n, charts.frame.z.exact()) == 0) continue;
             const int exact = difference(project(n, charts.frame).x);
             if (exact == 0) continue;
-            EXPECT_EQ(above_on_wall(charts, Colour::a, e, Colour::b, f, wall), exact) << input.id;
+            EXPECT_EQ(to_int(above_on_wall(kernel_of(charts), charts, Colour::a, e, Colour::b, f, wall)), exact) << input.id;
             ++compared;
           }
           // Heights are linear in x: far to the left the slopes decide.
           const mpq_class slope_e = height(d_e, charts.frame, 1) - height(d_e, charts.frame, 0);
           const mpq_class slope_f = height(d_f, charts.frame, 1) - height(d_f, charts.frame, 0);
           if (slope_e == slope_f) continue;
-          EXPECT_EQ(above_far_left(charts, Colour::a, e, Colour::b, f), slope_e < slope_f ? 1 : -1) << input.id;
+          EXPECT_EQ(to_int(above_far_left(kernel_of(charts), charts, Colour::a, e, Colour::b, f)), slope_e < slope_f ? 1 : -1) << input.id;
         }
       }
     }
@@ -285,9 +289,8 @@ TEST(Chart, FaceBesideAnArcPrefersItsVertex) {
 
 // Boxes: every normal on an axis, every edge parallel to one. All of it is resolved, and recorded by monomial.
 TEST(Chart, RecordsWhichMonomialDecided) {
-  const PredicateCounts before = predicate_counts();
   const auto p = prepare(families::find_family("boxes_aligned")->make(1, 8));
-  const PredicateCounts counts = predicate_counts() - before;
+  const PredicateCounts& counts = p->context.counters.predicates;
   for (const Predicate predicate : {Predicate::side_of_equator, Predicate::x_order, Predicate::side_of_arc}) {
     const TierCounts& tiers = counts[static_cast<std::size_t>(predicate)];
     std::uint64_t decided = 0;

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/nearest_facets_naive.hpp"
 #include "tests/oracles/brute_oracle.hpp"
@@ -146,7 +145,6 @@ TEST(Depth, CountersAreThoseOfTheRun) {
 TEST(Depth, TwoThreadsChangeNothing) {
   const Case input = families::find_family("random_sphere")->make(3, 1100);
   const Depth depth = solve(input);
-  const PredicateCounts before = predicate_counts();
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
   Context context;

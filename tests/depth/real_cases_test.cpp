@@ -22,7 +22,8 @@ std::string name(Status status) {
 std::vector<std::vector<std::string>> translations(const Depth& depth) {
   if (depth.optima().empty()) return {{"0", "0", "0"}};
   std::vector<std::vector<std::string>> result;
-  for (const Optimum& o : depth.optima()) result.push_back({o.translation.x.get_str(), o.translation.y.get_str(), o.translation.z.get_str()});
+  for (const Optimum& o : depth.optima())
+    result.push_back({o.translation.x.get_str(), o.translation.y.get_str(), o.translation.z.get_str()});
   std::ranges::sort(result);
   return result;
 }

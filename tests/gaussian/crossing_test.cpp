@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -99,8 +100,8 @@ std::vector<Vector> meets(const Case& c, const Vector& d) {
   return points;
 }
 
-std::vector<int> naive_crossings(const Case& e, const Case& f) {
-  std::vector<int> signs;
+std::vector<Sign> naive_crossings(const Case& e, const Case& f) {
+  std::vector<Sign> signs;
   const Vector w = cross(e.arc().circle.exact(), f.arc().circle.exact());
   if (is_zero(w)) return signs;
   for (const int sign : {-1, 1}) {
@@ -166,11 +167,11 @@ void for_all_pairs(const Property& property) {
 TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
   int crossing = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
-    const std::vector<int> signs = strict_crossings(e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<Sign> signs = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
     RC_ASSERT(signs == naive_crossings(e, f));
     crossing += !signs.empty();
-    std::vector<int> opposite = strict_crossings(f.diagram, f.arc(), e.diagram, e.arc());
-    for (int& s : opposite) s = -s;
+    std::vector<Sign> opposite = strict_crossings(unperturbed().kernel, f.diagram, f.arc(), e.diagram, e.arc());
+    for (Sign& s : opposite) s = -s;
     std::sort(opposite.begin(), opposite.end());
     RC_ASSERT(signs == opposite);
   });
@@ -189,8 +190,9 @@ TEST(PerturbedCrossings, KeepStrictOnesAndCloseNoGap) {
   int resolved = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
     const Case moved = as_of_a(e);
-    const std::vector<int> strict = strict_crossings(e.diagram, e.arc(), f.diagram, f.arc());
-    const std::vector<int> perturbed = perturbed_crossings(Perturbation{}, moved.diagram, moved.arc(), f.diagram, f.arc());
+    const Perturbation perturbation;
+    const std::vector<Sign> strict = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<Sign> perturbed = perturbed_crossings(perturbed(perturbation).kernel, moved.diagram, moved.arc(), f.diagram, f.arc());
     RC_ASSERT(std::includes(perturbed.begin(), perturbed.end(), strict.begin(), strict.end()));
     if (!perturbed.empty()) RC_ASSERT(touch(e.diagram, e.arc(), f.diagram, f.arc()));
     const bool full = e.diagram.rank == 1 && f.diagram.rank == 1;
@@ -206,7 +208,7 @@ TEST(Touch, IsACommonPointOfTheClosedArcs) {
     const bool touches = touch(e.diagram, e.arc(), f.diagram, f.arc());
     RC_ASSERT(touches == naive_touch(e, f));
     RC_ASSERT(touches == touch(f.diagram, f.arc(), e.diagram, e.arc()));
-    if (!strict_crossings(e.diagram, e.arc(), f.diagram, f.arc()).empty()) RC_ASSERT(touches);
+    if (!strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()).empty()) RC_ASSERT(touches);
     ++(touches ? touching : apart);
   });
   EXPECT_GT(touching, 400);
@@ -228,22 +230,23 @@ TEST(Contains, AsksForThePointOnTheArc) {
 
 TEST(StrictCrossings, OfTwoFullCirclesAreTwo) {
   const Case e = full_circle({1, 0, 0}), f = full_circle({1, 2, 0}), again = full_circle({-3, 0, 0});
-  EXPECT_EQ(strict_crossings(e.diagram, e.arc(), f.diagram, f.arc()), (std::vector<int>{-1, 1}));
-  EXPECT_TRUE(strict_crossings(e.diagram, e.arc(), again.diagram, again.arc()).empty());
+  EXPECT_EQ(strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()),
+            (std::vector<Sign>{Sign::negative, Sign::positive}));
+  EXPECT_TRUE(strict_crossings(unperturbed().kernel, e.diagram, e.arc(), again.diagram, again.arc()).empty());
   EXPECT_TRUE(touch(e.diagram, e.arc(), again.diagram, again.arc()));
 }
 
 TEST(StrictCrossings, DoNotCountAnEndOnTheOtherArc) {
   const Case e = short_arc({1, -1, 0}, {1, 1, 0});
-  const auto with = [&](const Case& f) { return strict_crossings(e.diagram, e.arc(), f.diagram, f.arc()); };
+  const auto with = [&](const Case& f) { return strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()); };
   // e's circle is (0,0,2); those of the arcs through (1,0,0) from below to above are (0,-2,0).
-  EXPECT_EQ(with(short_arc({1, 0, -1}, {1, 0, 1})), std::vector<int>{1});
-  EXPECT_EQ(with(short_arc({1, 0, 1}, {1, 0, -1})), std::vector<int>{-1});
+  EXPECT_EQ(with(short_arc({1, 0, -1}, {1, 0, 1})), std::vector<Sign>{Sign::positive});
+  EXPECT_EQ(with(short_arc({1, 0, 1}, {1, 0, -1})), std::vector<Sign>{Sign::negative});
   EXPECT_TRUE(with(short_arc({1, 0, 0}, {1, 0, 1})).empty());
   EXPECT_TRUE(with(short_arc({1, 1, -1}, {1, 1, 1})).empty());
   EXPECT_TRUE(with(short_arc({-1, 0, -1}, {-1, 0, 1})).empty());
   EXPECT_TRUE(with(short_arc({1, 0, 0}, {1, 2, 0})).empty());
-  EXPECT_EQ(with(half_circle({0, 0, 1}, {0, 1, 0})), std::vector<int>{-1});
+  EXPECT_EQ(with(half_circle({0, 0, 1}, {0, 1, 0})), std::vector<Sign>{Sign::negative});
   EXPECT_TRUE(with(half_circle({0, 0, 1}, {0, -1, 0})).empty());
 }
 

@@ -32,9 +32,9 @@ Reply with_witness(Reply reply, std::optional<Triple> a, std::optional<Triple> b
 
 Findings findings(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, const Tolerance& tolerance = {}) {
   const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
-  EXPECT_EQ(result.verdict, !result.findings.empty()                 ? result.findings.front()
+  EXPECT_EQ(result.verdict, !result.findings.empty()                   ? result.findings.front()
                             : truth.depth.status() == Status::touching ? Verdict::touching_by_convention
-                                                                     : Verdict::pass);
+                                                                       : Verdict::pass);
   EXPECT_EQ(result.sentence.find('\n'), std::string::npos);
   EXPECT_FALSE(result.sentence.empty());
   return result.findings;

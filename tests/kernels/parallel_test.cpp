@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tuple>
 
-#include "kernels/predicates/filter.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 
 namespace {
 std::atomic<std::thread::id> fed;  // if set, no other thread gets memory that it asks for gently
@@ -25,30 +26,34 @@ namespace {
 
 const Direction x(Vector{1, 0, 0}), y(Vector{0, 1, 0}), diagonal(Vector{1, 1, 0});
 
-void ask(int times) {
-  for (int i = 0; i < times; ++i) side_of_arc(x, diagonal);
-  side_of_arc(x, y);                                                          // zero
-  perturbed_side_of_arc({}, Direction(Vector{1, 0, 0}, Role::node_of_a), y);  // decided by an infinitesimal
+void ask(Context& context, int times) {
+  const Perturbation perturbation;
+  const PerturbedKernel kernel(perturbation, context.counters.predicates);
+  for (int i = 0; i < times; ++i) std::ignore = kernel.side_of_arc(x, diagonal);
+  std::ignore = kernel.unperturbed().side_of_arc(x, y);                        // zero
+  std::ignore = kernel.side_of_arc(Direction(x.exact(), Role::node_of_a), y);  // decided by an infinitesimal
 }
 
 TEST(RunBoth, RunsBothAndSumsTheirCounts) {
   PredicateCounts counts[2];
   for (const bool worth_it : {false, true}) {
-    const PredicateCounts before = predicate_counts();
+    Context context;
     std::thread::id first, second;
     run_both(
-        worth_it,
-        [&] {
+        worth_it, context,
+        [&](Context& own) {
           first = std::this_thread::get_id();
-          ask(5);
+          EXPECT_EQ(&own, &context);
+          ask(own, 5);
         },
-        [&] {
+        [&](Context& own) {
           second = std::this_thread::get_id();
-          ask(7);
+          EXPECT_EQ(&own != &context, worth_it);
+          ask(own, 7);
         });
     EXPECT_EQ(first, std::this_thread::get_id());
     EXPECT_EQ(first != second, worth_it);
-    counts[worth_it] = predicate_counts() - before;
+    counts[worth_it] = context.counters.predicates;
   }
   const auto id = static_cast<std::size_t>(Predicate::side_of_arc);
   for (const PredicateCounts& c : counts) {
@@ -63,9 +68,10 @@ TEST(RunBoth, AThreadWithoutMemoryLeavesItsWorkToTheCaller) {
   std::thread::id second;
   int calls = 0;
   fed = std::this_thread::get_id();
+  Context context;
   run_both(
-      true, [] {},
-      [&] {
+      true, context, [](Context&) {},
+      [&](Context&) {
         second = std::this_thread::get_id();
         ++calls;
       });
@@ -75,13 +81,11 @@ TEST(RunBoth, AThreadWithoutMemoryLeavesItsWorkToTheCaller) {
 }
 
 TEST(RunBoth, MayBeNested) {
-  const PredicateCounts before = predicate_counts();
-  const auto both = [] {
-    run_both(
-        true, [] { ask(1); }, [] { ask(1); });
-  };
-  run_both(true, both, both);
-  EXPECT_EQ((predicate_counts() - before)[static_cast<std::size_t>(Predicate::side_of_arc)].calls, 12U);
+  Context context;
+  const auto once = [](Context& own) { ask(own, 1); };
+  const auto both = [&](Context& own) { run_both(true, own, once, once); };
+  run_both(true, context, both, both);
+  EXPECT_EQ(context.counters.predicates[static_cast<std::size_t>(Predicate::side_of_arc)].calls, 12U);
 }
 
 TEST(RunBoth, PassesExceptionsOnWhenBothHaveEnded) {
@@ -92,9 +96,10 @@ TEST(RunBoth, PassesExceptionsOnWhenBothHaveEnded) {
     };
     std::string what;
     try {
+      Context context;
       run_both(
-          worth_it, [&] { work(by_first, "first"); },
-          [&] {
+          worth_it, context, [&](Context&) { work(by_first, "first"); },
+          [&](Context&) {
             ended = true;
             work(by_second, "second");
           });

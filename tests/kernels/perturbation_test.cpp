@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernels/predicates/filter.hpp"
+#include "tests/support/plain_predicates.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -131,14 +132,14 @@ TEST(NoSignVanishes, OfANodeOnTheEquatorAndOfACircleThroughTheVertical) {
     for (const Vector& w : small_vectors(false)) {
       for (const bool lower : {false, true}) {
         for (const Role role : {Role::fixed, Role::node_of_a}) {
-          const int sign = perturbed_side_of_equator(p, Direction(w, role), pole_of(lower));
+          const int sign = perturbed(p).side_of_equator(Direction(w, role), pole_of(lower));
           EXPECT_EQ(sign * sign, 1);
-          EXPECT_EQ(perturbed_side_of_equator(p, Direction(-w, role), pole_of(lower)), -sign);
-          EXPECT_EQ(perturbed_side_of_equator(p, Direction(w, role), pole_of(!lower)), -sign) << "each node lies in one hemisphere";
+          EXPECT_EQ(perturbed(p).side_of_equator(Direction(-w, role), pole_of(lower)), -sign);
+          EXPECT_EQ(perturbed(p).side_of_equator(Direction(w, role), pole_of(!lower)), -sign) << "each node lies in one hemisphere";
         }
       }
       for (const Role role : {Role::fixed, Role::circle_of_a}) {
-        EXPECT_EQ(perturbed_side_of_arc(p, vertical, Direction(w, role)) * perturbed_side_of_arc(p, vertical, Direction(-w, role)), -1);
+        EXPECT_EQ(perturbed(p).side_of_arc(vertical, Direction(w, role)) * perturbed(p).side_of_arc(vertical, Direction(-w, role)), -1);
       }
     }
   }
@@ -150,12 +151,12 @@ TEST(NoSignVanishes, OfPairsOfDifferentBodies) {
     for (const Vector& s : small_vectors(true)) {
       for (const Vector& t : small_vectors(false)) {
         const Direction node(s, Role::node_of_a), circle(s, Role::circle_of_a), fixed(t);
-        EXPECT_EQ(perturbed_x_order(p, node, fixed, vertical) * perturbed_x_order(p, fixed, node, vertical), -1);
-        EXPECT_NE(perturbed_side_of_arc(p, node, fixed), 0);
-        EXPECT_NE(perturbed_side_of_arc(p, fixed, circle), 0);
+        EXPECT_EQ(perturbed(p).x_order(node, fixed, vertical) * perturbed(p).x_order(fixed, node, vertical), -1);
+        EXPECT_NE(perturbed(p).side_of_arc(node, fixed), 0);
+        EXPECT_NE(perturbed(p).side_of_arc(fixed, circle), 0);
         for (const bool lower : {false, true}) {
           EXPECT_EQ(
-              perturbed_order_at_infinity(p, circle, fixed, pole_of(lower)) * perturbed_order_at_infinity(p, fixed, circle, pole_of(lower)),
+              perturbed(p).order_at_infinity(circle, fixed, pole_of(lower)) * perturbed(p).order_at_infinity(fixed, circle, pole_of(lower)),
               -1);
         }
       }
@@ -170,8 +171,8 @@ TEST(NoSignVanishes, OfTwoCirclesOnTheVerticalThroughANodeOfEither) {
       for (const Vector& g : small_vectors(true)) {
         for (const Vector& n : small_vectors(true)) {
           const Direction circle(d, Role::circle_of_a), fixed(g);
-          EXPECT_NE(perturbed_order_on_vertical(p, circle, fixed, Direction(n), vertical), 0);
-          EXPECT_NE(perturbed_order_on_vertical(p, fixed, circle, Direction(n, Role::node_of_a), vertical), 0);
+          EXPECT_NE(perturbed(p).order_on_vertical(circle, fixed, Direction(n), vertical), 0);
+          EXPECT_NE(perturbed(p).order_on_vertical(fixed, circle, Direction(n, Role::node_of_a), vertical), 0);
         }
       }
     }
@@ -187,15 +188,15 @@ struct Operands {
 template <class Ask>
 std::vector<int> ask_all(const Operands& o, const Ask& ask) {
   const Direction n(o.n, Role::node_of_a), m(o.m), d(o.d, Role::circle_of_a), g(o.g), z = pole_of(o.lower);
-  return {ask(SideOfEquator{}, n, z),
-          ask(SideOfEquator{}, m, z),
-          ask(XOrder{}, n, m, vertical),
-          ask(SideOfArc{}, n, g),
-          ask(SideOfArc{}, m, d),
-          ask(SideOfArc{}, vertical, d),
-          ask(OrderOnVertical{}, d, g, n, vertical),
-          ask(OrderOnVertical{}, d, g, m, vertical),
-          ask(OrderAtInfinity{}, d, g, z)};
+  return {ask(plain::SideOfEquator{}, n, z),
+          ask(plain::SideOfEquator{}, m, z),
+          ask(plain::XOrder{}, n, m, vertical),
+          ask(plain::SideOfArc{}, n, g),
+          ask(plain::SideOfArc{}, m, d),
+          ask(plain::SideOfArc{}, vertical, d),
+          ask(plain::OrderOnVertical{}, d, g, n, vertical),
+          ask(plain::OrderOnVertical{}, d, g, m, vertical),
+          ask(plain::OrderAtInfinity{}, d, g, z)};
 }
 
 Operands any_operands() {
@@ -203,7 +204,7 @@ Operands any_operands() {
 }
 
 // Letting in one infinitesimal after another ends with the sign of the whole polynomial, on random operands with components up to 2.
-TEST(Filter, TheFirstLevelThatDecidesIsTheWhole) {
+TEST(PerturbedKernel, TheFirstLevelThatDecidesIsTheWhole) {
   EXPECT_TRUE(rc::check("level by level", [] {
     const Perturbation p = any_perturbation();
     const Operands o = any_operands();
@@ -211,25 +212,25 @@ TEST(Filter, TheFirstLevelThatDecidesIsTheWhole) {
         ask_all(o, [&](const auto& functor, const auto&... w) { return sgn(functor(p.moved(w.exact(), w.role(), infinitesimals)...)); });
     RC_ASSERT(std::ranges::count(whole, 0) == 0);
     const Direction n(o.n, Role::node_of_a), m(o.m), d(o.d, Role::circle_of_a), g(o.g), z = pole_of(o.lower);
-    const std::vector<int> filtered{perturbed_side_of_equator(p, n, z),
-                                    perturbed_side_of_equator(p, m, z),
-                                    perturbed_x_order(p, n, m, vertical),
-                                    perturbed_side_of_arc(p, n, g),
-                                    perturbed_side_of_arc(p, m, d),
-                                    perturbed_side_of_arc(p, vertical, d),
-                                    perturbed_order_on_vertical(p, d, g, n, vertical),
-                                    perturbed_order_on_vertical(p, d, g, m, vertical),
-                                    perturbed_order_at_infinity(p, d, g, z)};
+    const std::vector<int> filtered{perturbed(p).side_of_equator(n, z),
+                                    perturbed(p).side_of_equator(m, z),
+                                    perturbed(p).x_order(n, m, vertical),
+                                    perturbed(p).side_of_arc(n, g),
+                                    perturbed(p).side_of_arc(m, d),
+                                    perturbed(p).side_of_arc(vertical, d),
+                                    perturbed(p).order_on_vertical(d, g, n, vertical),
+                                    perturbed(p).order_on_vertical(d, g, m, vertical),
+                                    perturbed(p).order_at_infinity(d, g, z)};
     RC_ASSERT(filtered == whole);
   }));
 }
 
-TEST(Filter, RecordsTheMonomialThatDecides) {
+TEST(PerturbedKernel, RecordsTheMonomialThatDecides) {
   const Perturbation p;
   const auto decided = [&](const Direction& n, const Direction& d) {
-    const PredicateCounts before = predicate_counts();
-    perturbed_side_of_arc(p, n, d);
-    const auto since = (predicate_counts() - before)[static_cast<std::size_t>(Predicate::side_of_arc)];
+    PredicateCounts counts;
+    perturbed(p, counts).side_of_arc(n, d);
+    const TierCounts& since = counts[static_cast<std::size_t>(Predicate::side_of_arc)];
     return since.decided.size() == 1 ? Monomial::unpacked(since.decided.begin()->first).text() : "none or several";
   };
   EXPECT_EQ(decided(vertical, Direction(Vector{1, 0, 5})), "e1");
@@ -261,7 +262,7 @@ Vec3<mpq_class> moved_by_numbers(const std::array<mpq_class, infinitesimals>& t,
 
 // The three largest infinitesimals as numbers: e_k = r^(4^(k-1)), r = 2^-16. No predicate's degree in one of them exceeds 3, so different
 // monomials differ by a factor r at least; and on components up to 2 the absolute values of all coefficients add up to less than 2^14.
-TEST(Filter, SignsAreThoseOfAnHonestPerturbation) {
+TEST(PerturbedKernel, SignsAreThoseOfAnHonestPerturbation) {
   EXPECT_TRUE(rc::check("three small numbers", [] {
     const Perturbation p = any_perturbation();
     constexpr unsigned level = 3;
@@ -285,7 +286,7 @@ TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
       std::vector<Direction> nodes;
       for (const Vector& w : small_vectors(false)) {
         for (const Role role : {Role::fixed, Role::node_of_a}) {
-          if (perturbed_side_of_equator(p, Direction(w, role), pole_of(lower)) > 0) nodes.emplace_back(w, role);
+          if (perturbed(p).side_of_equator(Direction(w, role), pole_of(lower)) > 0) nodes.emplace_back(w, role);
         }
       }
       ASSERT_EQ(nodes.size(), 26U);
@@ -294,8 +295,8 @@ TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (std::size_t j = 0; j < nodes.size(); ++j) {
           if (i == j) continue;
-          const int sign = perturbed_x_order(p, nodes[i], nodes[j], vertical);
-          EXPECT_EQ(perturbed_x_order(p, nodes[j], nodes[i], vertical), -sign);
+          const int sign = perturbed(p).x_order(nodes[i], nodes[j], vertical);
+          EXPECT_EQ(perturbed(p).x_order(nodes[j], nodes[i], vertical), -sign);
           if (sign > 0) ++right_of[i];
         }
       }
@@ -305,16 +306,16 @@ TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
   }
 }
 
-TEST(Filter, RefusesWhatNoPerturbationResolves) {
+TEST(PerturbedKernel, RefusesWhatNoPerturbationResolves) {
   for (const Perturbation& p : perturbations()) {
     const Vector n{1, 2, 3}, d{3, 0, -1};  // normal to each other
-    EXPECT_THROW(perturbed_side_of_arc(p, Direction(n), Direction(d)), std::logic_error);
-    EXPECT_THROW(perturbed_side_of_arc(p, Direction(n, Role::node_of_a), Direction(d, Role::circle_of_a)), std::logic_error);
-    EXPECT_THROW(perturbed_order_at_infinity(p, Direction(d), Direction(-d), pole_of(false)), std::logic_error);
-    EXPECT_THROW(perturbed_order_at_infinity(p, Direction(d, Role::circle_of_a), Direction(d + d, Role::circle_of_a), pole_of(false)),
+    EXPECT_THROW(perturbed(p).side_of_arc(Direction(n), Direction(d)), std::logic_error);
+    EXPECT_THROW(perturbed(p).side_of_arc(Direction(n, Role::node_of_a), Direction(d, Role::circle_of_a)), std::logic_error);
+    EXPECT_THROW(perturbed(p).order_at_infinity(Direction(d), Direction(-d), pole_of(false)), std::logic_error);
+    EXPECT_THROW(perturbed(p).order_at_infinity(Direction(d, Role::circle_of_a), Direction(d + d, Role::circle_of_a), pole_of(false)),
                  std::logic_error);
-    EXPECT_THROW(perturbed_x_order(p, Direction(n), Direction(n), vertical), std::logic_error);
-    EXPECT_THROW(perturbed_x_order(p, Direction(n, Role::node_of_a), Direction(-n, Role::node_of_a), vertical), std::logic_error);
+    EXPECT_THROW(perturbed(p).x_order(Direction(n), Direction(n), vertical), std::logic_error);
+    EXPECT_THROW(perturbed(p).x_order(Direction(n, Role::node_of_a), Direction(-n, Role::node_of_a), vertical), std::logic_error);
   }
 }
 

@@ -37,8 +37,8 @@ void check_view(const Vector& u, std::vector<Vector> points) {
   const PlanarView view(cloud, u);
   for (std::uint32_t p = 0; p < cloud.size(); ++p) {
     for (std::uint32_t q = 0; q < cloud.size(); ++q) {
-      RC_ASSERT(view.rise(p, q) == sgn(dot(u, Vector(cloud[q] - cloud[p]))));
-      RC_ASSERT(view.turn(0, p, q) == turn_naive(u, cloud[p] - cloud[0], cloud[q] - cloud[0]));
+      RC_ASSERT(to_int(view.rise(p, q)) == sgn(dot(u, Vector(cloud[q] - cloud[p]))));
+      RC_ASSERT(to_int(view.turn(0, p, q)) == turn_naive(u, cloud[p] - cloud[0], cloud[q] - cloud[0]));
     }
   }
 }
@@ -62,7 +62,7 @@ TEST(PlanarView, ZeroTurnsMeanParallelOrLevel) {
     const Vector u = *directions(testing::Size::small), p = *directions(testing::Size::small), q = *directions(testing::Size::small);
     const PointCloud cloud({Vector{0, 0, 0}, p, q});
     const bool level = dot(u, p) == 0 && dot(u, q) == 0;
-    RC_ASSERT((PlanarView(cloud, u).turn(0, 1, 2) == 0) == (level || is_zero(cross(p, q))));
+    RC_ASSERT((PlanarView(cloud, u).turn(0, 1, 2) == Sign::zero) == (level || is_zero(cross(p, q))));
   }));
 }
 

@@ -44,10 +44,10 @@ TEST(Plane, EveryAnswerIsTheSignOfTheDeterminant) {
     const Vector n = cross(p[1] - p[0], p[2] - p[0]);
     RC_ASSERT(plane.degenerate() == is_zero(n));
     for (const std::uint32_t s : {3u, 4u, 1u}) {
-      RC_ASSERT(plane.side(s) == sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[s] - p[0]))));
-      ++(plane.side(s) == 0 ? on_plane : off_plane);
+      RC_ASSERT(to_int(plane.side(s)) == sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[s] - p[0]))));
+      ++(plane.side(s) == Sign::zero ? on_plane : off_plane);
     }
-    RC_ASSERT(plane.rise(3, 4) == sgn(dot(n, p[4] - p[3])));
+    RC_ASSERT(to_int(plane.rise(3, 4)) == sgn(dot(n, p[4] - p[3])));
     RC_ASSERT(plane.rise(4, 3) == -plane.rise(3, 4));
     RC_ASSERT(plane.normal() == n);
   }));
@@ -61,8 +61,8 @@ TEST(Plane, TurnIsTheNormalsComponentAlongTheAxis) {
     const Points p = five_points();
     const BoxedPoints boxed(p);
     for (int axis = 0; axis < 3; ++axis) {
-      RC_ASSERT(turn(boxed, axis, 2, 3, 4) == sgn(coordinate(cross(p[3] - p[2], p[4] - p[2]), axis)));
-      straight += turn(boxed, axis, 2, 3, 4) == 0;
+      RC_ASSERT(to_int(turn(boxed, axis, 2, 3, 4)) == sgn(coordinate(cross(p[3] - p[2], p[4] - p[2]), axis)));
+      straight += turn(boxed, axis, 2, 3, 4) == Sign::zero;
     }
   }));
   EXPECT_GT(straight, 100);
@@ -73,9 +73,9 @@ TEST(Plane, OneUnitIn2To1500) {
   const Points p{{far, 0, 0}, {0, far, 0}, {0, 0, far}, {far - 2, 1, 1}, {far - 2, 1, 2}, {far - 2, 1, 0}};
   const BoxedPoints boxed(p);
   const Plane plane(boxed, 0, 1, 2);
-  EXPECT_EQ(plane.side(3), 0);
-  EXPECT_EQ(plane.side(4), 1);
-  EXPECT_EQ(plane.side(5), -1);
+  EXPECT_EQ(plane.side(3), Sign::zero);
+  EXPECT_EQ(plane.side(4), Sign::positive);
+  EXPECT_EQ(plane.side(5), Sign::negative);
 }
 
 }  // namespace

@@ -49,17 +49,17 @@ TEST(RoundedPlane, SaysNoSideThatIsWrong) {
     const unsigned long bits = i % 3 == 0 ? 5 : i % 3 == 1 ? 60 : 700;
     const std::array<Vector, 4> p = four_points(random, bits);
     const auto image = [&](int k) { return rounded(p[k], static_cast<long>(bits)); };
-    const int said = RoundedPlane(image(0), image(1), image(2)).side(image(3));
+    const std::optional<Sign> said = RoundedPlane(image(0), image(1), image(2)).side(image(3));
     const int exact = sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[3] - p[0])));
-    if (said != 0) {
-      ASSERT_EQ(said, exact) << i;
+    if (said) {
+      ASSERT_EQ(to_int(*said), exact) << i;
       ++sure;
     }
     if (exact == 0) ++zero;
     const std::array<Vector, 4> g{random_vector(random, bits), random_vector(random, bits), random_vector(random, bits),
                                   random_vector(random, bits)};
     const auto plain = [&](int k) { return rounded(g[k], static_cast<long>(bits)); };
-    if (bits == 60 && RoundedPlane(plain(0), plain(1), plain(2)).side(plain(3)) == 0) ++generic_unsure;
+    if (bits == 60 && RoundedPlane(plain(0), plain(1), plain(2)).side(plain(3)) == std::nullopt) ++generic_unsure;
   }
   EXPECT_GT(sure, 15000U);
   EXPECT_GT(zero, 5000U);

@@ -5,7 +5,7 @@
 order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by name
 doors     the headers of include/fathom, kernels, reference and verify/judge include only the standard library, GMP and each other
 installed only the headers in INSTALLED are installed
-cgal      only the files listed in cmake/cgal_files.txt include CGAL or Boost, and each of them does
+cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a *_cgal.hpp, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
@@ -56,7 +56,7 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTIL
 STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
 NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
 NAMESPACE_END = re.compile(r"\}  // namespace")
-TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:])[^;]*(?:\{.*|$)"
+TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:,])[^;]*(?:\{.*|$)"
                   r"|(?:template <.*> )?using (\w+) = .*")
 INSTALL = re.compile(r"^[ \t]*install\(([^()]*(?:\([^()]*\)[^()]*)*)\)", re.MULTILINE)
 HEADER = re.compile(r"[\w*]\.h(?:pp)?\b|INCLUDEDIR|(?:^|/)include\b")
@@ -91,6 +91,10 @@ def order_breach(room, target):
     return None if PLACE[target] < PLACE[room] else f"{target} is not to the left of {room}"
 
 
+def with_cgal(target):
+    return target.startswith(("CGAL/", "boost/")) or target.endswith("_cgal.hpp")
+
+
 def include_breaches(root, path, text, listed):
     name = path.as_posix()
     room = room_of(name)
@@ -99,10 +103,11 @@ def include_breaches(root, path, text, listed):
         return
     door = name.endswith(".hpp") and name.startswith(DOORS) and not name.endswith("_cgal.hpp")
     for quote, target in INCLUDE.findall(text):
+        if with_cgal(target) and name not in listed:
+            yield "cgal", f"{target} in a file that {LISTED} does not list"
         if target.startswith(("CGAL/", "boost/")):
-            if name not in listed:
-                yield "cgal", f"<{target}> in a file that {LISTED} does not list"
-        elif quote == "<":
+            continue
+        if quote == "<":
             if door and not STANDARD.fullmatch(target):
                 yield "doors", f"<{target}> in a door"
         elif room == CLOSED:  # the folder builds wherever it is copied
@@ -176,7 +181,7 @@ def listed_files(root):
 def list_breaches(root, listed):
     for name in listed:
         text = (root / name).read_text() if (root / name).is_file() else ""
-        if not any(target.startswith(("CGAL/", "boost/")) for _, target in INCLUDE.findall(text)):
+        if not any(with_cgal(target) for _, target in INCLUDE.findall(text)):
             yield LISTED, "cgal", f"lists {name}, which does not include CGAL"
         if name.endswith(".hpp") and not name.endswith("_cgal.hpp") and name != CGAL_DOOR:
             yield LISTED, "cgal", f"lists {name}: a header with CGAL is named *_cgal.hpp"

@@ -87,6 +87,7 @@ class Layers(unittest.TestCase):
         self.expect("reference/depth/bad.cpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
         self.expect("tests/depth/bad_test.cpp", SPDX + "#include <CGAL/Surface_mesh.h>\n", "cgal")
         self.expect("cli/bad.cpp", SPDX + "#include <boost/multiprecision/gmp.hpp>\n", "cgal")
+        self.expect("tests/depth/bad_test.cpp", SPDX + '#include "reference/polytope/mesh_cgal.hpp"\n', "cgal")
 
     def test_list_holds_nothing_else(self):
         text = CLEAN["cmake/cgal_files.txt"]

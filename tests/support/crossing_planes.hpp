@@ -47,6 +47,7 @@ inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
   };
   Context context;
   std::vector<MeasuredCrossing> result;
+  Context context;
   for (const Charts& charts : p.charts) {
     const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t k = 0; k < subsets.size(); ++k)

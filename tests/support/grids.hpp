@@ -23,9 +23,8 @@ struct PreparedGrids {
 
   explicit PreparedGrids(const Case& input, const Perturbation& perturbation = {})
       : prepared(prepare(input, perturbation)), a(prepared->a, prepared->exponent), b(prepared->b, prepared->exponent) {
-    Context context;
     for (const Charts& charts : prepared->charts) {
-      subsets.push_back(canonical_subsets(context, charts));
+      subsets.push_back(canonical_subsets(prepared->context, charts));
       scenes.emplace_back(charts, a, b);
     }
   }

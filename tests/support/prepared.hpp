@@ -25,6 +25,12 @@ inline std::string text(const Report& report) {
   return result;
 }
 
+/// The kernel of the charts; nobody reads its counts.
+inline PerturbedKernel kernel_of(const Charts& charts) {
+  static PredicateCounts uncounted;
+  return {charts.perturbation, uncounted};
+}
+
 /// Lattice, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence the pointer.
 struct Prepared {
   Lattice lattice;
@@ -32,6 +38,7 @@ struct Prepared {
   Polytope a, b;
   GaussianDiagram minus_a, of_b;
   std::vector<Charts> charts;
+  Context context;  // of the charts, and of what the test does with them
 };
 
 inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& perturbation = {}) {
@@ -42,7 +49,8 @@ inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& 
   p->b = convex_hull(p->lattice.b);
   p->minus_a = gaussian_diagram_of_reflection(p->a);
   p->of_b = gaussian_diagram(p->b);
-  for (const Hemisphere h : both_hemispheres) p->charts.push_back(make_charts(p->minus_a, p->of_b, chart_frame(h), perturbation));
+  for (const Hemisphere h : both_hemispheres)
+    p->charts.push_back(make_charts(p->context, p->minus_a, p->of_b, chart_frame(h), perturbation));
   return p;
 }
 

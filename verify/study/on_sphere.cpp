@@ -2,7 +2,7 @@
 // Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z = (0, 0, 1).
 #include <map>
 
-#include "kernels/predicates/filter.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "verify/study/findings.hpp"
 
 namespace fathom {
@@ -71,6 +71,8 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, bo
 }  // namespace
 
 void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings) {
+  PredicateCounts uncounted;
+  const UnperturbedKernel kernel(uncounted);
   const double all = static_cast<double>(a.diagram.nodes.size() + b.diagram.nodes.size());
   std::size_t done = 0;
   for (const bool node_of_a : {true, false}) {
@@ -80,7 +82,7 @@ void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, 
       const Direction& node = nodes.diagram.nodes[NodeId(i)];
       for (std::uint32_t j = 0; j < arcs.diagram.arcs.size(); ++j) {
         const Arc& arc = arcs.diagram.arcs[ArcId(j)];
-        if (side_of_arc(node, arc.circle) != 0 || !inside(arcs.diagram, arc, node.exact())) continue;
+        if (kernel.side_of_arc(node, arc.circle) != Sign::zero || !inside(arcs.diagram, arc, node.exact())) continue;
         findings.add(Coincidence::normals_on_arcs, node_of_a ? Involved{{a.facet(i)}, {b.edge(j)}} : Involved{{a.edge(j)}, {b.facet(i)}});
       }
     }

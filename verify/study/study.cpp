@@ -7,7 +7,6 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -21,13 +20,12 @@ BodySize size_of(const Polytope& body) { return {body.rank, body.vertices.size()
 
 /// The predicates that the topology of a pair calls, whether or not the bodies overlap.
 PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiagram& b) {
-  const PredicateCounts before = predicate_counts();
   Context context;
   for (const Hemisphere hemisphere : both_hemispheres) {
-    const Charts charts = make_charts(minus_a, b, chart_frame(hemisphere));
+    const Charts charts = make_charts(context, minus_a, b, chart_frame(hemisphere));
     canonical_subsets(context, charts);
   }
-  return predicate_counts() - before;
+  return context.counters.predicates;
 }
 
 /// The integer points of both bodies.

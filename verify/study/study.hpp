@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/predicates/perturbation.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/counters.hpp"
+#include "kernels/predicates/perturbation.hpp"
 
 namespace fathom {
 
@@ -79,7 +79,7 @@ struct Study {
 };
 
 struct StudyOptions {
-  std::size_t listed = 20;  ///< the most coincidences of a kind that are listed; counts are always complete
+  std::size_t listed = 20;     ///< the most coincidences of a kind that are listed; counts are always complete
   Monitor* monitor = nullptr;  ///< as in Options
 };
 

@@ -18,9 +18,7 @@ mpq_class power_of_two(long exponent) {
   return result;
 }
 
-mpq_class magnitude(const mpz_class& n, const Look& look) {
-  return ratio(n, look.integers.denominator);
-}
+mpq_class magnitude(const mpz_class& n, const Look& look) { return ratio(n, look.integers.denominator); }
 
 bool penetrating(const Look& look) { return look.facts.answer.status() == Status::penetrating; }
 
@@ -142,7 +140,8 @@ const Flag table[] = {
     {"offset_coordinates", offset},
     {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.facts.answer.squared(), look); }},
     {"deep_penetration", deep},
-    {"thin_clearance", [](const Look& look) { return look.facts.answer.distance() && short_length(look.facts.answer.distance()->squared, look); }},
+    {"thin_clearance",
+     [](const Look& look) { return look.facts.answer.distance() && short_length(look.facts.answer.distance()->squared, look); }},
     {"depth_in_binary64", depth_in_format<f64>},
     {"depth_in_binary32", depth_in_format<f32>},
     {"depth_outside_binary64", depth_outside<f64>},

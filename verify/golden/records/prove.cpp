@@ -29,9 +29,7 @@ struct Proved {
   Point common;  ///< touching
 };
 
-mpq_class value_of(const fathom_check::Rational& q) {
-  return ratio(q.num, q.den);
-}
+mpq_class value_of(const fathom_check::Rational& q) { return ratio(q.num, q.den); }
 
 bool same(const Point& p, const fathom_check::RationalPoint& q) {
   const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) { return x.get_num() * y.den == y.num * x.get_den(); };

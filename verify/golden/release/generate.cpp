@@ -54,9 +54,7 @@ class Assembly {
     return {};
   }
 
-  Entries made(const Recipe& recipe) const {
-    return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->monitor));
-  }
+  Entries made(const Recipe& recipe) const { return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->monitor)); }
 
   void write(const std::vector<Entry>& entries) {
     const ShardPlan& now = shard(written_shard_);

@@ -76,8 +76,8 @@ struct Item {
 
 class Verification {
  public:
-  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-               Monitor* monitor, const std::function<void()>& proved)
+  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, Monitor* monitor,
+               const std::function<void()>& proved)
       : manifest_(&manifest),
         monitor_(monitor),
         proved_(&proved),

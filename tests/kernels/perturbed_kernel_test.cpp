@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbered axioms of predicates.hpp; each sign against the plain integer formula and against the geometry that it stands for; and
+// The numbered axioms of the predicates; each sign against the plain integer formula and against the geometry that it stands for; and
 // which tier decided.
-#include "kernels/predicates/predicates.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <cfenv>
 #include <functional>
 #include <string>
-#include <thread>
 #include <utility>
 
-#include "kernels/predicates/filter.hpp"
+#include "tests/support/plain_predicates.hpp"
+#include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -43,13 +43,19 @@ mpq_class quotient(const mpz_class& p, const mpz_class& q) {
 /// Unlike GMP's cmp, never beyond -1 and 1.
 int order(const mpq_class& p, const mpq_class& q) { return sgn(mpq_class(p - q)); }
 
-int equator(const Vector& n, const Vector& z) { return side_of_equator(Direction(n), Direction(z)); }
-int xorder(const Vector& n1, const Vector& n2, const Vector& v) { return x_order(Direction(n1), Direction(n2), Direction(v)); }
-int side(const Vector& n, const Vector& d) { return side_of_arc(Direction(n), Direction(d)); }
-int vertical(const Vector& d1, const Vector& d2, const Vector& n, const Vector& v) {
-  return order_on_vertical(Direction(d1), Direction(d2), Direction(n), Direction(v));
+PredicateCounts counts;  // of all calls below
+
+int equator(const Vector& n, const Vector& z) { return unperturbed(counts).side_of_equator(Direction(n), Direction(z)); }
+int xorder(const Vector& n1, const Vector& n2, const Vector& v) {
+  return unperturbed(counts).x_order(Direction(n1), Direction(n2), Direction(v));
 }
-int infinity(const Vector& d1, const Vector& d2, const Vector& z) { return order_at_infinity(Direction(d1), Direction(d2), Direction(z)); }
+int side(const Vector& n, const Vector& d) { return unperturbed(counts).side_of_arc(Direction(n), Direction(d)); }
+int vertical(const Vector& d1, const Vector& d2, const Vector& n, const Vector& v) {
+  return unperturbed(counts).order_on_vertical(Direction(d1), Direction(d2), Direction(n), Direction(v));
+}
+int infinity(const Vector& d1, const Vector& d2, const Vector& z) {
+  return unperturbed(counts).order_at_infinity(Direction(d1), Direction(d2), Direction(z));
+}
 
 /// A direction orthogonal to u up to one unit in one component.
 Vector nearly_orthogonal(const Vector& u, Size size) {
@@ -108,7 +114,7 @@ TEST(XOrder, OrdersTheAbscissae) {
     RC_PRE(plain_dot(n2, z) > 0);
     const Vector right = cross(v, z);
     const mpq_class x1 = quotient(dot(n1, right), dot(n1, z)), x2 = quotient(dot(n2, right), dot(n2, z));
-    RC_ASSERT(mpq_class(XOrder{}(n1, n2, v) * dot(z, z)) == mpq_class((x2 - x1) * dot(n1, z) * dot(n2, z)));
+    RC_ASSERT(mpq_class(plain::XOrder{}(n1, n2, v) * dot(z, z)) == mpq_class((x2 - x1) * dot(n1, z) * dot(n2, z)));
     RC_ASSERT(xorder(n1, n2, v) == order(x2, x1));  // (3) among others
   });
 }
@@ -190,10 +196,10 @@ TEST(OrderAtInfinity, IsTheOrderOnVerticalsFarAway) {
   for_all_sizes("n = -(v x z), divided by |v|^2", [](Size size) {
     const auto [v, z] = frame(size);
     const Vector d1 = *directions(size), d2 = *directions(size), left = -cross(v, z);
-    const mpz_class far = OrderOnVertical{}(d1, d2, left, v);
-    RC_ASSERT(far == mpz_class(OrderAtInfinity{}(d1, d2, z) * dot(v, v)));
+    const mpz_class far = plain::OrderOnVertical{}(d1, d2, left, v);
+    RC_ASSERT(far == mpz_class(plain::OrderAtInfinity{}(d1, d2, z) * dot(v, v)));
     // The form is linear in n: the verticals through z + k left, x = -k |v x z|^2 / |z|^2, have one sign from some k on.
-    const mpz_class middle = OrderOnVertical{}(d1, d2, z, v), k = abs(middle) + 1;
+    const mpz_class middle = plain::OrderOnVertical{}(d1, d2, z, v), k = abs(middle) + 1;
     RC_PRE(far != 0);
     RC_ASSERT(vertical(d1, d2, z + k * left, v) == infinity(d1, d2, z));
     RC_ASSERT(vertical(d1, d2, z - k * left, v) == -infinity(d1, d2, z));
@@ -227,9 +233,9 @@ struct Counted {
 };
 
 Counted counted(Predicate id, const std::function<void()>& calls) {
-  const PredicateCounts before = predicate_counts();
+  const PredicateCounts before = counts;
   calls();
-  const TierCounts made = (predicate_counts() - before)[static_cast<std::size_t>(id)];
+  const TierCounts made = (counts - before)[static_cast<std::size_t>(id)];
   return {made.calls, made.exact, made.zero};
 }
 
@@ -262,9 +268,9 @@ TEST(Tiers, IntervalsDecideLargeIntegersInGeneralPosition) {
   EXPECT_TRUE(rc::check("a component of 2000 bits has an enclosure of one unit in the last place", [] {
     std::mt19937_64 random(*rc::gen::inRange(0, 1 << 30));
     const Vector a = random_direction(random, 2000), b = random_direction(random, 2000), c = random_direction(random, 2000);
-    RC_PRE(abs(XOrder{}(a, b, c)) > power_of_two(5970));
-    const Counted counts = counted(Predicate::x_order, [&] { xorder(a, b, c); });
-    RC_ASSERT(counts.calls == 1U && counts.exact == 0U && counts.zero == 0U);
+    RC_PRE(abs(plain::XOrder{}(a, b, c)) > power_of_two(5970));
+    const Counted made = counted(Predicate::x_order, [&] { xorder(a, b, c); });
+    RC_ASSERT(made.calls == 1U && made.exact == 0U && made.zero == 0U);
   }));
 }
 
@@ -291,18 +297,6 @@ TEST(Tiers, ExactZerosAreCountedAsZero) {
   expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical(a, mpz_class(3) * a, b, c), 0); }), 1, 1, 1);
-}
-
-TEST(Tiers, AreCountedPerThread) {
-  side(Vector{1, 0, 0}, Vector{1, 0, 0});
-  const std::uint64_t here = predicate_counts()[static_cast<std::size_t>(Predicate::side_of_arc)].calls;
-  std::uint64_t there = 99;
-  std::thread([&] {
-    side(Vector{1, 0, 0}, Vector{1, 0, 0});
-    there = predicate_counts()[static_cast<std::size_t>(Predicate::side_of_arc)].calls;
-  }).join();
-  EXPECT_EQ(there, 1U);
-  EXPECT_EQ(predicate_counts()[static_cast<std::size_t>(Predicate::side_of_arc)].calls, here);
 }
 
 TEST(Tiers, LeaveTheRoundingModeAlone) {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The CGAL kernels of the tiers, and the way of an operand into each of them.                               [docs/kernel_concept.md]
+#pragma once
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/mpz_class.h>
+
+#include "kernels/number/infinitesimal_cgal.hpp"
+#include "kernels/predicates/direction.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom {
+
+/// Binary64 without any guarantee: the static filters compare its values with proved error bounds.
+using ImageKernel = CGAL::Simple_cartesian<double>;
+/// Closed intervals of binary64. Who computes with them rounds upward: CGAL::Filtered_predicate does, or an IntervalKernel::FT::Protector.
+using IntervalKernel = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
+/// GMP integers.
+using ExactKernel = CGAL::Simple_cartesian<mpz_class>;
+/// Polynomials in the infinitesimals.
+using InfinitesimalKernel = CGAL::Simple_cartesian<Infinitesimal>;
+
+/// A vector of a kernel with the components of `v`.
+template <class K, class NT>
+typename K::Vector_3 to_cgal(const Vec3<NT>& v) {
+  return {v.x, v.y, v.z};
+}
+
+template <class K>
+Vec3<typename K::FT> from_cgal(const CGAL::Vector_3<K>& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+inline IntervalKernel::Vector_3 to_intervals(const Vec3<DoubleInterval>& e) {
+  using Interval = IntervalKernel::FT;
+  return {Interval(e.x.low, e.x.high), Interval(e.y.low, e.y.high), Interval(e.z.low, e.z.high)};
+}
+
+/// An operand of a filtered predicate is anything with exact(), a Vector, and enclosure(), a Vec3<DoubleInterval> that holds a positive
+/// multiple of it.
+struct ToExact {
+  template <class Operand>
+  ExactKernel::Vector_3 operator()(const Operand& operand) const {
+    return to_cgal<ExactKernel>(operand.exact());
+  }
+};
+
+struct ToIntervals {
+  template <class Operand>
+  IntervalKernel::Vector_3 operator()(const Operand& operand) const {
+    return to_intervals(operand.enclosure());
+  }
+};
+
+}  // namespace fathom
