@@ -7,6 +7,8 @@
 
 #include "reference/certificate/certificate.hpp"
 
+#include "kernels/vector.hpp"
+
 namespace fathom {
 namespace {
 

@@ -4,7 +4,7 @@
 namespace fathom {
 namespace {
 
-int orientation(const ChartArc& arc) { return arc.flipped ? -1 : 1; }
+Sign orientation(const ChartArc& arc) { return arc.flipped ? Sign::negative : Sign::positive; }
 
 }  // namespace
 
@@ -27,14 +27,14 @@ Sign above_same_colour(const PerturbedKernel& kernel, const Charts& charts, Colo
   // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
   if (e.left != f.left) {
     const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) > wall(f.left));
-    return later ? node_above_arc(charts, colour, e.left, colour, f) : -node_above_arc(charts, colour, f.left, colour, e);
+    return later ? node_above_arc(kernel, charts, colour, e.left, colour, f) : -node_above_arc(kernel, charts, colour, f.left, colour, e);
   }
   if (e.right != f.right) {
     const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
-    return earlier ? node_above_arc(charts, colour, e.right, colour, f) : -node_above_arc(charts, colour, f.right, colour, e);
+    return earlier ? node_above_arc(kernel, charts, colour, e.right, colour, f) : -node_above_arc(kernel, charts, colour, f.right, colour, e);
   }
   // Both run from one node to the same infinity, or from it to one node: the order there is that of their slopes.
-  const int far_left = above_far_left(charts, colour, e, colour, f);
+  const Sign far_left = above_far_left(kernel, charts, colour, e, colour, f);
   return e.left == at_infinity ? far_left : -far_left;
 }
 

@@ -56,10 +56,11 @@ Point between(const Ridge& ridge, const mpq_class& on_left, const mpq_class& on_
 /// Whether the left facet is the nearest one, and the next one farther by the factor 1 + 2^-k, nearly.
 bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
   const Depth depth = penetration_depth(bodies.a.points, bodies.b.points);
-  if (depth.optima().size() != 1 || depth.optima().front().direction != ridge.left) return false;
-  const std::optional<mpq_class> next = second_nearest_squared(bodies.a.points, bodies.b.points, depth);
+  const auto* found = std::get_if<Penetration>(&depth.outcome);
+  if (!found || found->optima.size() != 1 || found->optima.front().direction != ridge.left) return false;
+  const std::optional<mpq_class> next = second_nearest_squared(bodies.a.points, bodies.b.points, *found);
   if (!next) return false;
-  const mpq_class gap = quotient_of_roots(*next, depth.squared(), k + 24) - 1;
+  const mpq_class gap = quotient_of_roots(*next, found->squared, k + 24) - 1;
   return abs(mpq_class(times_power_of_two(gap, k) - 1)) < ratio(1, 1 << 17);
 }
 

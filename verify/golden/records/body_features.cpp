@@ -35,7 +35,7 @@ BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominat
     sides.emplace_back((*high).*axis - (*low).*axis);
   }
   shortest = ratio(*std::ranges::min_element(sides), denominator);
-  longest = in_space(*std::ranges::max_element(sides));
+  longest = ratio(*std::ranges::max_element(sides), denominator);
 }
 
 Look::Look(const Facts& f)
@@ -43,7 +43,7 @@ Look::Look(const Facts& f)
       integers(integers_of(f.points.a.points, f.points.b.points)),
       a(integers.a, integers.denominator),
       b(integers.b, integers.denominator),
-      depth(rounded_root(f.squared)) {
+      depth(rounded_root(f.answer.squared())) {
   for (const std::vector<Vector>* points : {&integers.a, &integers.b}) {
     for (const Vector& p : *points) {
       for (const mpz_class* c : {&p.x, &p.y, &p.z}) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/monitor.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {

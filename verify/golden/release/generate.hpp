@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/monitor.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
+#include "kernels/context.hpp"
 #include "reference/files/source.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/monitor.hpp"
 #include "verify/golden/shards/plan.hpp"
 #include "verify/golden/shards/verify_shard.hpp"
 

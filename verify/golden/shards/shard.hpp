@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/monitor.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/shards/manifest.hpp"

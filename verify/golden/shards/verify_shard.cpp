@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "kernels/context.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/exports.hpp"

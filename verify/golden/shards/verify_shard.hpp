@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "fathom/monitor.hpp"
 #include "verify/golden/shards/manifest.hpp"
 
 namespace fathom::golden {
