@@ -21,6 +21,7 @@ void tell(const mpq_class& x) {
     const fathom::Optimum& first = penetration->optima.front();
     std::cout << ", depth^2 = " << penetration->squared << ", " << penetration->optima.size() << " shortest ways out, the first of kind "
               << fathom::name(first.contact.kind);
+    std::cout << ", from corner " << depth.contact()->a.front() << " at x = " << depth.witness()->a.x << " to x = " << depth.witness()->b.x;
     if (const auto next = fathom::second_nearest_squared(body, cube, *penetration)) std::cout << ", the next facet^2 = " << *next;
   } else if (const fathom::Touch* touch = depth.touch()) {
     std::cout << " in (" << touch->point.x << ", " << touch->point.y << ", " << touch->point.z << ")";
@@ -35,6 +36,7 @@ int main() {
   tell(mpq_class(3, 2));
   tell(mpq_class(5, 4));
   tell(mpq_class(1, 2));
+  std::cout << (fathom::status_named("touching") == fathom::Status::touching) << "\n";  // the words can be read back
 }
 
 //> at 2: disjoint, distance^2 = 1/4, signed -1/4

@@ -24,7 +24,7 @@ enum class Decimals {
 /// The phrase is short printable ASCII, whatever the token was.
 struct ParsedNumber {
   std::optional<mpq_class> value;
-  std::string error;  ///< empty when there is a value
+  std::string error;  ///< empty if there is a value
 };
 
 /// Limits, so that a few bytes of hostile input cannot ask for unbounded memory.
@@ -57,7 +57,7 @@ double round_binary64(const mpq_class& value, Rounding mode = Rounding::rn);
 float round_binary32(const mpq_class& value, Rounding mode = Rounding::rn);
 
 /// The square root of `squared`, correctly rounded in the same sense: root_binary64(depth.squared()) is the depth. No root is ever taken
-/// in floating point. Throws std::domain_error when `squared` is negative.
+/// in floating point. Throws std::domain_error if `squared` is negative.
 double root_binary64(const mpq_class& squared, Rounding mode = Rounding::rn);
 float root_binary32(const mpq_class& squared, Rounding mode = Rounding::rn);
 
@@ -67,7 +67,7 @@ std::string hex_text(double value);
 
 // ---- roots to any number of digits ----
 
-/// Decimals low <= root <= high. Equal exactly when the root is a decimal of that many digits; then written without trailing
+/// Decimals low <= root <= high. Equal if and only if the root is a decimal of that many digits; then written without trailing
 /// zeros. Otherwise neighbours among the decimals of that many significant digits, so that low < root < high.
 /// Plain ("0.01234") where that is short, else with an exponent ("1.234e-50"); parse_number reads both, within its limits.
 struct Enclosure {
@@ -78,7 +78,7 @@ struct Enclosure {
 inline constexpr std::size_t most_root_digits = 1'000'000;
 
 /// Encloses the square root of `squared` to `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the digits, exact
-/// squaring of both ends proves them. Throws std::domain_error when `squared` is negative, std::invalid_argument for other digits.
+/// squaring of both ends proves them. Throws std::domain_error if `squared` is negative, std::invalid_argument for other digits.
 Enclosure enclose_root(const mpq_class& squared, std::size_t digits);
 
 }  // namespace fathom

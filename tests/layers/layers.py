@@ -10,10 +10,13 @@ rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
 names     no two types of the project share a name, whatever their namespaces
+examples  each header of include/fathom is included, and each of its functions called, by a program in examples
 """
 import pathlib
 import re
 import sys
+
+import public_functions
 
 # From left to right. Rooms on one line do not know each other.
 ORDER = [
@@ -206,7 +209,7 @@ def breaches(root):
                     definitions.setdefault(defined.split("::")[-1], []).append(name)
         elif path.suffix == ".cmake" or path.name == "CMakeLists.txt":
             found += [(name, *breach) for breach in install_breaches(name, text)]
-    return found + list(name_breaches(definitions))
+    return found + list(name_breaches(definitions)) + list(public_functions.breaches(root))
 
 
 def main():
