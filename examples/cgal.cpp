@@ -22,7 +22,8 @@ int main() {
   const CGAL::Exact_rational squared = fathom::to_exact_rational(depth.squared());
   const Exact::Vector_3 way_out = fathom::to_vector_3<Exact>(depth.translation());
   const Exact::Point_3 witness = fathom::to_point_3<Exact>(depth.penetration()->witness.a);
-  std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared) << "\n";
+  std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared)
+            << "\n";
   std::cout << "it begins in (" << CGAL::exact(witness.x()) << ", " << CGAL::exact(witness.y()) << ", " << CGAL::exact(witness.z())
             << ")\n";
 
@@ -33,4 +34,7 @@ int main() {
   std::cout << "a third is " << fathom::exact_value(third) << ", and " << fathom::exact_point(points[1]).x << "\n";
 }
 
-//> TODO
+//> depth^2 = 1/9, which is the length^2 of the way out: 1
+//> it begins in (1/6, 2/3, 0)
+//> width^2 = 1, across (-1 0 0)
+//> a third is 1/3, and 1/3

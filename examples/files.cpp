@@ -32,9 +32,15 @@ int main() {
 
   fathom::CaseStream stream = fathom::CaseStream::open("cases.jsonl", std::cin);  // "-" is std::cin
   while (const auto item = stream.next()) {
-    std::cout << "line " << stream.case_line() << ", " << item->id << ": " << (item->ok() ? item->value().b.points[0].x.get_str() : item->error().what()) << "\n";
+    std::cout << "line " << stream.case_line() << ", " << item->id << ": "
+              << (item->ok() ? item->value().b.points[0].x.get_str() : item->error().what()) << "\n";
   }
   std::cout << fathom::parse_case(R"({"a": {}})", "memory").error().what() << "\n";
 }
 
-//> TODO
+//> 3602879701896397/36028797018963968 or 1/10, 1/3, 1/8
+//> points:1: expected three numbers x y z, found 2 columns
+//> points, line 1
+//> line 1, far: 22/7
+//> line 2, odd: cases.jsonl:2: a.vertices: expected at least one point, found none
+//> memory:1: a: expected a field 'vertices', found none

@@ -33,4 +33,5 @@ int main() {
   }
 }
 
-//> TODO
+//> hulls
+//> stopped

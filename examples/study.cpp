@@ -20,8 +20,20 @@ int main() {
 
   const auto& x_order = study.predicates[static_cast<std::size_t>(fathom::Predicate::x_order)];
   std::cout << "x_order: ";
-  for (const auto& [monomial, zeros] : x_order.decided) std::cout << zeros << " zeros decided by " << fathom::monomial_name(monomial) << "; ";
+  for (const auto& [monomial, zeros] : x_order.decided)
+    std::cout << zeros << " zeros decided by " << fathom::monomial_name(monomial) << "; ";
   std::cout << x_order.zero << " in all\n";
 }
 
-//> TODO
+//> parallel_edges: 48
+//> parallel_edges_of_a: 18
+//> parallel_edges_of_b: 18
+//> coincident_normals: 6
+//> equal_normals: 6
+//> coplanar_facets: 4
+//> nodes_on_equator: 8
+//> arcs_on_equator: 8
+//> nodes_on_one_vertical: 2
+//> arcs_on_verticals: 16
+//> the first coplanar facets have 4 and 4 corners
+//> x_order: 7 zeros decided by a; 2 zeros decided by b; 4 zeros decided by E12 b; 4 zeros decided by E13; 4 zeros decided by E21 b; 21 in all

@@ -25,11 +25,11 @@ namespace fathom {
 
 /// Where the ray from O leaves P.
 struct RayExit {
-  mpq_class factor;   ///< > 0, of the direction as given
-  Point translation;  ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
-  Vector normal;      ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
-  Contact contact;    ///< in direction `normal`
-  Witness witness;    ///< points of the contact with b - a = translation
+  mpq_class factor;         ///< > 0, of the direction as given
+  Point translation;        ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
+  Vector normal;            ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
+  Contact contact;          ///< in direction `normal`
+  Witness witness;          ///< points of the contact with b - a = translation
   std::uint64_t steps = 0;  ///< in the hierarchies
 };
 
@@ -100,12 +100,12 @@ MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, co
 
 /// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
 struct ApproxPenetration {
-  mpq_class squared;               ///< |translation|^2
-  mpq_class bound_squared;         ///< a lower bound of depth^2
-  Vector direction;                ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
-  Point translation;               ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
-  Contact contact;                 ///< in that direction
-  std::optional<Witness> witness;  ///< nullopt if the foot of O on the facet's plane is not in the facet
+  mpq_class squared;                  ///< |translation|^2
+  mpq_class bound_squared;            ///< a lower bound of depth^2
+  Vector direction;                   ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
+  Point translation;                  ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
+  Contact contact;                    ///< in that direction
+  std::optional<Witness> witness;     ///< nullopt if the foot of O on the facet's plane is not in the facet
   std::uint64_t rays = 0, steps = 0;  ///< rays that were shot, and their steps in the hierarchies
 };
 

@@ -33,7 +33,7 @@ def functions_of(header):
 
 
 def breaches(root):
-    examples = [path.read_text(encoding="utf-8") for path in sorted((root / "examples").glob("*.c*"))]
+    examples = [path.read_text(encoding="utf-8") for pattern in ("*.c", "*.cpp") for path in (root / "examples").glob(pattern)]
     included = {target for text in examples for target in INCLUDE.findall(text)}
     called = {name for text in examples for name in CALL.findall(NO_CODE.sub("", text))}
     for header in sorted((root / "include/fathom").glob("*.h*")):
