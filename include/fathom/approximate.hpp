@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a factor 1 + delta, and shallow ones.
 //                                                                                                              [AGHRS, section 3]
-// All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick hierarchies of the two bodies find where a ray leaves
-// it. Exact, for bodies of every rank. For bodies that do not penetrate they return a separating plane only; penetration_depth tells how far
-// they are apart. What is said of penetration_depth's exceptions holds for all functions here; each adds its own.
+// All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick hierarchies of the two bodies find where a ray
+// leaves it. Exact, for bodies of every rank. For bodies that do not penetrate they return a separating plane only; penetration_depth tells
+// how far they are apart. What is said of penetration_depth's exceptions holds for all functions here; each adds its own.
 #pragma once
 
 #include <gmpxx.h>
@@ -130,10 +130,10 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
 
 // ---- shallow ----
 
-/// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of O.
-/// The same result for every delta, and as penetration_depth's but for Depth::method, which is nullopt, and the counters. Of the options it
-/// reads `monitor` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2.
-///                                                                                [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
+/// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of
+/// O. The same result for every delta, and as penetration_depth's but for Depth::method, which is nullopt, and the counters. Of the options
+/// it reads `monitor` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2.
+///                                                                         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));
 
@@ -141,8 +141,8 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
 
 class BodyPair;
 
-/// Two bodies whose hierarchies are built once. Each answer equals that of the function of the same name, which builds them anew. Many threads
-/// may ask one object at once.
+/// Two bodies whose hierarchies are built once. Each answer equals that of the function of the same name, which builds them anew. Many
+/// threads may ask one object at once.
 class Hierarchies {
  public:
   Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);

@@ -120,8 +120,9 @@ std::span<const Point> exact_points(const T& points) {
   return points;
 }
 
-/// The penetration depth of any two bodies, of which one or both are CGAL's: the answer for their exact_points. Throws std::invalid_argument
-/// if a floating-point coordinate is not finite, and as fathom/depth.hpp says. To other functions of fathom pass exact_points(body).
+/// The penetration depth of any two bodies, of which one or both are CGAL's: the answer for their exact_points. Throws
+/// std::invalid_argument if a floating-point coordinate is not finite, and as fathom/depth.hpp says. To other functions of fathom pass
+/// exact_points(body).
 template <class A, class B>
 requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && CgalBody<B>)) Depth
     penetration_depth(const A& a, const B& b, const Options& options = {}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies, and what an implementation of penetration depth answered about them.
-// Output  whether the answer is right, and if not, how wrong it is, by exact comparison.        [VERDICTS.md defines every verdict and number]
+// Output  whether the answer is right, and if not, how wrong it is, by exact comparison. VERDICTS.md defines every verdict and number.
 // C programs include fathom/judge.h.
 #pragma once
 

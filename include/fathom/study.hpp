@@ -19,8 +19,9 @@
 
 namespace fathom {
 
-/// What can coincide, or lie specially in the frame. "Nodes" and "arcs" are those of the Gaussian diagrams of -A and of B: a node is a facet's normal (negated for A),
-/// an arc an edge. The equator is z = 0, a vertical a half of a great circle through (0, 1, 0): the frame before it is tilted.
+/// What can coincide, or lie specially in the frame. "Nodes" and "arcs" are those of the Gaussian diagrams of -A and of B: a node is a
+/// facet's normal (negated for A), an arc an edge. The equator is z = 0, a vertical a half of a great circle through (0, 1, 0): the frame
+/// before it is tilted.
 enum class Coincidence {
   parallel_edges,         ///< an edge of A and an edge of B
   parallel_edges_of_a,    ///< two edges of A
@@ -72,7 +73,8 @@ struct BodySize {
 struct Study {
   Depth depth;
   BodySize a, b;
-  /// Of the exact method's run. If the bodies do not penetrate, of its topological part alone: charts, vertex-facet pairs, canonical subsets.
+  /// Of the exact method's run. If the bodies do not penetrate, of its topological part alone: charts, vertex-facet pairs, canonical
+  /// subsets.
   PredicateCounts predicates{};
   std::array<Coincidences, static_cast<std::size_t>(Coincidence::count)> coincidences;
 
