@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A listener to the events of a JSON parser. It knows its place in the object; whatever is not ours is passed over unstored. A fault
-// does not stop it: an id that comes later still names the case.
+// Listens to the events of a JSON parser. It knows its place in the object and skips unknown fields without storing them. It goes on after
+// a fault: an id that comes later still names the case.
 #include "reference/files/case_fields.hpp"
 
 #include <algorithm>
