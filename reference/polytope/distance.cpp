@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to three
-// differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does without.
-// |z| falls strictly, so that no triple comes back and the search ends.                                         [proofs/distance.md]
+// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to
+// three differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does not
+// need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
 #include "reference/polytope/distance.hpp"
 
 #include <algorithm>
