@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive check of a certificate: in rationals, by definitions, without regard for time. Convexity is global here (every vertex against every
+// The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
 // facet), where the checkers' is local (each edge).
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "reference/certificate/certificate.hpp"
-
 #include "kernels/vector.hpp"
+#include "reference/certificate/certificate.hpp"
 
 namespace fathom {
 namespace {
