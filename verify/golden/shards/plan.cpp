@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families take turns, so that every file has some of each and all files take about as long.
+// Families take turns, so that every file has cases of each and all files take about equally long.
 #include "verify/golden/shards/plan.hpp"
 
 #include <algorithm>
