@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user asked for, once the command line has been understood.
+// What the user asked for, as parsed from the command line.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One solved case, on its way to a page or to a JSON line.
+// The answer to one case, before it is printed as text or as JSON.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace fathom::cli {
 
-/// What an answer adds that is right up to a factor: `bound` <= the true value <= the depth that is told.
+/// What an approximate answer adds: `bound` <= the true value <= the depth that is printed.
 struct Approximation {
   mpq_class delta;
   std::uint64_t rays = 0;
@@ -28,8 +28,8 @@ struct Answer {
   std::optional<Approximation> approximation = std::nullopt;
 };
 
-/// Answers with the method that was asked for, and with a certificate if one was. The answering throws Interrupted when the user has asked
-/// to stop. `request` must outlive it.
+/// Answers with the method of the request, and with a certificate if it asks for one. The answering throws Interrupted if the user asks to
+/// stop. `request` must outlive it.
 Answering answer_by(const Request& request, Solve solve);
 
 }  // namespace fathom::cli

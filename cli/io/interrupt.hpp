@@ -4,7 +4,7 @@
 
 namespace fathom::cli {
 
-/// SIGINT as described here. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
+/// Handles SIGINT as described above. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
 void install_signal_handlers();
 
 /// Whether SIGINT arrived while a `Working` existed.
@@ -20,10 +20,10 @@ class Working {
   Working& operator=(const Working&) = delete;
 };
 
-/// The work has stopped, and what it came to is being written: from now on only a second SIGINT ends the process before its time.
+/// Call it when the work has stopped and its results are being written: from then on only a second SIGINT ends the process early.
 void take_time_to_write();
 
-/// Whether an unfinished line stands on the terminal, to be wiped before any last word.
+/// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
 void line_is_open(bool open);
 
 }  // namespace fathom::cli
