@@ -20,7 +20,7 @@ struct Request {
   std::vector<std::string>
       inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::automatic;
-  bool shallow = false;  ///< the method is that of shallow_depth, instead
+  bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
   std::uint64_t seed = 1;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
