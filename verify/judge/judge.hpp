@@ -17,8 +17,8 @@
 namespace fathom {
 
 /// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
-/// the bodies' boxes, the larger of the two; an ulp is that of the subject's precision at the depth. Negative values count as 0. An answer
-/// may also be off by the effect of rounding each of its numbers to nearest, or of an error of `ulps` in each.
+/// the bodies' boxes, the larger of the two; an ulp is that of the subject's precision at the depth. Below 0 counts as 0.
+/// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
 struct Tolerance {
   mpq_class relative{1, 1000};
   mpq_class absolute{1, 1'000'000};
@@ -36,10 +36,10 @@ struct Truth {
   Depth depth;
 };
 
-/// Returns the points rounded to nearest in the precision, as a subject of that precision sees them, or nullopt if one overflows.
+/// The points rounded to the precision (to nearest), which is what a subject of that precision sees. Nothing if one overflows.
 std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision);
 
-/// Throws std::invalid_argument if a body is empty, and Interrupted.
+/// Throws std::invalid_argument when a body is empty, and Interrupted.
 Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options = {});
 
 struct Judgement {
@@ -67,7 +67,7 @@ struct Judgement {
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };
 
-/// Judges any numbers in `reply`, infinities and NaN too. The definitions are those of verify/judge/VERDICTS.md.
+/// Total: any numbers in `reply` are judged. The definitions are those of verify/judge/VERDICTS.md.
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
                 const Tolerance& tolerance = {});
 

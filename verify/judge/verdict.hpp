@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdicts on an answer, and their names.                                      [verify/judge/VERDICTS.md]
+// The names of everything that can be said of an answer.                                      [verify/judge/VERDICTS.md]
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace fathom {
 
 /// In order of rank: of several that hold of one answer, the first is the verdict. The last two of them are passes.
 enum class Verdict {
-  // There is no answer to judge; only a harness finds these.
+  // Nothing was answered that could be judged; only a harness finds these.
   crash,     ///< the subject ended by a signal, or with a failure, while it held the case
   time_out,  ///< no answer in the time that was given
   silent,    ///< the subject ended in good order, or closed its output, without an answer
@@ -34,7 +34,7 @@ enum class Verdict {
   pass
 };
 
-/// Returns the name in lower case, with hyphens: "too-deep".
+/// "too-deep": lower case, hyphens. Total.
 std::string_view name(Verdict verdict);
 /// The inverse of `name`.
 std::optional<Verdict> verdict_named(std::string_view name);

@@ -87,7 +87,7 @@ struct StudyOptions {
 /// all pairs, and for the depth itself. Throws std::invalid_argument when a body is empty, and Interrupted.
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
 
-/// Names a monomial (Monomial::packed) by what it moves: "a", "E11 b^2". Eij is an entry of the matrix that moves -A; a, b, c tilt the
+/// A monomial (Monomial::packed) by what it moves: "a", "E11 b^2". Eij is an entry of the matrix that moves -A; a, b, c tilt the
 /// frame.                                                                                          [kernels/predicates/perturbation.hpp]
 std::string monomial_name(std::uint64_t packed, const Perturbation& perturbation = {});
 
