@@ -147,7 +147,7 @@ bool is_mesh_name(const std::string& path) {
   return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
 }
 
-/// As the user typed it.
+/// The name as the user typed it.
 std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
 
 /// Returns what is wrong with the number of inputs, or "".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom cases` was asked for.
+// The request of `fathom cases`.
 #pragma once
 
 #include <cstdint>

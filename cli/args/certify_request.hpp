@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom certify` was asked for.
+// The request of `fathom certify`.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ class StopOnInterrupt : public Monitor {
 };
 
 /// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
-/// itself. If it has not stopped after so many seconds, or on a second SIGINT, the process ends all the same.
+/// itself. If it has not stopped after `patience` seconds, or on a second SIGINT, the process ends all the same.
 class Working {
  public:
   explicit Working(unsigned patience = 1);

@@ -36,7 +36,7 @@ std::string flat_text(const BodyFacts& facts, bool same_body = false);
 /// Explains why a flat A may have a positive depth.
 Row flat_note();
 
-/// "[low, high]" to so many digits.
+/// "[low, high]" to that many digits.
 std::string enclosure_text(const mpq_class& squared, unsigned digits);
 
 }  // namespace fathom::cli

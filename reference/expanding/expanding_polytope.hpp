@@ -22,7 +22,7 @@ namespace fathom {
 inline constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 enum class ExpansionEnd {
-  proved,      ///< Q holds the ball that was asked for
+  proved,      ///< Q holds the requested ball
   not_inside,  ///< O is not in the interior of P
   spent        ///< the budget is used up
 };

@@ -53,7 +53,7 @@ class Listener : public nlohmann::json_sax<Json> {
   void refuse_null_byte();
 
  private:
-  // A container that is being read: an object with the key at hand, or an array with the index at hand.
+  // A container that is being read: an object with its current key, or an array with its current index.
   struct Frame {
     CasePlace place;
     std::size_t index = 0;

@@ -30,7 +30,7 @@ struct Foot {
 
 Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
-/// The foot of O on the affine hull of one to three affinely independent points; nothing unless all of its weights are positive.
+/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt unless all of its weights are positive.
 std::optional<Foot> foot(const std::vector<Corner>& corners) {
   const Vector& p = corners[0].p;
   if (corners.size() == 1) return Foot{p, {1}, 1};
