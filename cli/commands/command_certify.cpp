@@ -195,7 +195,7 @@ class Certify {
     if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty()) talk(warning);
   }
 
-  /// The same of a run that ended before its time. Listed cases that were not run are no surprises.
+  /// Writes the same for a run that ended early, without what the list says of cases that were not run.
   void report_so_far(const std::string& why) {
     if (!found_ || reported_ || found_->outcomes().empty()) return;
     std::optional<ExpectedFailures::Check> known;
