@@ -13,7 +13,7 @@
 namespace fathom {
 namespace {
 
-// A common denominator of so many bits never costs much; a longer one is compared with the coordinates.
+// A common denominator with at most this many bits never costs much; a longer one is compared with the coordinates.
 constexpr std::size_t short_enough = 4096;
 constexpr std::size_t times_the_widest = 8;
 // Of all coordinates together, where the denominator outgrows them: 256 MB.

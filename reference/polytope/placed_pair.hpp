@@ -33,8 +33,7 @@ struct PlacedPair {
 PlacedPair place(std::span<const Point> a, std::span<const Point> b);
 
 /// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or eight times as many as the widest
-/// coordinate. Returns nullopt otherwise: the points' denominators share little, and what needs few of the points does better without the
-/// others.
+/// coordinate. Returns nullopt otherwise: the points' denominators share little, and fewer points would have a smaller lattice.
 std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b);
 
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the origin O.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The public function: it places the bodies on a lattice, or picks the points that decide where a common lattice would be too fine.
+// The public function: it places the bodies on a lattice, or answers for the deciding points if a common lattice would be too fine.
 #include <stdexcept>
 
 #include "fathom/depth.hpp"
