@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 
 #include "kernels/filters/support.hpp"
+#include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -15,14 +15,9 @@ namespace {
 
 using testing::random_integer;
 using testing::random_vector;
+using testing::rounding_modes;
+using testing::RoundingMode;
 using Random = std::mt19937_64;
-
-constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-struct RoundingMode {
-  explicit RoundingMode(int mode) { std::fesetround(mode); }
-  ~RoundingMode() { std::fesetround(FE_TONEAREST); }
-};
 
 /// Four points of some number of bits; the last often nearly or exactly in the plane of the others, which are often close together.
 std::array<Vector, 4> four_points(Random& random, unsigned long bits) {
@@ -45,7 +40,7 @@ TEST(RoundedPlane, SaysNoSideThatIsWrong) {
   Random random(7);
   std::size_t sure = 0, zero = 0, generic_unsure = 0;
   for (int i = 0; i < 40000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = i % 3 == 0 ? 5 : i % 3 == 1 ? 60 : 700;
     const std::array<Vector, 4> p = four_points(random, bits);
     const auto image = [&](int k) { return rounded(p[k], static_cast<long>(bits)); };
@@ -70,7 +65,7 @@ TEST(RoundedPlane, SurelyBeyondIsNeverWrongAndRarelyMissed) {
   Random random(8);
   std::size_t beyond = 0, missed = 0;
   for (int i = 0; i < 20000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = i % 2 == 0 ? 60 : 700;
     const std::array<Vector, 4> p = four_points(random, bits);
     const Vector n = cross(Vector(p[1] - p[0]), Vector(p[2] - p[0]));
@@ -95,7 +90,7 @@ TEST(RoundedPlane, SurelyBeyondIsNeverWrongAndRarelyMissed) {
 TEST(RoundedPlane, ImagesAreNear) {
   Random random(9);
   for (int i = 0; i < 5000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = 1 + random() % 900;
     const Vector v = random_vector(random, bits);
     const double x = rounded(v, static_cast<long>(bits)).x;
@@ -107,7 +102,7 @@ TEST(RoundedPlane, ImagesAreNear) {
 TEST(RootFromAbove, IsAboveAndNear) {
   Random random(10);
   for (int i = 0; i < 5000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const mpz_class numerator = abs(random_integer(random, 1 + random() % 400)),
                     denominator = abs(random_integer(random, 1 + random() % 400)) + 1;
     const double root = root_from_above(numerator, denominator, 0);
