@@ -34,8 +34,10 @@ static_assert(Indexed<decltype(ColourChart::arcs), ChartArcId> && !Indexed<declt
 static_assert(Indexed<decltype(Charts::walls), WallId> && !Indexed<decltype(Charts::walls), NodeId>);
 static_assert(!Indexed<decltype(ColourChart::wall_of), WallId> && !Indexed<decltype(ColourChart::place_of), ChartArcId>);
 static_assert(!std::is_invocable_v<decltype(chart_frame), bool>, "a hemisphere is no bool");
-static_assert(std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, NodeId, Colour, const ChartArc&>);
-static_assert(!std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, VertexId, Colour, const ChartArc&>);
+static_assert(
+    std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, NodeId, Colour, const ChartArc&>);
+static_assert(
+    !std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, VertexId, Colour, const ChartArc&>);
 
 // Chart coordinates, as rationals up to one positive factor: y is the coordinate along v, x along v x z.
 struct ChartPoint {
