@@ -9,6 +9,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
+#include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace {

@@ -166,15 +166,6 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   return "";
 }
 
-/// auto: the expanding polytope is several times faster than the exact method on bodies of 20 points and dozens of times on larger ones,
-/// and where near ties make it long, exact takes over at a price below its own. --closest-lines asks for exact.
-Method method_of(const std::string& text, bool asks_for_lines) {
-  if (text == "naive") return Method::naive;
-  if (text == "shallow") return Method::shallow;
-  if (text == "exact" || asks_for_lines) return Method::exact;
-  return Method::certificate;
-}
-
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
@@ -191,7 +182,10 @@ Arguments completed(Request request, const Texts& texts) {
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
-  request.method = method_of(texts.method, !texts.closest_lines.empty());
+  if (texts.method == "exact") request.method = Method::exact;
+  if (texts.method == "naive") request.method = Method::naive;
+  request.shallow = texts.method == "shallow";
+  if (texts.closest_lines == "cutting") request.closest_lines = ClosestLines::cutting;
   if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
   if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
   return {std::move(request), "", fine};

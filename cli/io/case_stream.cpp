@@ -8,7 +8,6 @@
 #include <new>
 #include <string>
 
-#include "cli/commands/command.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/output/hull_note.hpp"

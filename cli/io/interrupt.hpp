@@ -2,6 +2,8 @@
 // Ctrl-C ends the run with exit code 130, at once while waiting for input and at the next good moment while working.
 #pragma once
 
+#include "fathom/monitor.hpp"
+
 namespace fathom::cli {
 
 /// SIGINT as described here. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
@@ -9,6 +11,13 @@ void install_signal_handlers();
 
 /// Whether SIGINT arrived while a `Working` existed.
 bool interrupt_requested();
+
+/// Stops a computation once SIGINT was noted. Any thread may ask it.
+class StopOnInterrupt : public Monitor {
+ public:
+  void report(std::string_view /*stage*/, double /*share*/) override {}
+  [[nodiscard]] bool stopped() override { return interrupt_requested(); }
+};
 
 /// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
 /// itself. If it has not stopped after so many seconds, or on a second SIGINT, the process ends all the same.

@@ -24,6 +24,9 @@ void print(std::string_view text);
 /// `text` with its control characters as \xNN, those of two bytes in UTF-8 too: what a terminal would obey, and line ends.
 std::string without_controls(std::string_view text);
 
+/// What `error`, caught from anything that is no input's fault, is to be called.
+std::string fault_text(const std::exception& error);
+
 /// Writes "fathom: `text`" and a newline to standard error. Never fails. Of control characters only line ends are written as they are.
 void talk(std::string_view text);
 

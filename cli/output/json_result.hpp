@@ -7,9 +7,12 @@
 #include <string_view>
 
 #include "cli/args/request.hpp"
-#include "cli/commands/answer.hpp"
+#include "cli/output/answer.hpp"
 
 namespace fathom::cli {
+
+/// The schema of results, exact and approximate ones.
+inline constexpr const char* result_schema = "fathom/result/1";
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string json_result(const Answer& answer, const Request& request);

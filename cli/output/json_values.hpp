@@ -27,7 +27,7 @@ Json number(const mpq_class& value);
 
 Json contact_object(const Contact& contact);
 Json witness_object(const Witness& witness);
-Json flat_array(bool a, bool b);
+Json flat_array(const BodyFacts& facts);
 
 /// The text with U+FFFD for what is not UTF-8.
 std::string valid_utf8(const std::string& text);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/args/request.hpp"
-#include "cli/commands/answer.hpp"
+#include "cli/output/answer.hpp"
 
 namespace fathom::cli {
 

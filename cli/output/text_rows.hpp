@@ -7,12 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "cli/args/request.hpp"
 #include "fathom/depth.hpp"
 
 namespace fathom::cli {
 
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;
+
+/// Exact numbers with more characters are left out of a line.
+inline constexpr std::size_t longest_in_line = 40;
+
+/// What the command computes: "depth" or "width".
+std::string quantity(const Request& request);
 
 /// The heading, if there is one, and the rows with their texts in one column; without the last newline.
 std::string aligned(const std::string& heading, const std::vector<Row>& rows);
@@ -23,8 +30,8 @@ std::string contact_text(const Contact& contact, bool same_body = false);
 /// Two points, or the one that both bodies share.
 Row witness_row(const Witness& witness, bool same_body = false);
 
-/// The bodies without interior: "A and B", or nothing.
-std::string flat_text(bool a, bool b);
+/// The bodies without interior: "A and B", or nothing. For one body against itself: "A", or nothing.
+std::string flat_text(const BodyFacts& facts, bool same_body = false);
 
 /// What a user should know where A is flat and yet has a depth.
 Row flat_note();
