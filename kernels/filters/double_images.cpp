@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/filters/double_images.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fathom {
@@ -14,5 +15,10 @@ double image(const mpz_class& c, long exponent) {
 }
 
 Vec3<double> image(const Vector& v, long exponent) { return {image(v.x, exponent), image(v.y, exponent), image(v.z, exponent)}; }
+
+Vec3<double> direction_image(const Vector& v) {
+  const auto bits = [](const mpz_class& c) { return static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2)); };
+  return image(v, std::max({bits(v.x), bits(v.y), bits(v.z)}));
+}
 
 }  // namespace fathom

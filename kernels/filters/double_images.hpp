@@ -16,6 +16,8 @@ namespace fathom {
 /// c * 2^-exponent, truncated to 53 bits; 0 below 2^-500, so that no product of two images underflows.
 double image(const mpz_class& c, long exponent);
 Vec3<double> image(const Vector& v, long exponent);
+/// With the exponent for which the largest component lies in [1/2, 1]. v is not zero. The image of -v is the negative.
+Vec3<double> direction_image(const Vector& v);
 
 /// The lower ends: each within 2^-53 of what the box encloses, if that is in [-1, 1].
 inline Vec3<double> image(const Vec3<DoubleInterval>& box) { return {box.x.low, box.y.low, box.z.low}; }

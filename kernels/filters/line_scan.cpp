@@ -114,7 +114,7 @@ void collect(const Test& test, const Many& many, LineRun run, std::vector<std::u
 }  // namespace
 
 void LineImages::push_back(const Vector& point, const Vector& direction) {
-  const Vec3<double> p = image(point, exponent_), d = image(enclose(direction));
+  const Vec3<double> p = image(point, exponent_), d = direction_image(direction);
   px.push_back(p.x);
   py.push_back(p.y);
   pz.push_back(p.z);
@@ -149,7 +149,7 @@ void not_farther(const LineImages& lines, std::size_t one, const LineImages& man
 }
 
 void ArcImages::push_back(const Vector& from, const Vector& to) {
-  const Vec3<double> f = image(enclose(from)), t = image(enclose(to));
+  const Vec3<double> f = direction_image(from), t = direction_image(to);
   fx.push_back(f.x);
   fy.push_back(f.y);
   fz.push_back(f.z);
