@@ -9,14 +9,14 @@ inline constexpr double unit = 0x1p-52;  ///< of one operation, relative to its 
 
 // Absolute.
 
-inline constexpr double product = 0x1p-48;                 ///< of <n,d>
-inline constexpr double determinant = 0x1p-46;             ///< of <a x b, c>
-inline constexpr double order_on_vertical = 0x1p-44;       ///< of <d2,n><d1,v> - <d1,n><d2,v>, in either form
-inline constexpr double rise = 0x1p-47;                    ///< of <u, q - p>, for points within 2^-52
-inline constexpr double turn = 0x1p-44;                    ///< of a width times a rise, less another such product
-inline constexpr double height_over_line = 96 * unit;      ///< of <p - q, d x e>
-inline constexpr double squared_length = 112 * unit;       ///< of |d x e|^2
-inline constexpr double difference_of_heights = 0x1p-46;   ///< of <u,p> - <u,q>, for exact u and images of rational points
+inline constexpr double product = 0x1p-48;                ///< of <n,d>
+inline constexpr double determinant = 0x1p-46;            ///< of <a x b, c>
+inline constexpr double order_on_vertical = 0x1p-44;      ///< of <d2,n><d1,v> - <d1,n><d2,v>, in either form
+inline constexpr double rise = 0x1p-47;                   ///< of <u, q - p>, for points within 2^-52
+inline constexpr double turn = 0x1p-44;                   ///< of a width times a rise, less another such product
+inline constexpr double height_over_line = 96 * unit;     ///< of <p - q, d x e>
+inline constexpr double squared_length = 112 * unit;      ///< of |d x e|^2
+inline constexpr double difference_of_heights = 0x1p-46;  ///< of <u,p> - <u,q>, for exact u and images of rational points
 
 // Of (q - p) x (r - p), and of its product with a step t - s, for points p, q, r, s, t. These follow the size of the triangle: u and v are
 // the largest components of the computed edges, `size` that of the computed normal, `length` that of the computed step.
