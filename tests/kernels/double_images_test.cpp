@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <functional>
 
+#include "tests/support/rounding_modes.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -15,17 +15,16 @@ namespace {
 
 using namespace fathom::testing;
 
-constexpr int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
 struct Tally {
   int sure = 0, unsure = 0;
 };
 
 void expect_right(Tally& tally, int exact, const std::function<std::optional<Sign>()>& approximate) {
   for (const int mode : rounding_modes) {
-    std::fesetround(mode);
-    const std::optional<Sign> sign = approximate();
-    std::fesetround(FE_TONEAREST);
+    const std::optional<Sign> sign = [&] {
+      const RoundingMode set(mode);
+      return approximate();
+    }();
     EXPECT_TRUE(!sign || to_int(*sign) == exact) << to_int(*sign) << " for " << exact;
     ++(sign ? tally.sure : tally.unsure);
   }
