@@ -247,8 +247,8 @@ TEST(FloatEnvironment, RaysThroughHierarchies) {
   for (const Case& input : cases_at_the_edge_of_binary64()) {
     SCOPED_TRACE(input.id);
     expect_the_same("hierarchies", [&] {
-      const Lattice lattice = common_lattice(input.a.points, input.b.points);
-      const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+      const PlacedPair placed = place(input.a.points, input.b.points);
+      const Polytope hull_a = convex_hull(placed.a.points()), hull_b = convex_hull(placed.b.points());
       const Hierarchy a(hull_a), b(hull_b);
       const ShallowPenetration shallow(a, b);
       const RayHit hit = shoot_ray(a, b, {3, 1, 2});

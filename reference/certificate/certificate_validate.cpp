@@ -5,9 +5,8 @@
 #include <map>
 #include <set>
 
-#include "reference/certificate/certificate.hpp"
-
 #include "kernels/vector.hpp"
+#include "reference/certificate/certificate.hpp"
 
 namespace fathom {
 namespace {

@@ -98,14 +98,14 @@ Body around_the_sphere(int count) {
     touching.push_back({2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square)});
   }
   for (Point& p : touching) p.x.canonicalize(), p.y.canonicalize(), p.z.canonicalize();
-  const Lattice lattice = common_lattice(touching, touching);
-  const Polytope dual = convex_hull(lattice.a);
+  const PlacedPair placed = place(touching, touching);
+  const Polytope dual = convex_hull(placed.a.points());
   Body body;
   for (const Facet& facet : dual.facets) {  // of the dual: a corner of the body
     const mpz_class height = dot(facet.normal, dual.vertices[dual.corners[facet.begin]]);
-    mpq_class distance(height, lattice.denominator);
+    mpq_class distance(height, placed.denominator);
     distance.canonicalize();
-    const Point& o = lattice.origin;
+    const Point& o = placed.origin;
     distance += facet.normal.x * o.x + facet.normal.y * o.y + facet.normal.z * o.z;
     body.points.push_back({facet.normal.x / distance, facet.normal.y / distance, facet.normal.z / distance});
   }

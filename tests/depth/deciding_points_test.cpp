@@ -99,7 +99,7 @@ void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor
 /// By every method, against integers; with the proof.
 void expect_right(const Points& a, const Points& b, Status status) {
   ASSERT_FALSE(slim_lattice(a, b));
-  const mpz_class factor = common_lattice(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
+  const mpz_class factor = place(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
   Options plain;
   plain.method = Method::certificate;
   const Depth large = penetration_depth(times(a, factor), times(b, factor), plain);
@@ -179,7 +179,7 @@ TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
   Unlike some(11);
   const Points a = some.sphere(9000, 0);
   try {
-    static_cast<void>(common_lattice(a, a));
+    static_cast<void>(place(a, a));
     FAIL() << "no refusal";
   } catch (const InputError& error) {
     EXPECT_STREQ(

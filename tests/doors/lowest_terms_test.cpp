@@ -77,7 +77,7 @@ const std::map<std::string, Door>& doors() {
       {"gap", [](const Points& a, const Points& b) { second_nearest_squared(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
       {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
-      {"lattice", [](const Points& a, const Points& b) { common_lattice(a, b); }},
+      {"lattice", [](const Points& a, const Points& b) { place(a, b); }},
       {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
       {"judge",
        [](const Points& a, const Points& b) {

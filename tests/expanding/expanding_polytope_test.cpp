@@ -73,8 +73,8 @@ TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
 
 TEST(ExpandingPolytope, GrowsOnFamiliesToAHullThatHoldsTheBall) {
   for (const Case& input : testing::cases_of_all_families(2, 24)) {
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const Clouds clouds(lattice.a, lattice.b);
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const Clouds clouds(placed.a, placed.b);
     const Expansion expansion = nearest_by_expansion(clouds.a, clouds.b);
     if (expansion.end != ExpansionEnd::proved) continue;
     SCOPED_TRACE(input.id);
@@ -86,8 +86,8 @@ TEST(ExpandingPolytope, GrowsOnFamiliesToAHullThatHoldsTheBall) {
 
 TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
   const Case input = families::find_family("crossed_fans")->make(1, 12);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const Clouds clouds(lattice.a, lattice.b);
+  const PlacedPair placed = place(input.a.points, input.b.points);
+  const Clouds clouds(placed.a, placed.b);
   const Expansion right = nearest_by_expansion(clouds.a, clouds.b);
   ASSERT_TRUE(validate(right, clouds.a, clouds.b).ok());
   using Change = void (*)(Expansion&);
@@ -122,8 +122,8 @@ TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
 
 TEST(ExpandingPolytope, GivesUpAtItsBudgetAndTellsEachStep) {
   const Case input = families::find_family("crossed_patch")->make(1, 20);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const Clouds clouds(lattice.a, lattice.b);
+  const PlacedPair placed = place(input.a.points, input.b.points);
+  const Clouds clouds(placed.a, placed.b);
   ExpansionOptions options;
   std::size_t steps = 0;
   options.on_step = [&] { ++steps; };

@@ -141,8 +141,8 @@ TEST(Hair, GapsAreBetweenTheFeatures) {
     ASSERT_EQ(depth.status(), Status::disjoint) << input.id;
     const Vector& n = depth.distance()->direction;
     EXPECT_LE(binary_logarithm(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const std::size_t a = extreme_points_naive(lattice.a, -n).size(), b = extreme_points_naive(lattice.b, n).size();
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const std::size_t a = extreme_points_naive(placed.a.points(), -n).size(), b = extreme_points_naive(placed.b.points(), n).size();
     features.emplace(std::min<std::size_t>(a, 3), std::min<std::size_t>(b, 3));
   }
   EXPECT_EQ(features.size(), 9U);
@@ -174,8 +174,8 @@ TEST(ApproachingDegraded, IsLeftBehind) {
   std::size_t rank = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case input = find_family("approaching_degraded")->make(seed, 8);
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    rank += affine_rank(lattice.a) == 3 && affine_rank(lattice.b) == 3 ? 1U : 0U;
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    rank += affine_rank(placed.a.points()) == 3 && affine_rank(placed.b.points()) == 3 ? 1U : 0U;
     EXPECT_LE(solved(input).optima.size(), 1U) << input.id << ": ties are gone";
   }
   EXPECT_EQ(rank, 40U);

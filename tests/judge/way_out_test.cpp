@@ -18,16 +18,16 @@ TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
     options.method = Method::certificate;
     const Depth depth = penetration_depth(a, b, options);
     if (!depth.inner) continue;
-    const Lattice lattice = common_lattice(a, b);
+    const PlacedPair placed = place(a, b);
     std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {1, 1, 1}, {3, -2, 1}, {1, 0, 1000000}};
     for (const Optimum& optimum : depth.optima()) directions.push_back(optimum.direction);
-    for (const Difference& d : depth.inner->vertices) directions.push_back(lattice.b[d.second] - lattice.a[d.first]);
+    for (const Difference& d : depth.inner->vertices) directions.push_back(placed.b[d.second] - placed.a[d.first]);
     if (directions.size() > 12) directions.resize(12);
     for (const Vector& u : directions) {
       ++rays;
       const DirectionalDepth expected = directional_depth(a, b, {u.x, u.y, u.z});
-      const std::optional<mpq_class> found = way_out(lattice, *depth.inner, u);
-      if (found) EXPECT_EQ(*found / lattice.denominator, expected.factor()) << input.id;
+      const std::optional<mpq_class> found = way_out(placed, *depth.inner, u);
+      if (found) EXPECT_EQ(*found / placed.denominator, expected.factor()) << input.id;
       else ++given_up;
     }
   }
@@ -41,7 +41,7 @@ TEST(WayOut, MayRunOutOfPatience) {
   options.method = Method::certificate;
   const Depth depth = penetration_depth(input.a.points, input.b.points, options);
   ASSERT_TRUE(depth.inner);
-  EXPECT_FALSE(way_out(common_lattice(input.a.points, input.b.points), *depth.inner, {1, 2, 3}, 0));
+  EXPECT_FALSE(way_out(place(input.a.points, input.b.points), *depth.inner, {1, 2, 3}, 0));
 }
 
 }  // namespace

@@ -45,7 +45,6 @@ inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
     const auto [low, high] = std::minmax(body.input_ids[edge.from], body.input_ids[edge.to]);
     return std::array<std::uint32_t, 2>{low, high};
   };
-  Context context;
   std::vector<MeasuredCrossing> result;
   Context context;
   for (const Charts& charts : p.charts) {
@@ -54,7 +53,7 @@ inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
       for (const ChartArcOfA i : subsets[k].a)
         for (const ChartArcOfB j : subsets[k].b) {
           const auto a = ends(p.a, charts.of.a.arcs[ChartArcId(i.value)]), b = ends(p.b, charts.of.b.arcs[ChartArcId(j.value)]);
-          result.push_back({a, b, spanned_plane(p.lattice.a[a[0]], p.lattice.a[a[1]], p.lattice.b[b[0]], p.lattice.b[b[1]])});
+          result.push_back({a, b, spanned_plane(p.placed.a[a[0]], p.placed.a[a[1]], p.placed.b[b[0]], p.placed.b[b[1]])});
         }
   }
   return result;

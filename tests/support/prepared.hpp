@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "kernels/filters/support.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -31,9 +30,9 @@ inline PerturbedKernel kernel_of(const Charts& charts) {
   return {charts.perturbation, uncounted};
 }
 
-/// Lattice, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence the pointer.
+/// Points, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence the pointer.
 struct Prepared {
-  Lattice lattice;
+  PlacedPair placed;
   long exponent;
   Polytope a, b;
   GaussianDiagram minus_a, of_b;
@@ -43,10 +42,10 @@ struct Prepared {
 
 inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& perturbation = {}) {
   auto p = std::make_unique<Prepared>();
-  p->lattice = common_lattice(input.a.points, input.b.points);
-  p->exponent = std::max(binary_exponent(p->lattice.a), binary_exponent(p->lattice.b));
-  p->a = convex_hull(p->lattice.a);
-  p->b = convex_hull(p->lattice.b);
+  p->placed = place(input.a.points, input.b.points);
+  p->exponent = p->placed.exponent();
+  p->a = convex_hull(p->placed.a.points());
+  p->b = convex_hull(p->placed.b.points());
   p->minus_a = gaussian_diagram_of_reflection(p->a);
   p->of_b = gaussian_diagram(p->b);
   for (const Hemisphere h : both_hemispheres)
