@@ -52,15 +52,12 @@ TEST(LowestTerms, AreAskedExactly) {
 using Door = std::function<void(const Points& a, const Points& b)>;
 
 Door depth_by(Method method) {
-  return [method](const Points& a, const Points& b) {
-    Options options;
-    options.method = method;
-    penetration_depth(a, b, options);
-  };
+  return [method](const Points& a, const Points& b) { penetration_depth(a, b, {.method = method}); };
 }
 
 const std::map<std::string, Door>& doors() {
   static const std::map<std::string, Door> result{
+      {"automatic", depth_by(Method::automatic)},
       {"exact", depth_by(Method::exact)},
       {"naive", depth_by(Method::naive)},
       {"certificate", depth_by(Method::certificate)},
@@ -74,10 +71,11 @@ const std::map<std::string, Door>& doors() {
        [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
       {"certify", [](const Points& a, const Points& b) { make_certificate(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
-      {"gap", [](const Points& a, const Points& b) { second_nearest_squared(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"gap", [](const Points& a,
+                 const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
       {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
-      {"lattice", [](const Points& a, const Points& b) { place(a, b); }},
+      {"placed", [](const Points& a, const Points& b) { place(a, b); }},
       {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
       {"judge",
        [](const Points& a, const Points& b) {

@@ -59,7 +59,7 @@ TEST(Hierarchy, AgreesWithTheScanOnAllFamilies) {
     for (const Case& input : cases_of_all_families(size < 10 ? 2 : 1, size)) {
       SCOPED_TRACE(input.id);
       const PlacedPair placed = place(input.a.points, input.b.points);
-      for (const std::vector<Vector>* points : {&placed.a, &placed.b}) expect_laws(convex_hull(*points), size);
+      for (const PointCloud* cloud : {&placed.a, &placed.b}) expect_laws(convex_hull(cloud->points()), size);
       ASSERT_FALSE(HasFatalFailure());
     }
   }
