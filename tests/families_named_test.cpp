@@ -31,9 +31,9 @@ Polytope hull_of_differences(const PlacedPair& placed) {
 mpz_class offset(const Polytope& p, const Facet& facet) { return dot(facet.normal, p.vertices[p.corners[facet.begin]]); }
 
 /// The rank of the face of the body in direction u.
-int face_rank(const std::vector<Vector>& points, const Vector& u) {
+int face_rank(const PointCloud& points, const Vector& u) {
   std::vector<Vector> face;
-  for (const std::uint32_t i : extreme_points_naive(points, u)) face.push_back(points[i]);
+  for (const std::uint32_t i : extreme_points_naive(points.points(), u)) face.push_back(points[i]);
   return convex_hull(face).rank;
 }
 

@@ -10,14 +10,11 @@
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/width.hpp"
-#include "reference/approximate/metric.hpp"
-#include "reference/approximate/separation.hpp"
-#include "reference/approximate/shallow.hpp"
-#include "reference/certificate/certificate.hpp"
+#include "reference/depth/gap.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 

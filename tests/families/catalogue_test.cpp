@@ -21,10 +21,7 @@ using namespace fathom;
 using namespace fathom::families;
 
 Depth solve(const Case& pair, Method method = Method::exact) {
-  Options options;
-  options.method = method;
-  options.validate = true;
-  return penetration_depth(pair.a.points, pair.b.points, options);
+  return penetration_depth(pair.a.points, pair.b.points, {.method = method, .validate = true});
 }
 
 int rank_of(const Body& body) { return convex_hull(place(body.points, body.points).a.points()).rank; }

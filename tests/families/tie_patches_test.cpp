@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fathom/depth.hpp"
 #include "tests/support/crossing_planes.hpp"
+#include "tests/support/exact_depth.hpp"
 
 namespace {
 
@@ -41,7 +41,7 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
     EXPECT_FALSE(grid.within(promised(GetParam(), n) / 2)) << input.id << ": a saddle, not a plain";
     EXPECT_LT(others.count, 16 * n) << input.id;
     EXPECT_GT(others.least, 2 * grid.greatest) << input.id;
-    const Depth depth = penetration_depth(input.a.points, input.b.points);
+    const Depth depth = fathom::testing::exact_depth(input.a.points, input.b.points);
     EXPECT_EQ(depth.squared(), grid.least / (p->placed.denominator * p->placed.denominator)) << input.id;
     EXPECT_EQ(depth.contact()->kind, ContactKind::edge_edge) << input.id;
   }
