@@ -31,9 +31,9 @@ Polytope hull_of_differences(const PlacedPair& placed) {
 mpz_class offset(const Polytope& p, const Facet& facet) { return dot(facet.normal, p.vertices[p.corners[facet.begin]]); }
 
 /// The rank of the face of the body in direction u.
-int face_rank(const PointCloud& points, const Vector& u) {
+int face_rank(const std::vector<Vector>& points, const Vector& u) {
   std::vector<Vector> face;
-  for (const std::uint32_t i : extreme_points_naive(points.points(), u)) face.push_back(points[i]);
+  for (const std::uint32_t i : extreme_points_naive(points, u)) face.push_back(points[i]);
   return convex_hull(face).rank;
 }
 
@@ -53,8 +53,8 @@ TEST(Families, BodiesTouchInTheNamedFeatures) {
           if (offset(p, facet) == 0) inside_normal_cone = inside_normal_cone + facet.normal;
         }
         ASSERT_FALSE(is_zero(inside_normal_cone)) << pair.id;
-        EXPECT_EQ(face_rank(placed.a, -inside_normal_cone), static_cast<int>(i)) << pair.id;
-        EXPECT_EQ(face_rank(placed.b, inside_normal_cone), static_cast<int>(j)) << pair.id;
+        EXPECT_EQ(face_rank(placed.a.points(), -inside_normal_cone), static_cast<int>(i)) << pair.id;
+        EXPECT_EQ(face_rank(placed.b.points(), inside_normal_cone), static_cast<int>(j)) << pair.id;
       }
 }
 
@@ -67,8 +67,8 @@ TEST(Families, ContactsAreOfTheNamedKindAndDepth) {
         const PlacedPair placed = place(pair.a.points, pair.b.points);
         const NaiveDepth depth = naive_depth(placed.a.points(), placed.b.points());
         ASSERT_EQ(depth.directions.size(), 1u) << pair.id;
-        EXPECT_EQ(face_rank(placed.a, -depth.directions[0]), static_cast<int>(i)) << pair.id;
-        EXPECT_EQ(face_rank(placed.b, depth.directions[0]), static_cast<int>(j)) << pair.id;
+        EXPECT_EQ(face_rank(placed.a.points(), -depth.directions[0]), static_cast<int>(i)) << pair.id;
+        EXPECT_EQ(face_rank(placed.b.points(), depth.directions[0]), static_cast<int>(j)) << pair.id;
         const mpq_class squared = depth.squared / (placed.denominator * placed.denominator);
         EXPECT_EQ(squared.get_num(), 1) << pair.id;
         const std::size_t log = mpz_scan1(squared.get_den_mpz_t(), 0);

@@ -25,6 +25,7 @@
 #include "reference/approximate/shallow.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "kernels/number/rounding.hpp"
+#include "kernels/vector.hpp"
 #include "reference/depth/gap.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"

@@ -11,6 +11,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
+#include "reference/depth/gap.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"

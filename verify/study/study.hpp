@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/counters.hpp"
+#include "kernels/context.hpp"
 #include "kernels/predicates/perturbation.hpp"
 
 namespace fathom {
@@ -86,6 +86,8 @@ struct StudyOptions {
 /// Exact, for bodies of every rank. Near-linear in the size of the bodies, but for normals_on_arcs and arcs_on_equator, which look at
 /// all pairs, and for the depth itself. Throws std::invalid_argument when a body is empty, and Interrupted.
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
+/// The same; `context` counts the predicates of the search for coincidences.
+Study study(Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
 
 /// A monomial (Monomial::packed) by what it moves: "a", "E11 b^2". Eij is an entry of the matrix that moves -A; a, b, c tilt the
 /// frame.                                                                                          [kernels/predicates/perturbation.hpp]
