@@ -48,7 +48,7 @@ std::string check_seed(const std::string& value) {
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", shown(value));
 }
 
-/// What the options say, before it is known whether they go together.
+/// The values of the options, before it is checked whether they go together.
 struct Texts {
   std::string method = "auto", closest_lines;
   bool exact_decimals = false;
@@ -127,7 +127,7 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   return {&approx, &ray, &metric};
 }
 
-/// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
+/// Returns a sentence if the words ask for what this version does not have, which CLI11 would call unknown, or "".
 std::string wrong_words(const std::vector<std::string>& words) {
   const std::string_view command = words[0];
   const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
@@ -141,16 +141,16 @@ Arguments refusal(const std::string& sentence, const std::string& command = "") 
   return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
 }
 
-/// A mesh by its name. Other names may be streams of cases.
+/// Returns whether the name is that of a mesh. Other names may be streams of cases.
 bool is_mesh_name(const std::string& path) {
   constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
   return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
 }
 
-/// As the user typed it.
+/// The name as the user typed it.
 std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
 
-/// What is wrong with the number of inputs, or nothing.
+/// Returns what is wrong with the number of inputs, or "".
 std::string wrong_inputs(Request& request, const Texts& texts) {
   if (request.command == Command::cases) return texts.wrong_cases;
   if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);
@@ -164,15 +164,6 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
   return "";
-}
-
-/// auto: the expanding polytope is several times faster than the exact method on bodies of 20 points and dozens of times on larger ones,
-/// and where near ties make it long, exact takes over at a price below its own. --closest-lines asks for exact.
-Method method_of(const std::string& text, bool asks_for_lines) {
-  if (text == "naive") return Method::naive;
-  if (text == "shallow") return Method::shallow;
-  if (text == "exact" || asks_for_lines) return Method::exact;
-  return Method::certificate;
 }
 
 /// The request, unless its parts contradict each other.
@@ -191,7 +182,10 @@ Arguments completed(Request request, const Texts& texts) {
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
-  request.method = method_of(texts.method, !texts.closest_lines.empty());
+  if (texts.method == "exact") request.method = Method::exact;
+  if (texts.method == "naive") request.method = Method::naive;
+  request.shallow = texts.method == "shallow";
+  if (texts.closest_lines == "cutting") request.closest_lines = ClosestLines::cutting;
   if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
   if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
   return {std::move(request), "", fine};

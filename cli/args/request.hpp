@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user asked for, once the command line has been understood.
+// What the user asked for, as parsed from the command line.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,9 @@ struct Request {
   Command command = Command::depth;
   std::vector<std::string>
       inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
-  Method method = Method::exact;
-  ClosestLines closest_lines = ClosestLines::cutting;
+  Method method = Method::automatic;
+  bool shallow = false;  ///< use shallow_depth instead of a Method
+  std::optional<ClosestLines> closest_lines;
   std::uint64_t seed = 1;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
   bool json = false;
@@ -36,5 +37,8 @@ struct Request {
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves
 };
+
+/// `width` looks at one body, against itself.
+inline bool has_one_body(const Request& request) { return request.command == Command::width; }
 
 }  // namespace fathom::cli

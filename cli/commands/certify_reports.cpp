@@ -25,10 +25,9 @@ using harness::Outcome;
 /// The proof of the truth about a case, accepted by the checker.
 std::string certificate_of(const Case& seen, Progress& progress) {
   Options options;
-  options.method = Method::certificate;
-  options.progress = [&](const std::string& stage, double share) { return progress.report(stage, share); };
+  options.monitor = &progress;
   const Depth depth = penetration_depth(seen.a.points, seen.b.points, options);
-  Certificate certificate = make_certificate(seen.a.points, seen.b.points, depth, options);
+  Certificate certificate = make_certificate(seen.a.points, seen.b.points, depth, &progress);
   certificate.id = seen.id;
   const std::string text = certificate_text(certificate);
   if (const fathom_check::Verdict verdict = fathom_check::verify(text); !verdict.accepted())

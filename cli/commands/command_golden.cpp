@@ -24,7 +24,7 @@ namespace {
 constexpr const char* mpi_program = "fathom-golden-mpi";
 constexpr ExitCode refused = static_cast<ExitCode>(1);
 
-/// Whether an MPI launcher started several of us.
+/// Whether an MPI launcher started several processes.
 bool is_one_of_many() {
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
   return size != nullptr && std::atoi(size) > 1;
@@ -46,11 +46,11 @@ std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const G
   return ours;
 }
 
-/// Makes what is missing of the request's part. How many shards that were, and how many the release has.
+/// Makes the missing shards of the request's part. Returns their number, and that of the release.
 std::pair<std::size_t, std::size_t> make_shards(const GoldenRequest& request) {
   GoldenProgress progress("cases");
-  golden::GenerateOptions options{request.level, request.seed, request.folder, request.jobs, {}, {}};
-  options.keep_going = [] { return !interrupt_requested(); };
+  StopOnInterrupt interrupt;
+  golden::GenerateOptions options{request.level, request.seed, request.folder, request.jobs, &interrupt, {}};
   options.report = [&](const golden::Done& done) { progress.report(done.recipes, done.of, done.shard); };
   const golden::Generation generation(options);
   const std::vector<std::size_t> wanted = in_part(generation.unfinished(), request);
@@ -73,8 +73,8 @@ ExitCode verify(const GoldenRequest& request) {
   golden::Verified verified;
   {
     GoldenProgress progress("records");
-    golden::VerifyOptions options{request.jobs, {}, {}};
-    options.keep_going = [] { return !interrupt_requested(); };
+    StopOnInterrupt interrupt;
+    golden::VerifyOptions options{request.jobs, &interrupt, {}};
     options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
     verified = golden::verify(request.folder, options);
   }

@@ -39,6 +39,11 @@ std::string without_controls(std::string_view text) {
   return result;
 }
 
+std::string fault_text(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+  return std::string("internal error: ") + error.what();
+}
+
 void talk(std::string_view text) {
   std::string line = "fathom: ";
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -9,8 +9,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "cli/io/interrupt.hpp"
-
 namespace fathom::cli {
 namespace {
 
@@ -60,12 +58,11 @@ void Progress::about(std::string what) {
   what_ = std::move(what);
 }
 
-bool Progress::report(const std::string& stage, double share) {
+void Progress::report(std::string_view stage, double share) {
   const std::lock_guard lock(mutex_);
   stage_ = stage;
   share_ = std::min(share, 1.0);
   active_ = true;
-  return !interrupt_requested();
 }
 
 void Progress::clear() {

@@ -6,21 +6,24 @@
 #include <condition_variable>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <thread>
+
+#include "cli/io/interrupt.hpp"
 
 namespace fathom::cli {
 
-class Progress {
+class Progress : public StopOnInterrupt {
  public:
   Progress();
-  ~Progress();
+  ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Names what the next reports are about: "line 12". Does not restart the clock.
   void about(std::string what);
-  /// For Options::progress. False once the user has asked to stop. A share below 0 is unknown, and has no bar.
-  bool report(const std::string& stage, double share);
+  /// A share below 0 is unknown, and has no bar.
+  void report(std::string_view stage, double share) override;
   /// Takes the bar off the screen until the next report, so that other text can be printed.
   void clear();
   /// The same before text for standard output: where that is no terminal the bar stays, or short cases in quick succession would show none.

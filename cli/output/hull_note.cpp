@@ -22,13 +22,14 @@ constexpr std::size_t worth_a_thread = 2048;  // points
 /// What there is to say of the points of a body; empty if all are extreme.
 std::string note_on(char body, const std::vector<Point>& points) {
   if (all_seen_extreme(points)) return "";
-  const std::optional<Lattice> lattice = slim_lattice(points, std::span(points).first(1));
-  if (!lattice) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
-  const Polytope hull = convex_hull(lattice->a);
-  DistinctPoints extreme = no_points_yet(lattice->a, hull.input_ids.size());
+  const std::optional<PlacedPair> placed = place_if_slim(points, std::span(points).first(1));
+  if (!placed) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  const std::vector<Vector>& integers = placed->a.points();
+  const Polytope hull = convex_hull(integers);
+  DistinctPoints extreme = no_points_yet(integers, hull.input_ids.size());
   extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
   std::size_t inner = 0;
-  for (std::uint32_t i = 0; i < lattice->a.size(); ++i) inner += !extreme.contains(i);
+  for (std::uint32_t i = 0; i < integers.size(); ++i) inner += !extreme.contains(i);
   return inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, inner, points.size()) : "";
 }
 

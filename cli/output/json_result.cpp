@@ -9,8 +9,6 @@
 namespace fathom::cli {
 namespace {
 
-constexpr const char* schema = "fathom/result/1";
-
 Json optima_array(const Depth& depth) {
   Json result = Json::array();
   for (const Optimum& optimum : depth.optima()) {
@@ -52,27 +50,24 @@ Json counters_object(const Counters& counters) {
 
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  Json result = {{"schema", schema}, {"id", answer.id}, {"status", name(depth.status())}};
+  Json result = {{"schema", result_schema}, {"id", answer.id}, {"status", name(depth.status())}};
   result["depth"] = length(depth.squared(), request.digits);
   result["translation"] = exact(depth.translation());
-  result["direction"] = depth.direction() ? exact(depth.direction()) : Json();
+  result["direction"] = exact(depth.direction());
   result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
   result["witness"] = depth.witness() ? witness_object(*depth.witness()) : Json();
   result["optima"] = optima_array(depth);
   if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
-  result["flat"] = flat_array(depth.flat_a, depth.flat_b);
-  result["method"] = answer.approximation ? "approx" : name(depth.method);
-  if (answer.approximation) {
-    result["delta"] = exact_text(answer.approximation->delta);
-    result["rays"] = answer.approximation->rays;
-    result["bound"] = length(answer.approximation->bound_squared, request.digits);
-  }
+  result["flat"] = flat_array(depth);
+  result["method"] = method_name(depth);
   if (request.counters) result["counters"] = counters_object(depth.counters);
   if (request.embed_certificate) result["certificate"] = answer.certificate;
   if (request.command == Command::width) result["width"] = result["depth"];
   return one_line(result);
 }
 
-std::string json_error(const std::string& id, std::size_t line, std::string_view error) { return error_object(schema, id, line, error); }
+std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
+  return error_object(result_schema, id, line, error);
+}
 
 }  // namespace fathom::cli

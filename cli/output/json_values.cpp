@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "cli/commands/answer.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
@@ -50,10 +49,10 @@ Json contact_object(const Contact& contact) { return {{"kind", name(contact.kind
 
 Json witness_object(const Witness& witness) { return {{"a", exact(witness.a)}, {"b", exact(witness.b)}}; }
 
-Json flat_array(bool a, bool b) {
+Json flat_array(const BodyFacts& facts) {
   Json result = Json::array();
-  if (a) result.push_back("a");
-  if (b) result.push_back("b");
+  if (facts.flat_a) result.push_back("a");
+  if (facts.flat_b) result.push_back("b");
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/text_result.hpp"
@@ -46,7 +45,7 @@ Json optima_array(const MetricResult& result) {
                      {"translation", exact(optimum.translation)},
                      {"direction", exact(optimum.direction)},
                      {"contact", contact_object(optimum.contact)},
-                     {"witness", optimum.witness ? witness_object(*optimum.witness) : Json()}});
+                     {"witness", witness_object(optimum.witness)}});
   }
   return array;
 }
@@ -58,14 +57,14 @@ std::string direction_label(const MetricResult& result) { return result.status()
 std::string metric_block(const MetricResult& result, const UnitBall& ball) {
   std::vector<Row> rows{{"depth", decimal(result.depth())}, {"exactly", exact_text(result.depth())}, {"unit ball", ball_text(ball)}};
   if (!result.optima().empty()) rows.emplace_back("vertices", deciding_text(result));
-  if (result.direction()) rows.emplace_back(direction_label(result), direction_text(result.direction()));
+  rows.emplace_back(direction_label(result), direction_text(result.direction()));
   if (!result.optima().empty()) {
     const MetricOptimum& first = result.optima().front();
     rows.emplace_back("translation", point_text(first.translation));
     rows.emplace_back("contact", contact_text(first.contact));
-    if (first.witness) rows.push_back(witness_row(*first.witness));
+    rows.push_back(witness_row(first.witness));
   }
-  if (const std::string flat = flat_text(result.flat_a, result.flat_b); !flat.empty()) rows.emplace_back("flat", flat);
+  if (const std::string flat = flat_text(result); !flat.empty()) rows.emplace_back("flat", flat);
   if (result.flat_a && result.status() == Status::penetrating) rows.push_back(flat_note());
   return aligned(std::string(name(result.status())), rows);
 }
@@ -76,11 +75,11 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
   if (!result.optima().empty()) {
     parts.push_back("translation " + point_text(result.optima().front().translation));
     parts.emplace_back(name(result.optima().front().contact.kind));
-  } else if (result.direction()) {
+  } else {
     parts.push_back(direction_label(result) + " " + direction_text(result.direction()));
   }
   if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
-  if (const std::string flat = flat_text(result.flat_a, result.flat_b); !flat.empty()) parts.push_back("flat " + flat);
+  if (const std::string flat = flat_text(result); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
 }
 
@@ -88,10 +87,10 @@ std::string metric_json(const std::string& id, const MetricResult& result, const
   Json object = {{"schema", schema}, {"id", id}, {"status", name(result.status())}};
   object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};
   object["depth"] = number(result.depth());
-  object["direction"] = result.direction() ? exact(result.direction()) : Json();
+  object["direction"] = exact(result.direction());
   object["optima"] = optima_array(result);
-  object["flat"] = flat_array(result.flat_a, result.flat_b);
-  object["rays"] = result.rays;
+  object["flat"] = flat_array(result);
+  object["rays"] = result.penetration() ? result.penetration()->rays : 0;
   return one_line(object);
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/text_result.hpp"
@@ -26,10 +25,12 @@ std::string ray_block(const DirectionalDepth& depth, const Request& request) {
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
   rows.emplace_back("factor", exact_text(depth.factor()));
   if (depth.status() == Status::penetrating) rows.emplace_back("translation", point_text(depth.translation()));
-  if (depth.normal()) rows.emplace_back(normal_label(depth), direction_text(depth.normal()));
-  if (depth.contact) rows.emplace_back("contact", contact_text(*depth.contact));
-  if (depth.witness) rows.push_back(witness_row(*depth.witness));
-  if (const std::string flat = flat_text(depth.flat_a, depth.flat_b); !flat.empty()) rows.emplace_back("flat", flat);
+  rows.emplace_back(normal_label(depth), direction_text(depth.normal()));
+  if (const RayExit* exit = depth.penetration()) {
+    rows.emplace_back("contact", contact_text(exit->contact));
+    rows.push_back(witness_row(exit->witness));
+  }
+  if (const std::string flat = flat_text(depth); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
   return aligned(std::string(name(depth.status())), rows);
 }
@@ -37,22 +38,23 @@ std::string ray_block(const DirectionalDepth& depth, const Request& request) {
 std::string ray_line(const std::string& id, const DirectionalDepth& depth) {
   std::vector<std::string> parts{std::string(name(depth.status())), "length " + root_text(depth.squared())};
   if (depth.status() == Status::penetrating) parts.push_back("translation " + point_text(depth.translation()));
-  if (depth.normal()) parts.push_back(normal_label(depth) + " " + direction_text(depth.normal()));
-  if (depth.contact) parts.emplace_back(name(depth.contact->kind));
-  if (const std::string flat = flat_text(depth.flat_a, depth.flat_b); !flat.empty()) parts.push_back("flat " + flat);
+  parts.push_back(normal_label(depth) + " " + direction_text(depth.normal()));
+  if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
+  if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
 }
 
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request) {
+  const RayExit* const exit = depth.penetration();
   Json result = {{"schema", schema}, {"id", id}, {"status", name(depth.status())}, {"ray", exact(*request.direction)}};
   result["factor"] = exact_text(depth.factor());
   result["length"] = length(depth.squared(), request.digits);
   result["translation"] = exact(depth.translation());
-  result["normal"] = depth.normal() ? exact(depth.normal()) : Json();
-  result["contact"] = depth.contact ? contact_object(*depth.contact) : Json();
-  result["witness"] = depth.witness ? witness_object(*depth.witness) : Json();
-  result["flat"] = flat_array(depth.flat_a, depth.flat_b);
-  result["steps"] = depth.steps;
+  result["normal"] = exact(depth.normal());
+  result["contact"] = exit ? contact_object(exit->contact) : Json();
+  result["witness"] = exit ? witness_object(exit->witness) : Json();
+  result["flat"] = flat_array(depth);
+  result["steps"] = exit ? exit->steps : 0;
   return one_line(result);
 }
 

@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "kernels/number/parse.hpp"

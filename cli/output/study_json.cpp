@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/study_output.hpp"
 #include "kernels/number/infinitesimal.hpp"
 #include "kernels/number/parse.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_result.hpp"

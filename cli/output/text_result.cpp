@@ -17,38 +17,15 @@
 namespace fathom::cli {
 namespace {
 
-constexpr std::size_t longest_in_line = 40;
-
-bool is_width(const Request& request) { return request.command == Command::width; }
-
-std::string quantity(const Request& request) { return is_width(request) ? "width" : "depth"; }
-
 /// A pair of planes is found from both of its sides.
 std::size_t ties(const Depth& depth, const Request& request) {
-  return is_width(request) ? depth.optima().size() / 2 : depth.optima().size();
+  return has_one_body(request) ? depth.optima().size() / 2 : depth.optima().size();
 }
 
 std::string ties_text(const Depth& depth, const Request& request) {
   const std::size_t count = ties(depth, request);
-  const std::string_view many = is_width(request) ? "pairs of planes" : "nearest facets";
+  const std::string_view many = has_one_body(request) ? "pairs of planes" : "nearest facets";
   return count == 1 ? "none" : fmt::format("{} {}; the first is shown, --json lists all", count, many);
-}
-
-/// An approximation tells no distance: of disjoint bodies it knows some plane between them.
-std::string direction_label(const Answer& answer) {
-  return answer.approximation && answer.depth.status() == Status::disjoint ? "separating normal" : "direction";
-}
-
-/// What is known of a depth up to a factor: two bounds.
-void add_bounds(std::vector<Row>& rows, const Answer& answer, const Request& request) {
-  const Approximation& approximation = *answer.approximation;
-  const std::string what = quantity(request);
-  rows.emplace_back(what + " at most", root_text(answer.depth.squared()));
-  rows.emplace_back(what + "^2 at most", exact_text(answer.depth.squared()));
-  rows.emplace_back(what + " at least", root_text(approximation.bound_squared));
-  if (request.digits) rows.emplace_back("enclosure", enclosure_text(answer.depth.squared(), *request.digits));
-  rows.emplace_back("delta", exact_text(approximation.delta));
-  rows.emplace_back("rays", fmt::format("{}", approximation.rays));
 }
 
 void add_distance(std::vector<Row>& rows, const Distance& distance, const Request& request) {
@@ -61,35 +38,30 @@ void add_distance(std::vector<Row>& rows, const Distance& distance, const Reques
 
 void add_result(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  if (answer.approximation) {
-    add_bounds(rows, answer, request);
-  } else {
-    rows.emplace_back(quantity(request), root_text(depth.squared()));
-    rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared()));
-    if (request.digits && !depth.distance()) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
-  }
+  rows.emplace_back(quantity(request), root_text(depth.squared()));
+  rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared()));
+  if (request.digits && !depth.distance()) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
   if (depth.distance()) add_distance(rows, *depth.distance(), request);
-  if (depth.direction()) rows.emplace_back(direction_label(answer), direction_text(depth.direction()));
-  if (depth.status() == Status::penetrating && !is_width(request)) rows.emplace_back("translation", point_text(depth.translation()));
-  if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), is_width(request)));
-  if (depth.witness()) rows.push_back(witness_row(*depth.witness(), is_width(request)));
+  rows.emplace_back("direction", direction_text(depth.direction()));
+  if (depth.status() == Status::penetrating && !has_one_body(request)) rows.emplace_back("translation", point_text(depth.translation()));
+  if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), has_one_body(request)));
+  if (depth.witness()) rows.push_back(witness_row(*depth.witness(), has_one_body(request)));
   if (!depth.optima().empty()) rows.emplace_back("ties", ties_text(depth, request));
 }
 
-std::string flat_bodies(const Depth& depth, const Request& request) { return flat_text(depth.flat_a, depth.flat_b && !is_width(request)); }
-
 // Which method answered, and why if it is not the one that was tried first.
 std::string method_text(const Depth& depth, const Request& request) {
-  const std::string ran(name(depth.method));
+  const std::string ran(method_name(depth));
   if (depth.method == Method::certificate) return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
-  if (request.method == Method::certificate) return ran + ": the inner polytope took too many points";
+  if (request.method == Method::automatic && !request.shallow && !request.closest_lines)
+    return ran + ": the inner polytope took too many points";
   return ran;
 }
 
 void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  if (depth.status() == Status::penetrating && !answer.approximation) rows.emplace_back("method", method_text(depth, request));
-  if (const std::string flat = flat_bodies(depth, request); !flat.empty()) rows.emplace_back("flat", flat);
+  if (depth.status() == Status::penetrating) rows.emplace_back("method", method_text(depth, request));
+  if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
 }
 
@@ -118,25 +90,24 @@ std::string text_block(const Answer& answer, const Request& request) {
   add_result(rows, answer, request);
   add_notes(rows, answer, request);
   if (request.counters) add_counters(rows, answer.depth.counters);
-  return aligned(is_width(request) ? "" : std::string(name(answer.depth.status())), rows);
+  return aligned(has_one_body(request) ? "" : std::string(name(answer.depth.status())), rows);
 }
 
 std::string text_line(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
   std::vector<std::string> parts;
-  if (!is_width(request)) parts.emplace_back(name(depth.status()));
-  parts.push_back(quantity(request) + (answer.approximation ? " at most " : " ") + root_text(depth.squared()));
-  if (answer.approximation) parts.push_back("at least " + root_text(answer.approximation->bound_squared));
+  if (!has_one_body(request)) parts.emplace_back(name(depth.status()));
+  parts.push_back(quantity(request) + " " + root_text(depth.squared()));
   if (depth.status() == Status::penetrating) {
     const std::string squared = exact_text(depth.squared());
-    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + (answer.approximation ? "^2 at most " : "^2 ") + squared);
+    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + "^2 " + squared);
     if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
   }
   if (depth.distance()) parts.push_back("distance " + root_text(depth.distance()->squared));
-  if (depth.direction()) parts.push_back(direction_label(answer) + " " + direction_text(depth.direction()));
+  parts.push_back("direction " + direction_text(depth.direction()));
   if (depth.contact()) parts.emplace_back(name(depth.contact()->kind));
   if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
-  if (const std::string flat = flat_bodies(depth, request); !flat.empty()) parts.push_back("flat " + flat);
+  if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);
   std::vector<Row> rows;
   if (request.counters) add_counters(rows, depth.counters);
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);

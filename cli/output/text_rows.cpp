@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "cli/commands/answer.hpp"
 #include "cli/output/decimal.hpp"
 #include "kernels/number/enclosure.hpp"
 
@@ -22,6 +21,8 @@ std::string indices_text(const std::vector<std::uint32_t>& indices) {
 }
 
 }  // namespace
+
+std::string quantity(const Request& request) { return has_one_body(request) ? "width" : "depth"; }
 
 std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
   std::size_t column = 0;
@@ -42,7 +43,10 @@ Row witness_row(const Witness& witness, bool same_body) {
   return {"witness", fmt::format("{} of A, {} of {}", point_text(witness.a), point_text(witness.b), same_body ? "A" : "B")};
 }
 
-std::string flat_text(bool a, bool b) { return a && b ? "A and B" : a ? "A" : b ? "B" : ""; }
+std::string flat_text(const BodyFacts& facts, bool same_body) {
+  const bool b = facts.flat_b && !same_body;
+  return facts.flat_a && b ? "A and B" : facts.flat_a ? "A" : b ? "B" : "";
+}
 
 Row flat_note() { return {"note", "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"}; }
 

@@ -31,7 +31,8 @@ Sign above_same_colour(const PerturbedKernel& kernel, const Charts& charts, Colo
   }
   if (e.right != f.right) {
     const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
-    return earlier ? node_above_arc(kernel, charts, colour, e.right, colour, f) : -node_above_arc(kernel, charts, colour, f.right, colour, e);
+    return earlier ? node_above_arc(kernel, charts, colour, e.right, colour, f)
+                   : -node_above_arc(kernel, charts, colour, f.right, colour, e);
   }
   // Both run from one node to the same infinity, or from it to one node: the order there is that of their slopes.
   const Sign far_left = above_far_left(kernel, charts, colour, e, colour, f);

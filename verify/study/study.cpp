@@ -7,6 +7,7 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/predicates/perturbation.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -106,10 +107,11 @@ Study study(Context& context, std::span<const Point> a, std::span<const Point> b
   return result;
 }
 
-std::string monomial_name(std::uint64_t packed, const Perturbation& perturbation) {
+std::string monomial_name(std::uint64_t packed) {
   constexpr std::array<std::string_view, infinitesimals> names{"E11", "E12", "E13", "E21", "E22", "E23",
                                                                "E31", "E32", "E33", "a",   "b",   "c"};
   const Monomial monomial = Monomial::unpacked(packed);
+  const Perturbation perturbation;
   std::string result;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const unsigned exponent = monomial.exponent(perturbation.rank[i]);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/replies.hpp"
+
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "cli/output/hull_note.hpp"
+#include "cli/output/json_values.hpp"
+#include "reference/files/mesh.hpp"
+#include "reference/files/source.hpp"
+
+namespace fathom::cli {
+namespace {
+
+ExitCode reply_to_stream(const Request& request, const Replies& replies) {
+  StreamWork work;
+  work.one_body = has_one_body(request);
+  work.header = replies.header;
+  work.error_line = replies.error_line;
+  work.answer = [&](const Case& single, Progress& progress) {
+    const std::string reply = replies.reply(single, progress);
+    progress.answered();
+    print(reply);
+  };
+  return for_each_case(request.inputs[0], work);
+}
+
+Case single_case(const Request& request) {
+  const auto mesh = [&](std::size_t i) { return read_mesh(request.inputs[i], request.decimals); };
+  Case single =
+      has_one_body(request) ? Case{request.inputs[0], mesh(0), {}} : Case{request.inputs[0] + " " + request.inputs[1], mesh(0), mesh(1)};
+  single.id = valid_utf8(single.id);  // of file names; result and certificate are to agree on it
+  return single;
+}
+
+}  // namespace
+
+bool is_stream(const Request& request) {
+  if (!has_one_body(request)) return request.inputs.size() == 1;
+  const std::string& input = request.inputs[0];  // its name tells
+  const std::string kind = extension(input);
+  return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
+}
+
+ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
+  if (is_stream(request)) return reply_to_stream(request, replies);
+  const Case single = single_case(request);
+  const Working working;
+  Progress progress;
+  const std::string reply = replies.reply(single, progress);
+  progress.answered();
+  tell_of_hulls(single, has_one_body(request), progress);
+  if (!replies.header.empty()) print(replies.header);
+  print(reply);
+  return fine;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all commands on bodies share: they reply to one case of mesh files, or to each case of a stream.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/args/request.hpp"
+#include "cli/io/case_stream.hpp"
+#include "cli/io/exit_code.hpp"
+#include "cli/io/progress.hpp"
+#include "reference/files/body.hpp"
+
+namespace fathom::cli {
+
+/// Returns whether the request's input is a stream of cases. Otherwise it is the meshes of a single case.
+bool is_stream(const Request& request);
+
+/// How a command replies to cases.
+struct Replies {
+  /// Returns the reply to a case, without the last newline: several lines for a single case, one line in a stream. May throw anything.
+  std::function<std::string(const Case&, Progress&)> reply;
+  /// As in StreamWork.
+  std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
+  /// Printed before all replies, unless empty.
+  std::string header = {};
+};
+
+/// Prints the replies to the request's inputs. Throws as for_each_case does.
+ExitCode reply_to_inputs(const Request& request, const Replies& replies);
+
+}  // namespace fathom::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/approx_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/output/decimal.hpp"
+#include "cli/output/json_result.hpp"
+#include "cli/output/json_values.hpp"
+#include "cli/output/text_result.hpp"
+#include "cli/output/text_rows.hpp"
+#include "kernels/number/parse.hpp"
+
+namespace fathom::cli {
+namespace {
+
+/// Tells no distance: for disjoint bodies an approximation has only a plane between them.
+std::string direction_label(const ApproxDepth& depth) { return depth.status() == Status::disjoint ? "separating normal" : "direction"; }
+
+std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
+
+}  // namespace
+
+std::string approx_block(const ApproxDepth& depth, const Request& request) {
+  const std::string what = quantity(request);
+  std::vector<Row> rows;
+  rows.emplace_back(what + " at most", root_text(depth.squared()));
+  rows.emplace_back(what + "^2 at most", exact_text(depth.squared()));
+  rows.emplace_back(what + " at least", root_text(depth.bound_squared()));
+  if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
+  rows.emplace_back("delta", exact_text(depth.delta));
+  rows.emplace_back("rays", fmt::format("{}", rays(depth)));
+  rows.emplace_back(direction_label(depth), direction_text(depth.direction()));
+  if (const ApproxPenetration* found = depth.penetration()) {
+    if (!has_one_body(request)) rows.emplace_back("translation", point_text(found->translation));
+    rows.emplace_back("contact", contact_text(found->contact, has_one_body(request)));
+    if (found->witness) rows.push_back(witness_row(*found->witness, has_one_body(request)));
+  }
+  if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
+  if (depth.flat_a && depth.penetration()) rows.push_back(flat_note());
+  return aligned(has_one_body(request) ? "" : std::string(name(depth.status())), rows);
+}
+
+std::string approx_line(const std::string& id, const ApproxDepth& depth, const Request& request) {
+  std::vector<std::string> parts;
+  if (!has_one_body(request)) parts.emplace_back(name(depth.status()));
+  parts.push_back(quantity(request) + " at most " + root_text(depth.squared()));
+  parts.push_back("at least " + root_text(depth.bound_squared()));
+  if (depth.penetration()) {
+    const std::string squared = exact_text(depth.squared());
+    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + "^2 at most " + squared);
+    if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
+  }
+  parts.push_back(direction_label(depth) + " " + direction_text(depth.direction()));
+  if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
+  if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);
+  return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
+}
+
+std::string approx_json(const std::string& id, const ApproxDepth& depth, const Request& request) {
+  const ApproxPenetration* const found = depth.penetration();
+  Json result = {{"schema", result_schema}, {"id", id}, {"status", name(depth.status())}};
+  result["depth"] = length(depth.squared(), request.digits);
+  result["translation"] = exact(depth.translation());
+  result["direction"] = exact(depth.direction());
+  result["contact"] = found ? contact_object(found->contact) : Json();
+  result["witness"] = found && found->witness ? witness_object(*found->witness) : Json();
+  result["optima"] = Json::array();
+  result["flat"] = flat_array(depth);
+  result["method"] = "approx";
+  result["delta"] = exact_text(depth.delta);
+  result["rays"] = rays(depth);
+  result["bound"] = length(depth.bound_squared(), request.digits);
+  if (has_one_body(request)) result["width"] = result["depth"];
+  return one_line(result);
+}
+
+}  // namespace fathom::cli
