@@ -10,14 +10,11 @@
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/width.hpp"
-#include "reference/approximate/metric.hpp"
-#include "reference/approximate/separation.hpp"
-#include "reference/approximate/shallow.hpp"
-#include "reference/certificate/certificate.hpp"
+#include "reference/depth/gap.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 
@@ -52,15 +49,12 @@ TEST(LowestTerms, AreAskedExactly) {
 using Door = std::function<void(const Points& a, const Points& b)>;
 
 Door depth_by(Method method) {
-  return [method](const Points& a, const Points& b) {
-    Options options;
-    options.method = method;
-    penetration_depth(a, b, options);
-  };
+  return [method](const Points& a, const Points& b) { penetration_depth(a, b, {.method = method}); };
 }
 
 const std::map<std::string, Door>& doors() {
   static const std::map<std::string, Door> result{
+      {"automatic", depth_by(Method::automatic)},
       {"exact", depth_by(Method::exact)},
       {"naive", depth_by(Method::naive)},
       {"certificate", depth_by(Method::certificate)},
@@ -72,12 +66,16 @@ const std::map<std::string, Door>& doors() {
        }},
       {"metric",
        [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
-      {"certify", [](const Points& a, const Points& b) { make_certificate(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"certificate of a depth, found anew", certified(mpq_class(1, 2), Method::exact)},
+      {"certificate of a depth that brings its proof along", certified(mpq_class(1, 2), Method::automatic)},
+      {"certificate of a touch", certified(1, Method::exact)},
+      {"certificate of a distance", certified(2, Method::exact)},
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
-      {"gap", [](const Points& a, const Points& b) { second_nearest_squared(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"gap", [](const Points& a,
+                 const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
       {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
-      {"lattice", [](const Points& a, const Points& b) { common_lattice(a, b); }},
+      {"placed", [](const Points& a, const Points& b) { place(a, b); }},
       {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
       {"judge",
        [](const Points& a, const Points& b) {

@@ -78,11 +78,12 @@ void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, co
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   const DefaultFloatEnvironment environment;
   Context context(options.monitor);
+  return study(context, a, b, options);
+}
+
+Study study(Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   Study result;
-  Options depth_options;
-  depth_options.method = Method::exact;
-  depth_options.monitor = options.monitor;
-  result.depth = penetration_depth(a, b, depth_options);
+  result.depth = penetration_depth(a, b, {.method = Method::exact, .monitor = options.monitor});
   context.report("hulls");
   const PlacedPair placed = place(a, b);
   Bodies bodies{placed.a.points(), placed.b.points()};
