@@ -66,10 +66,6 @@ const std::map<std::string, Door>& doors() {
        }},
       {"metric",
        [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
-      {"certificate of a depth, found anew", certified(mpq_class(1, 2), Method::exact)},
-      {"certificate of a depth that brings its proof along", certified(mpq_class(1, 2), Method::automatic)},
-      {"certificate of a touch", certified(1, Method::exact)},
-      {"certificate of a distance", certified(2, Method::exact)},
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
       {"gap", [](const Points& a,
                  const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
@@ -108,6 +104,26 @@ TEST(LowestTerms, AreRequiredOfPointsAtEveryDoor) {
         }
       }
     }
+  }
+}
+
+// Whether or not the proof has to be sought in the bodies.
+TEST(LowestTerms, AreRequiredOfBodiesThatGetACertificate) {
+  struct Answered {
+    mpq_class at;
+    Method method;
+  };
+  for (const auto& [at, method] : {Answered{mpq_class(1, 2), Method::exact}, Answered{mpq_class(1, 2), Method::automatic},
+                                   Answered{1, Method::exact}, Answered{2, Method::exact}}) {
+    const Points a = cube(0), b = cube(at);
+    const Depth answer = penetration_depth(a, b, {.method = method});
+    EXPECT_NO_THROW(make_certificate(a, b, answer));
+    EXPECT_THROW(make_certificate({}, b, answer), std::invalid_argument);
+    Points bad = b;
+    std::destroy_at(&bad[7].z);
+    std::construct_at(&bad[7].z, raw(2, 4));
+    EXPECT_THROW(make_certificate(a, bad, answer), std::invalid_argument) << name(answer.status());
+    EXPECT_THROW(make_certificate(bad, a, answer), std::invalid_argument) << name(answer.status());
   }
 }
 
