@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line `fathom`: understand the arguments, run the command, turn what went wrong into one sentence and an exit code.
+// The command line `fathom`: parses the arguments, runs the command, and turns errors into one sentence and an exit code.
 #include <exception>
 #include <string>
 #include <string_view>

@@ -23,4 +23,6 @@ int main() {
   std::cout << fathom_check::verify(text + "end\n").accepted() << "\n";
 }
 
-//> TODO
+//> s VERIFIED penetrating depth_squared=1/3 optima=1 tetrahedra
+//> s VERIFIED penetrating depth_squared_in=[1/4,1] bounds
+//> 0

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <fathom/cgal.hpp>
+#include <fathom/width.hpp>
 #include <iostream>
 #include <vector>
 
@@ -21,9 +22,19 @@ int main() {
   const CGAL::Exact_rational squared = fathom::to_exact_rational(depth.squared());
   const Exact::Vector_3 way_out = fathom::to_vector_3<Exact>(depth.translation());
   const Exact::Point_3 witness = fathom::to_point_3<Exact>(depth.penetration()->witness.a);
-  std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (way_out.squared_length() == squared) << "\n";
+  std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared)
+            << "\n";
   std::cout << "it begins in (" << CGAL::exact(witness.x()) << ", " << CGAL::exact(witness.y()) << ", " << CGAL::exact(witness.z())
             << ")\n";
+
+  // Other functions take exact points, and what they return can be made a number or point of any exact kernel.
+  const fathom::Depth width = fathom::width(fathom::exact_points(mesh));
+  const auto across = fathom::to_vector_3<Exact>(width.direction());
+  std::cout << "width^2 = " << fathom::to_number<Exact::FT>(width.squared()) << ", across (" << across << ")\n";
+  std::cout << "a third is " << fathom::exact_value(third) << ", and " << fathom::exact_point(points[1]).x << "\n";
 }
 
-//> TODO
+//> depth^2 = 1/9, which is the length^2 of the way out: 1
+//> it begins in (1/6, 2/3, 0)
+//> width^2 = 1, across (-1 0 0)
+//> a third is 1/3, and 1/3

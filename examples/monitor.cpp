@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Watching a long computation, and stopping it.
 #include <fathom/depth.hpp>
+#include <fathom/monitor.hpp>
 #include <iostream>
 #include <vector>
 
@@ -32,4 +33,5 @@ int main() {
   }
 }
 
-//> TODO
+//> hulls
+//> stopped

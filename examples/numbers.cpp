@@ -21,4 +21,9 @@ int main() {
   std::cout << root.low << " < sqrt(2) < " << root.high << "\n";
 }
 
-//> TODO
+//> 1/10 or 3602879701896397/36028797018963968, as a double holds 1
+//> expected a number, found '1/0': the denominator is zero
+//> 0x1.6a09e667f3bcdp+0 0x1.6a09e6p+0 0x1.999999999999ap-4 0x1.99999ap-4
+//> 0x1.6a09e667f3bccp+0 0x1.6a09e6p+0 0x1.9999999999999p-4 0x1.999998p-4
+//> 0x1.6a09e667f3bcdp+0 0x1.6a09e8p+0 0x1.999999999999ap-4 0x1.99999ap-4
+//> 1.41421356237309504880168872420 < sqrt(2) < 1.41421356237309504880168872421

@@ -19,8 +19,9 @@ void tell(const mpq_class& x) {
   std::cout << "at " << x << ": " << fathom::name(depth.status());
   if (const fathom::Penetration* penetration = depth.penetration()) {
     const fathom::Optimum& first = penetration->optima.front();
-    std::cout << ", depth^2 = " << penetration->squared << ", " << penetration->optima.size() << " shortest ways out, the first of kind "
+    std::cout << ", depth^2 = " << penetration->squared << ", shortest ways out: " << penetration->optima.size() << ", the first of kind "
               << fathom::name(first.contact.kind);
+    std::cout << ", from corner " << depth.contact()->a.front() << " at x = " << depth.witness()->a.x << " to x = " << depth.witness()->b.x;
     if (const auto next = fathom::second_nearest_squared(body, cube, *penetration)) std::cout << ", the next facet^2 = " << *next;
   } else if (const fathom::Touch* touch = depth.touch()) {
     std::cout << " in (" << touch->point.x << ", " << touch->point.y << ", " << touch->point.z << ")";
@@ -35,6 +36,11 @@ int main() {
   tell(mpq_class(3, 2));
   tell(mpq_class(5, 4));
   tell(mpq_class(1, 2));
+  std::cout << (fathom::status_named("touching") == fathom::Status::touching) << "\n";  // the words can be read back
 }
 
 //> at 2: disjoint, distance^2 = 1/4, signed -1/4
+//> at 3/2: touching in (1, 1/2, 1/2), signed 0
+//> at 5/4: penetrating, depth^2 = 1/16, shortest ways out: 1, the first of kind vertex-facet, from corner 1 at x = 3/4 to x = 1, the next facet^2 = 9/32, signed 1/16
+//> at 1/2: penetrating, depth^2 = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the next facet^2 = 9/8, signed 1
+//> 1

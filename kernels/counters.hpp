@@ -6,11 +6,11 @@
 
 namespace fathom {
 
-/// What was counted since `before` was read.
+/// Returns what was counted since `before` was copied.
 PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& before);
 PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more);
 
-/// Adds what was counted elsewhere; the seed stays.
+/// Adds the counts of `more`; the seed stays.
 Counters& operator+=(Counters& sum, const Counters& more);
 
 }  // namespace fathom

@@ -34,7 +34,7 @@ auto ids_below(std::size_t count) {
          std::views::transform([](std::uint32_t i) { return I(i); });
 }
 
-/// A vector whose elements are found by ids of type I alone.
+/// A vector that is indexed by ids of type I alone.
 template <class I, class T>
 struct IdVector : std::vector<T> {
   using std::vector<T>::vector;

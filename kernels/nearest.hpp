@@ -23,14 +23,14 @@ class NearestPlanes {
   [[nodiscard]] bool nearer_than(const Vector& normal, const mpz_class& height) const;
 
   [[nodiscard]] bool empty() const { return directions_.empty(); }
-  /// Squared distance of the nearest planes as a quotient, not in lowest terms. Only if not empty.
+  /// numerator() / denominator() is the squared distance of the nearest planes, not in lowest terms. Only if not empty.
   [[nodiscard]] const mpz_class& numerator() const { return numerator_; }
   [[nodiscard]] const mpz_class& denominator() const { return denominator_; }
   /// Primitive normals of the nearest planes, in lexicographic order.
   [[nodiscard]] const std::set<Vector, LexicographicOrder>& directions() const { return directions_; }
 
  private:
-  /// The order of the plane's distance and that of the nearest.
+  /// Compares the plane's distance with that of the nearest planes.
   [[nodiscard]] Sign compare(const Vector& normal, const mpz_class& height) const;
 
   mpz_class numerator_, denominator_ = 1;

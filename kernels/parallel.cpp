@@ -39,7 +39,7 @@ void run_both(bool worth_it, Context& context, const std::function<void(Context&
         done = true;
         error_of_second = error_of(second, worker);
       });
-    } catch (const std::system_error&) {  // no thread to be had
+    } catch (const std::system_error&) {  // no thread is available
     }
   }
   if (!thread.joinable()) {

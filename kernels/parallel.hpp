@@ -8,9 +8,9 @@
 
 namespace fathom {
 
-/// Calls both, in two threads if it is `worth_it`, else one after the other. `first` is handed `context`; so is `second`, unless it runs in
-/// a thread of its own: then it is handed a worker of it, which is joined. When this returns or throws, nothing runs any more. If `first`
-/// throws, that exception is passed on, else one of `second`.
+/// Calls both, in two threads if `worth_it`, else one after the other. `first` gets `context`; so does `second`, unless it runs in its own
+/// thread: then it gets a worker of `context`, which is joined. When this returns or throws, neither runs any more. If `first` throws, that
+/// exception is rethrown, else that of `second`.
 void run_both(bool worth_it, Context& context, const std::function<void(Context&)>& first, const std::function<void(Context&)>& second);
 
 }  // namespace fathom

@@ -18,10 +18,10 @@ namespace {
 using namespace fathom;
 using namespace fathom::families;
 
-Polytope hull(const Body& body) { return convex_hull(common_lattice(body.points, body.points).a); }
+Polytope hull(const Body& body) { return convex_hull(place(body.points, body.points).a.points()); }
 
-Polytope hull_of_differences(const Lattice& lattice) {
-  const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+Polytope hull_of_differences(const PlacedPair& placed) {
+  const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
   std::vector<Vector> differences;
   for (const Vector& p : a.vertices)
     for (const Vector& q : b.vertices) differences.push_back(q - p);
@@ -45,16 +45,16 @@ TEST(Families, BodiesTouchInTheNamedFeatures) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const Case pair = find_family("touching_" + features[i] + "_" + features[j])->make(seed, 6);
-        const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-        const Polytope p = hull_of_differences(lattice);
+        const PlacedPair placed = place(pair.a.points, pair.b.points);
+        const Polytope p = hull_of_differences(placed);
         Vector inside_normal_cone{0, 0, 0};  // of the smallest face of P that holds O
         for (const Facet& facet : p.facets) {
           ASSERT_GE(offset(p, facet), 0) << pair.id;
           if (offset(p, facet) == 0) inside_normal_cone = inside_normal_cone + facet.normal;
         }
         ASSERT_FALSE(is_zero(inside_normal_cone)) << pair.id;
-        EXPECT_EQ(face_rank(lattice.a, -inside_normal_cone), static_cast<int>(i)) << pair.id;
-        EXPECT_EQ(face_rank(lattice.b, inside_normal_cone), static_cast<int>(j)) << pair.id;
+        EXPECT_EQ(face_rank(placed.a.points(), -inside_normal_cone), static_cast<int>(i)) << pair.id;
+        EXPECT_EQ(face_rank(placed.b.points(), inside_normal_cone), static_cast<int>(j)) << pair.id;
       }
 }
 
@@ -64,12 +64,12 @@ TEST(Families, ContactsAreOfTheNamedKindAndDepth) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::uint64_t seed = 0; seed < 5 && i + j >= 2; ++seed) {
         const Case pair = find_family("contact_" + features[i] + "_" + features[j])->make(seed, 6);
-        const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-        const NaiveDepth depth = naive_depth(lattice.a, lattice.b);
+        const PlacedPair placed = place(pair.a.points, pair.b.points);
+        const NaiveDepth depth = naive_depth(placed.a.points(), placed.b.points());
         ASSERT_EQ(depth.directions.size(), 1u) << pair.id;
-        EXPECT_EQ(face_rank(lattice.a, -depth.directions[0]), static_cast<int>(i)) << pair.id;
-        EXPECT_EQ(face_rank(lattice.b, depth.directions[0]), static_cast<int>(j)) << pair.id;
-        const mpq_class squared = depth.squared / (lattice.denominator * lattice.denominator);
+        EXPECT_EQ(face_rank(placed.a.points(), -depth.directions[0]), static_cast<int>(i)) << pair.id;
+        EXPECT_EQ(face_rank(placed.b.points(), depth.directions[0]), static_cast<int>(j)) << pair.id;
+        const mpq_class squared = depth.squared / (placed.denominator * placed.denominator);
         EXPECT_EQ(squared.get_num(), 1) << pair.id;
         const std::size_t log = mpz_scan1(squared.get_den_mpz_t(), 0);
         EXPECT_EQ(squared.get_den(), mpz_class(1) << log) << pair.id << ": the depth is a power of 2";
@@ -80,9 +80,9 @@ TEST(Families, ContactsAreOfTheNamedKindAndDepth) {
 TEST(Families, ParallelEdgesTouchInASegment) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Case pair = find_family("touching_parallel_edges")->make(seed, 6);
-    const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-    EXPECT_EQ(naive_depth(lattice.a, lattice.b).status, Status::touching) << pair.id;
-    const Polytope p = hull_of_differences(lattice);
+    const PlacedPair placed = place(pair.a.points, pair.b.points);
+    EXPECT_EQ(naive_depth(placed.a.points(), placed.b.points()).status, Status::touching) << pair.id;
+    const Polytope p = hull_of_differences(placed);
     Vector inside_normal_cone{0, 0, 0};
     for (const Facet& facet : p.facets)
       if (offset(p, facet) == 0) inside_normal_cone = inside_normal_cone + facet.normal;
@@ -106,8 +106,8 @@ TEST(Families, FlatBodiesOfEveryStatus) {
     std::map<Status, int> seen;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Case pair = find_family(name)->make(seed, 5);
-      const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-      ++seen[naive_depth(lattice.a, lattice.b).status];
+      const PlacedPair placed = place(pair.a.points, pair.b.points);
+      ++seen[naive_depth(placed.a.points(), placed.b.points()).status];
     }
     EXPECT_GE(seen[Status::touching], 5) << name;
     EXPECT_GE(seen[Status::disjoint], 1) << name;
@@ -119,7 +119,7 @@ TEST(Families, BundlesCrossLikeAGrid) {
     if (!contains(family.name, "crossed_")) continue;
     const auto facets = [&family](unsigned size) {
       const Case pair = family.make(1, size);
-      return hull_of_differences(common_lattice(pair.a.points, pair.b.points)).facets.size();
+      return hull_of_differences(place(pair.a.points, pair.b.points)).facets.size();
     };
     const std::size_t small = facets(20), large = facets(60);
     EXPECT_GT(large, 60u * 60u / 4) << family.name;
@@ -132,15 +132,15 @@ TEST(Families, BundlesCrossLikeAGrid) {
 
 TEST(Families, ParabolasTieExactly) {
   const Case pair = find_family("crossed_parabolas")->make(0, 24);
-  const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-  EXPECT_GE(naive_depth(lattice.a, lattice.b).directions.size(), 4u);
+  const PlacedPair placed = place(pair.a.points, pair.b.points);
+  EXPECT_GE(naive_depth(placed.a.points(), placed.b.points()).directions.size(), 4u);
 }
 
 /// Facets of P within the factor 1 + 2^-bits of the nearest, squared.
 std::size_t nearly_nearest(const Case& pair, unsigned bits) {
-  const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-  const mpq_class limit = naive_depth(lattice.a, lattice.b).squared * (1 + times_power_of_two(1, -static_cast<long>(bits)));
-  const Polytope p = hull_of_differences(lattice);
+  const PlacedPair placed = place(pair.a.points, pair.b.points);
+  const mpq_class limit = naive_depth(placed.a.points(), placed.b.points()).squared * (1 + times_power_of_two(1, -static_cast<long>(bits)));
+  const Polytope p = hull_of_differences(placed);
   std::size_t count = 0;
   for (const Facet& facet : p.facets) {
     const mpz_class c = offset(p, facet);

@@ -34,7 +34,7 @@ std::uint64_t hash(const Case& pair) {
   return value;
 }
 
-Polytope hull(const Body& body) { return convex_hull(common_lattice(body.points, body.points).a); }
+Polytope hull(const Body& body) { return convex_hull(place(body.points, body.points).a.points()); }
 
 // --- Building blocks -------------------------------------------------------------------------------------------------------------------
 

@@ -14,18 +14,18 @@
 #include <vector>
 
 #include "fathom/approximate.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/judge.h"
 #include "fathom/width.hpp"
 #include "kernels/number/enclosure.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/approximate/metric.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
-#include "reference/certificate/certificate.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/mesh.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"
@@ -115,7 +115,21 @@ class Writer {
   Writer& operator<<(const Contact& c) { return *this << static_cast<int>(c.kind) << c.a << c.b; }
   Writer& operator<<(const Witness& w) { return *this << w.a << w.b; }
   Writer& operator<<(const Optimum& o) { return *this << o.direction << o.translation << o.contact; }
-  Writer& operator<<(const Distance& d) { return *this << d.squared() << d.direction() << d.translation() << d.witness(); }
+  Writer& operator<<(const Distance& d) { return *this << d.squared << d.direction << d.translation << d.witness; }
+  template <class T>
+  Writer& operator<<(const SeparationOr<T>& x) {
+    *this << static_cast<int>(x.status()) << x.flat_a << x.flat_b;
+    return x.separation() ? *this << x.separation()->normal : *this << *x.penetration();
+  }
+  Writer& operator<<(const RayExit& x) { return *this << x.factor << x.translation << x.normal << x.contact << x.witness; }
+  Writer& operator<<(const MetricPenetration& x) {
+    *this << x.depth;
+    for (const MetricOptimum& o : x.optima) *this << o.vertex << o.translation << o.direction << o.contact << o.witness;
+    return *this;
+  }
+  Writer& operator<<(const ApproxPenetration& x) {
+    return *this << x.squared << x.bound_squared << x.direction << x.translation << x.contact << x.witness;
+  }
   Writer& operator<<(const Body& body) { return *this << body.points; }
   template <class T>
   Writer& operator<<(const std::optional<T>& x) {
@@ -129,7 +143,7 @@ class Writer {
   }
   Writer& operator<<(const Depth& d) {
     return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness()
-                 << d.distance() << d.flat_a << d.flat_b;
+                 << (d.distance() ? std::optional(*d.distance()) : std::nullopt) << d.flat_a << d.flat_b;
   }
   [[nodiscard]] std::string text() const { return text_; }
 
@@ -205,10 +219,8 @@ std::vector<Case> all_cases() {
 TEST(FloatEnvironment, DepthByEveryMethodOverAllFamilies) {
   for (const Case& input : all_cases()) {
     SCOPED_TRACE(input.id);
-    for (const Method method : {Method::exact, Method::certificate, Method::naive}) {
-      Options options;
-      options.method = method;
-      expect_the_same("depth", [&] { return penetration_depth(input.a.points, input.b.points, options); });
+    for (const Method method : {Method::automatic, Method::exact, Method::naive}) {
+      expect_the_same("depth", [&] { return penetration_depth(input.a.points, input.b.points, {.method = method}); });
     }
   }
 }
@@ -222,7 +234,7 @@ TEST(FloatEnvironment, CertificatesOverAllFamilies) {
     expect_the_same("bounds", [&] {
       return certificate_text(make_bounds_certificate(input.a.points, input.b.points, depth.squared() / 2, depth.squared() * 2));
     });
-    expect_the_same("gap", [&] { return second_nearest_squared(input.a.points, input.b.points, depth); });
+    expect_the_same("gap", [&] { return second_nearest_squared(input.a.points, input.b.points, *depth.penetration()); });
   }
 }
 
@@ -232,12 +244,12 @@ TEST(FloatEnvironment, TheOtherQuestions) {
     const std::vector<Point>&a = input.a.points, &b = input.b.points;
     expect_the_same("shallow", [&] { return shallow_depth(a, b); });
     expect_the_same("width", [&] { return width(a); });
-    expect_the_same("approx", [&] { return approx_depth(a, b, mpq_class(1, 10)).depth; });
-    expect_the_same("approx width", [&] { return approx_width(a, mpq_class(1, 10)).depth; });
-    expect_the_same("ray", [&] { return directional_depth(a, b, {1, 2, 3}).translation; });
+    expect_the_same("approx", [&] { return approx_depth(a, b, mpq_class(1, 10)); });
+    expect_the_same("approx width", [&] { return approx_width(a, mpq_class(1, 10)); });
+    expect_the_same("ray", [&] { return directional_depth(a, b, {1, 2, 3}); });
     expect_the_same("metric", [&] {
       const Body ball = families::translated(families::box(2, 2, 2), {-1, -1, -1});
-      return metric_depth(a, b, unit_ball(ball.points)).depth;
+      return metric_depth(a, b, unit_ball(ball.points));
     });
     expect_the_same("study", [&] { return study(a, b).depth; });
   }
@@ -247,13 +259,14 @@ TEST(FloatEnvironment, RaysThroughHierarchies) {
   for (const Case& input : cases_at_the_edge_of_binary64()) {
     SCOPED_TRACE(input.id);
     expect_the_same("hierarchies", [&] {
-      const Lattice lattice = common_lattice(input.a.points, input.b.points);
-      const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+      const PlacedPair placed = place(input.a.points, input.b.points);
+      const Polytope hull_a = convex_hull(placed.a.points()), hull_b = convex_hull(placed.b.points());
       const Hierarchy a(hull_a), b(hull_b);
-      const ShallowPenetration shallow(a, b);
+      Context context;
+      const ShallowPenetration shallow(context, a, b);
       const RayHit hit = shoot_ray(a, b, {3, 1, 2});
-      return text(hit.factor, hit.normal, shallow.query().inside, approx_separation(a, b, mpq_class(1, 4)).normal, a.extreme({5, -7, 1}),
-                  a.extreme_face({0, 0, 1}));
+      return text(hit.factor, hit.normal, shallow.query(context).inside, approx_separation(context, a, b, mpq_class(1, 4)).normal,
+                  a.extreme({5, -7, 1}), a.extreme_face({0, 0, 1}));
     });
   }
 }

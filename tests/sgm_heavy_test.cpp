@@ -17,8 +17,8 @@ using namespace fathom::oracles;
 using families::Family;
 
 bool both_solid(const Case& pair) {
-  const Lattice lattice = common_lattice(pair.a.points, pair.b.points);
-  return convex_hull(lattice.a).rank == 3 && convex_hull(lattice.b).rank == 3;
+  const PlacedPair placed = place(pair.a.points, pair.b.points);
+  return convex_hull(placed.a.points()).rank == 3 && convex_hull(placed.b.points()).rank == 3;
 }
 
 TEST(GaussianMaps, CubeInItself) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* usual_delta = "1/100";
 
-/// What was typed by hand is meant as typed: decimals are exact.
+/// Numbers on the command line are meant as typed: decimals are exact.
 std::optional<mpq_class> typed_number(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(' '), end = text.find_last_not_of(' ');
   if (begin == text.npos) return std::nullopt;

@@ -14,8 +14,8 @@ void add_approx_options(CLI::App& app, Request& request);
 void add_ray_options(CLI::App& app, Request& request);
 void add_metric_options(CLI::App& app, Request& request);
 
-/// What is missing or does not go together, or nothing. `exact_options`: whether options of the exact methods were given. Sets
-/// what `approx` takes when nothing is said.
+/// Returns what is missing or contradicts itself, or "". `exact_options`: whether options of the exact methods were given. Sets the
+/// defaults of `approx`.
 std::string wrong_approximation(Request& request, bool exact_options);
 
 }  // namespace fathom::cli

@@ -48,7 +48,7 @@ std::string check_seed(const std::string& value) {
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", shown(value));
 }
 
-/// What the options say, before it is known whether they go together.
+/// The values of the options, before it is checked whether they go together.
 struct Texts {
   std::string method = "auto", closest_lines;
   bool exact_decimals = false;
@@ -127,7 +127,7 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   return {&approx, &ray, &metric};
 }
 
-/// Words that ask for what this version does not have, which CLI11 would call unknown; a sentence, or nothing.
+/// Returns a sentence if the words ask for what this version does not have, which CLI11 would call unknown, or "".
 std::string wrong_words(const std::vector<std::string>& words) {
   const std::string_view command = words[0];
   const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
@@ -141,16 +141,16 @@ Arguments refusal(const std::string& sentence, const std::string& command = "") 
   return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
 }
 
-/// A mesh by its name. Other names may be streams of cases.
+/// Returns whether the name is that of a mesh. Other names may be streams of cases.
 bool is_mesh_name(const std::string& path) {
   constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
   return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
 }
 
-/// As the user typed it.
+/// The name as the user typed it.
 std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
 
-/// What is wrong with the number of inputs, or nothing.
+/// Returns what is wrong with the number of inputs, or "".
 std::string wrong_inputs(Request& request, const Texts& texts) {
   if (request.command == Command::cases) return texts.wrong_cases;
   if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the command line to a request, or to help, or to a sentence that says what is wrong with it.
+// Parses the command line into a request, into help, or into a sentence on what is wrong with it.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct Arguments {
   ExitCode code = fine;
 };
 
-/// Never throws on anything a user can type.
+/// Never throws, whatever the user typed.
 Arguments parse_arguments(int argc, const char* const* argv);
 
 }  // namespace fathom::cli

@@ -13,7 +13,7 @@ namespace fathom::cli {
 /// Adds all options but --exact-decimals and the two meshes.
 void add_cases_options(CLI::App& app, CasesRequest& cases);
 
-/// What contradicts itself in the parsed options of `app`, or nothing; sets `cases.what`.
+/// Returns what contradicts itself in the parsed options of `app`, or "". Sets `cases.what`.
 std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vector<std::string>& inputs);
 
 }  // namespace fathom::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom cases` was asked for.
+// The request of `fathom cases`.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct CasesRequest {
   What what = What::family;
   std::string family;
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
-  std::optional<unsigned> size;       ///< none: the family's usual size
+  std::optional<unsigned> size;       ///< if not set, the family's usual size
   std::optional<std::string> pose_a, pose_b;
   std::string fcl;  ///< the file with the text of FCL's exceptions
 };

@@ -20,7 +20,7 @@ namespace {
 
 constexpr unsigned most_jobs = 1024;
 
-/// What was typed by hand is meant as typed: decimals are exact.
+/// Numbers on the command line are meant as typed: decimals are exact.
 std::optional<mpq_class> typed_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
 
 template <class Count>
@@ -63,7 +63,7 @@ std::vector<std::string> all_variants() {
   return {names.begin(), names.end()};
 }
 
-/// Sets the variants; what is wrong with the list, or nothing.
+/// Sets the variants. Returns what is wrong with the list, or "".
 std::string wrong_variants(CertifyRequest& certify) {
   if (certify.metamorphic.empty()) return "";
   const std::vector<std::string> all = all_variants();

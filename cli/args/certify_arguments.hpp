@@ -13,7 +13,7 @@ namespace fathom::cli {
 /// Adds all options but the stream of cases.
 void add_certify_options(CLI::App& app, Request& request);
 
-/// What is missing or contradicts itself, the inputs included, or nothing. Sets `variants`.
+/// Returns what is missing or contradicts itself, the inputs included, or "". Sets `variants`.
 std::string wrong_certify(CertifyRequest& certify, const std::vector<std::string>& inputs);
 
 }  // namespace fathom::cli

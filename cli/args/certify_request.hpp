@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom certify` was asked for.
+// The request of `fathom certify`.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 namespace fathom::cli {
 
 struct CertifyRequest {
-  std::string command_line;              ///< ready for a shell
-  std::string subject, adapter, replay;  ///< just one of them; or
+  std::string command_line;              ///< quoted for a shell
+  std::string subject, adapter, replay;  ///< exactly one of these, or list_adapters, is set
   bool list_adapters = false;
-  std::optional<unsigned> jobs;  ///< none: as many as there are processors
+  std::optional<unsigned> jobs;  ///< if not set, as many as there are processors
   double time_out = 10;          ///< seconds
   Tolerance tolerance;
   std::string report;
   bool resume = false;
   std::string metamorphic;                                                        ///< as typed: "all", or a list with commas
-  std::vector<std::string> variants;                                              ///< the same, taken apart
+  std::vector<std::string> variants;                                              ///< the same, as a list
   std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
   std::optional<std::size_t> max_errors;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the command lines of fathom look to CLI11: help that opens with examples, and plain sentences.
+// What CLI11 prints for fathom: help that starts with examples, and plain sentences.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,14 +29,14 @@ class ExamplesFirst : public CLI::Formatter {
   std::string examples_, synopsis_;
 };
 
-/// CLI11's sentence, or a plainer one.
+/// Returns CLI11's sentence, or a plainer one.
 inline std::string sentence(const CLI::ParseError& error) {
   const std::string text = printable(error.what(), 200);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   return text.substr(0, text.find(':')) + ": expected one value, once";
 }
 
-/// What is wrong with a word like "--name=", whose value CLI11 would take from the next word; or nothing.
+/// Returns what is wrong with a word like "--name=", whose value CLI11 would take from the next word, or "".
 inline std::string missing_value(std::span<const std::string> words) {
   for (const std::string& word : words) {
     if (word == "--") break;
@@ -45,7 +45,7 @@ inline std::string missing_value(std::span<const std::string> words) {
   return "";
 }
 
-/// What is wrong where an option of `command` was given an empty text, which would count as not given; or nothing.
+/// Returns what is wrong if an option of `command` has an empty value, which would count as not given, or "".
 inline std::string empty_value(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const auto& values = option->results();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words behind `fathom golden`: to a request, or to help, or to a sentence that says what is wrong with them.
+// Parses the words behind `fathom golden` into a request, into help, or into a sentence on what is wrong with them.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ struct GoldenRequest {
   std::size_t part = 1, parts = 1;  ///< 1 <= part <= parts
 };
 
-/// As Arguments of the other commands.
+/// Like Arguments of the other commands.
 struct GoldenArguments {
   std::optional<GoldenRequest> request;
   std::string text;
   ExitCode code = fine;
 };
 
-/// Never throws on anything a user can type.
+/// Never throws, whatever the user typed.
 GoldenArguments parse_golden(const std::vector<std::string>& words);
 
 }  // namespace fathom::cli

@@ -124,7 +124,7 @@ inline std::string footer_text() { return std::string(footer); }
 inline constexpr std::string_view commands[] = {"depth", "width", "approx",  "ray",   "metric",
                                                 "study", "cases", "certify", "check", "golden"};
 
-/// Commands of the design that this version does not have, so that it can say so instead of calling them unknown.
+/// Commands that this version does not have yet, so that the message says so instead of calling them unknown.
 inline constexpr std::string_view absent_commands[] = {"explain"};
 
 }  // namespace fathom::cli

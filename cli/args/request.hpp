@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user asked for, once the command line has been understood.
+// What the user asked for, as parsed from the command line.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct Request {
   std::vector<std::string>
       inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::automatic;
-  bool shallow = false;  ///< the method is that of shallow_depth, instead
+  bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
   std::uint64_t seed = 1;
   std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted

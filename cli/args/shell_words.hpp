@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words as /bin/sh takes them.
+// Words quoted for /bin/sh.
 #pragma once
 
 #include <string>
 
 namespace fathom::cli {
 
-/// In single quotes, those inside taken care of.
+/// Returns the word in single quotes, with those inside escaped.
 std::string quoted(const std::string& word);
 
-/// "fathom" and the words behind the program's name, each between quotes where it must be.
+/// Returns "fathom" and the words behind the program's name, quoted where needed.
 std::string command_line(int argc, const char* const* argv);
 
 }  // namespace fathom::cli

@@ -16,10 +16,11 @@ struct Adapter {
 
 const std::vector<Adapter>& adapters();
 
-/// The file of the adapter's program: beside fathom's own, or in ../libexec/fathom from there. Empty if it is in neither place.
+/// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from there; "" if it is in neither place.
 std::string program_of(const Adapter& adapter);
 
-/// The shell command for "NAME" or "NAME,key=value,...". InputError when there is no such adapter, or its program was not built.
+/// Returns the shell command for "NAME" or "NAME,key=value,...". Throws InputError if there is no such adapter, or its program is not
+/// built.
 std::string adapter_command(const std::string& words);
 
 }  // namespace fathom::cli

@@ -8,7 +8,8 @@
 
 namespace fathom::cli {
 
-/// Prints each failure in the text of FCL's exceptions as a case; "-" is the standard input. InputError if there is none, or a bad one.
+/// Prints each failure in the text of FCL's exceptions as a case; "-" is the standard input. Throws InputError if there is none, or a bad
+/// one.
 ExitCode print_fcl_cases(const std::string& path);
 
 }  // namespace fathom::cli

@@ -12,7 +12,7 @@
 namespace fathom::cli {
 namespace {
 
-constexpr std::size_t plain_digits = 15;  // integers of so many digits are binary64 numbers
+constexpr std::size_t plain_digits = 15;  // integers with at most this many digits are binary64 numbers
 
 std::string number(const mpq_class& value) {
   if (value.get_den() == 1 && mpz_sizeinbase(value.get_num_mpz_t(), 10) <= plain_digits) return value.get_str();

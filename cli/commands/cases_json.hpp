@@ -12,7 +12,7 @@
 
 namespace fathom::cli {
 
-/// A case to be written, with what stands beside its bodies. Empty fields are left out.
+/// A case to be written: its bodies and other fields. Empty fields are left out.
 struct CaseText {
   std::string id;
   const Body& a;
@@ -21,11 +21,11 @@ struct CaseText {
   std::vector<std::string> flags;
   std::vector<std::pair<std::string, std::string>> source;  ///< keys and texts
   std::string comment;
-  bool pose_rounding = false;  ///< readers round the placed points once to binary64
+  bool pose_rounding = false;  ///< whether readers round the placed points once to binary64
 };
 
-/// One line, without its newline. A coordinate is a JSON number if it is a binary64 number, in the shortest text that reads back as it;
-/// else a string: an integer or p/q. Pure ASCII.
+/// Returns one line, without its newline. A coordinate is a JSON number if it is a binary64 number, in the shortest text that reads back as
+/// it; else a string: an integer or p/q. Pure ASCII.
 std::string case_json(const CaseText& text);
 
 }  // namespace fathom::cli

@@ -34,7 +34,7 @@ Rows rows_of_text(const std::string& text, Decimals decimals) {
   return rows;
 }
 
-/// The entries of a JSON array of arrays; nothing of anything else.
+/// Returns the entries of a JSON array of arrays, or no rows for anything else.
 Rows rows_of_json(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   Rows rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of a run of `fathom certify`: each id once; bad ones are told and counted.
+// The cases of a run of `fathom certify`: each id once; bad ones are reported and counted.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,15 @@ class CertifyCases {
   /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be interrupted.
   CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
 
-  /// The next good case; nothing at the end. Of a bad one, or one with an id that was there before, `tell` hears. As CaseStream::next,
-  /// throws std::bad_alloc and can go on.
+  /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad one and for one with an id that was there before. Throws
+  /// std::bad_alloc and can go on, as CaseStream::next.
   std::optional<Case> next();
 
   [[nodiscard]] std::size_t bad() const { return bad_; }
-  /// Of the case that was read last, or that did not fit into the memory, for messages.
+  /// The place, for messages, of the case that was read last, or that did not fit into the memory.
   [[nodiscard]] std::string place() const;
   [[nodiscard]] const std::set<std::string>& ids() const { return ids_; }
-  /// The number of lines that a regular file has; nothing of other inputs.
+  /// The number of lines of a regular file; nullopt for other inputs.
   [[nodiscard]] std::optional<std::size_t> expected() const { return expected_; }
 
  private:

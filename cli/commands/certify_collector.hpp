@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run of `fathom certify` finds, as it comes: journal, standard output, progress, and what the reports at its end need.
+// Collects what a run of `fathom certify` finds: writes journal, standard output and progress, and keeps what the final reports need.
 #pragma once
 
 #include <chrono>
@@ -27,21 +27,21 @@ struct FailedCase {
 
 class Collector {
  public:
-  /// Starts the report, or goes on with the one that is there. `expected`: how many cases will come, if that is known.
+  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is known.
   Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
 
-  /// What the report held from an earlier run, or null. Any thread.
+  /// Returns the outcome that an earlier run left in the report, or nullptr. Any thread.
   [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant, const std::string& digest) const;
 
-  /// Takes one outcome: written down before anything else is done. `known`: it is in the report already.
+  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
-  /// Takes what is no case's fault, in the same way; `known`: it is in the report already.
+  /// The same for what no case is to blame for; `known`: it is in the report already.
   void take(const harness::Unattributed& unattributed, bool known = false);
-  /// A sentence for the user, past the progress bar. The first few of a kind are printed, the others counted.
+  /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and counts the others.
   void tell(const std::string& kind, const std::string& sentence);
-  /// Says how often sentences were only counted; takes the bar away.
+  /// Prints how many sentences were only counted; removes the bar.
   void close();
-  /// The last line of the report and of --json.
+  /// Writes the last line of the report and of --json.
   void complete();
 
   [[nodiscard]] const std::vector<harness::Outcome>& outcomes() const { return outcomes_; }

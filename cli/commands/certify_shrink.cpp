@@ -24,7 +24,7 @@ using harness::Shrunk;
 
 std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
 
-/// By verdict and variant, the failing case with the fewest points; of equals the one with the least id.
+/// By verdict and variant, the failing case with the fewest points; of several the one with the least id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {

@@ -7,7 +7,7 @@
 
 namespace fathom::cli {
 
-/// Reduces, for each verdict and variant that failed, the smallest failing case; what is found is on disk at each step. Prints the case,
+/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk at each step. Prints the case,
 /// the files, and the snippet; with --json the files alone, on standard error. Throws Interrupted, SubjectError, InputError.
 void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found);
 

@@ -10,7 +10,7 @@
 
 namespace fathom::cli {
 
-/// These throw InputError, OutputError, Interrupted; anything else is a fault of ours.
+/// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
 ExitCode run_depth(const Request& request);
 ExitCode run_width(const Request& request);
 ExitCode run_approx(const Request& request);
@@ -20,7 +20,7 @@ ExitCode run_study(const Request& request);
 ExitCode run_cases(const Request& request);
 ExitCode run_certify(const Request& request);
 
-/// Takes the words behind "check"; says itself what is wrong with them.
+/// Takes the words behind "check"; prints itself what is wrong with them.
 ExitCode run_check(std::vector<std::string> words);
 
 /// Takes the words behind "golden".

@@ -74,14 +74,14 @@ class Certify {
  private:
   [[nodiscard]] const harness::SubjectInfo& info() const { return replay_ ? replay_->info() : examiner_->info(); }
 
-  /// Of a kind of sentences, the first few: whichever thread they come from.
+  /// Prints the first few sentences of a kind, from any thread.
   void tell(const std::string& kind, const std::string& sentence) {
     const std::lock_guard lock(telling_);
     if (found_) found_->tell(kind, sentence);
     else talk(sentence);
   }
 
-  /// What is no case's fault; once the report is complete, it is told only.
+  /// Takes what no case is to blame for. Once the report is complete, it is only printed.
   void take(const harness::Unattributed& thing) {
     tell("notes on the subject",
          "no case's fault: the subject, " + (thing.after ? "after case " + shown(*thing.after) : "before any case") + ": " + thing.detail);
@@ -98,7 +98,7 @@ class Certify {
     return settings;
   }
 
-  /// The subject has said its hello once: it gets a second chance.
+  /// The subject has sent its hello once, so it gets a second chance.
   std::shared_ptr<Examiner> one_more() {
     try {
       return std::make_shared<Examiner>(command_, settings());
@@ -107,7 +107,7 @@ class Certify {
     }
   }
 
-  /// What examines in one thread. The examiner that is there already serves the first.
+  /// The examiner of one thread. The first thread uses the existing one.
   harness::Worker make_worker() {
     if (replay_) return {[this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); }, {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
@@ -150,7 +150,7 @@ class Certify {
     }
   }
 
-  /// A case that has no verdict for a reason of its own; anything else ends the run.
+  /// Handles an error that concerns one case, which gets no verdict; any other ends the run.
   void take_fault(const Case& pair, const std::exception_ptr& error) {
     try {
       std::rethrow_exception(error);
@@ -187,7 +187,7 @@ class Certify {
     return code;
   }
 
-  /// All that tells people and CI systems how it went. Once.
+  /// Writes all reports for people and CI systems. Called once.
   void report(const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates, const std::string& cut_short) {
     reported_ = true;
     write_reports(certify_, info(), *found_, known, certificates, cut_short);
@@ -195,7 +195,7 @@ class Certify {
     if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty()) talk(warning);
   }
 
-  /// The same of a run that ended before its time. Cases that the list names and that were not run are nobody's surprise.
+  /// Writes the same for a run that ended early, without what the list says of cases that were not run.
   void report_so_far(const std::string& why) {
     if (!found_ || reported_ || found_->outcomes().empty()) return;
     std::optional<ExpectedFailures::Check> known;
@@ -229,7 +229,7 @@ class Certify {
   std::optional<Replay> replay_;
   std::shared_ptr<Examiner> examiner_;
   std::optional<Collector> found_;
-  std::mutex telling_;  // of found_
+  std::mutex telling_;  // guards found_
   bool first_is_taken_ = false, reported_ = false, complete_ = false;
   std::size_t missing_ = 0;
   std::atomic<std::size_t> faults_ = 0;  // found in reading and in judging

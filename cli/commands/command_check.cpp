@@ -14,14 +14,15 @@
 namespace fathom::cli {
 namespace {
 
-/// Becomes the checker that was extracted from the Coq development; returns only if there is none, beside this program or on the path.
+/// Replaces this process by the checker that was extracted from the Coq development; returns only if there is none, beside this program or
+/// on the path.
 ExitCode become_proved(const std::vector<std::string>& words) {
   become(proved_program, words);
   talk(proved_program_is_missing());
   return internal_error;
 }
 
-/// Compares with cases and results first, which the proved checker does not know; it has the last word on what passes.
+/// Compares with cases and results first, which the proved checker cannot read; then it must accept what passes.
 ExitCode compare_and_prove(const std::vector<std::string>& words, bool width) {
   ProvedChecker proved(width);
   const int code = fathom_check::command_line(words, "fathom check", &proved);

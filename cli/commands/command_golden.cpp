@@ -24,7 +24,7 @@ namespace {
 constexpr const char* mpi_program = "fathom-golden-mpi";
 constexpr ExitCode refused = static_cast<ExitCode>(1);
 
-/// Whether an MPI launcher started several of us.
+/// Whether an MPI launcher started several processes.
 bool is_one_of_many() {
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
   return size != nullptr && std::atoi(size) > 1;
@@ -46,7 +46,7 @@ std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const G
   return ours;
 }
 
-/// Makes what is missing of the request's part. How many shards that were, and how many the release has.
+/// Makes the missing shards of the request's part. Returns their number, and that of the release.
 std::pair<std::size_t, std::size_t> make_shards(const GoldenRequest& request) {
   GoldenProgress progress("cases");
   StopOnInterrupt interrupt;

@@ -63,7 +63,7 @@ std::string text_of(const Answer& answer, const Request& request) {
 Replies exact_replies(const Request& request) {
   Replies replies;
   replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Progress& progress) {
-    const std::unique_ptr<CertificateFile> file = places->open(single);  // a hopeless path is found out early
+    const std::unique_ptr<CertificateFile> file = places->open(single);  // an unwritable path fails early
     const Answer answer = answer_to(single, request, progress);
     if (file) file->write(answer.certificate);
     return text_of(answer, request);

@@ -6,8 +6,8 @@
 
 namespace fathom::cli {
 
-/// Answers with the method that was asked for, and with a certificate if one was. `request` must outlive the replies.
-/// Throws InputError when certificates have no place to go.
+/// Answers with the method of the request, and with a certificate if it asks for one. `request` must outlive the replies. Throws InputError
+/// if certificates cannot be written where they should go.
 Replies exact_replies(const Request& request);
 
 }  // namespace fathom::cli

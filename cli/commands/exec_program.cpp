@@ -9,7 +9,7 @@
 namespace fathom::cli {
 namespace {
 
-/// The folder that this program lies in, with a slash; empty if the system does not tell.
+/// Returns the folder of this program, with a slash, or "" if it is unknown.
 std::string own_folder() {
   std::string path(PATH_MAX, '\0');
   const ssize_t length = readlink("/proc/self/exe", path.data(), path.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that are built beside this one: the process is handed over to one of them, or a child becomes it.
+// Runs programs that are built beside this one, in its place or as children.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace fathom::cli {
 
-/// Becomes `program`, beside this one or else on the path, with these words behind its name. Returns only if there is none.
+/// Replaces this process by `program`, found beside this one or else on PATH, with these arguments. Returns only if it is not found.
 void become(const std::string& program, std::vector<std::string> words);
 
-/// Puts this program's folder first on the path, for children.
+/// Puts this program's folder first on PATH, for children.
 void look_here_first();
 
 }  // namespace fathom::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checker extracted from the Coq development, as the second one behind the C++ checker: what that has compared with the user's cases
-// and results is handed over as it was read, and nothing is accepted that is not proved of these very points.
+// The checker extracted from the Coq development, run after the C++ checker. It gets each certificate as that one read it and compared it
+// with the user's cases and results, and must accept it too.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ class ProvedChecker : public fathom_check::SecondChecker {
   explicit ProvedChecker(bool width) : width_(width) {}
 
   void hand_over(const fathom_check::Certificate& certificate) override;
-  /// Throws std::runtime_error if the program is missing or dies; `failed` tells from then on.
+  /// Throws std::runtime_error if the program is missing or dies; failed() is true from then on.
   Opinion opinion(const std::string& name) override;
   [[nodiscard]] bool failed() const { return failed_; }
 
@@ -35,7 +35,7 @@ class ProvedChecker : public fathom_check::SecondChecker {
   bool failed_ = false;
 };
 
-/// That the program is missing, and where it comes from.
+/// Returns the message that the program is missing, and how it is built.
 std::string proved_program_is_missing();
 
 }  // namespace fathom::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands that look at bodies have in common: they reply to one case of mesh files, or to each case of a stream.
+// What all commands on bodies share: they reply to one case of mesh files, or to each case of a stream.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace fathom::cli {
 
-/// Whether the request's input is a stream of cases. Else it is the meshes of a single case.
+/// Returns whether the request's input is a stream of cases. Otherwise it is the meshes of a single case.
 bool is_stream(const Request& request);
 
 /// How a command replies to cases.
@@ -22,7 +22,7 @@ struct Replies {
   std::function<std::string(const Case&, Progress&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
-  /// Stands before all replies; empty: nothing.
+  /// Printed before all replies, unless empty.
   std::string header = {};
 };
 

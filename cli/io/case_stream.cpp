@@ -19,7 +19,7 @@ class Stream {
  public:
   Stream(const std::string& input, const StreamWork& work) : name_(input == "-" ? "<stdin>" : input), work_(work) {}
 
-  /// Reads a case and answers it; false: there is no more.
+  /// Reads a case and answers it. Returns false at the end.
   bool take_next(CaseStream& items) {
     std::optional<CaseItem> item;
     try {
@@ -62,7 +62,7 @@ class Stream {
     }
   }
 
-  // A stream of such cases would take a hull each to tell exactly: after the first they are counted by what is seen without one.
+  // To count such cases exactly would take a hull each: after the first they are counted by what is seen without one.
   void tell_of_hull(const CaseItem& item) {
     if (hull_told_) {
       if (may_have_inner_points(item.value(), work_.one_body)) ++perhaps_inner_;

@@ -8,10 +8,11 @@
 
 namespace fathom::cli {
 
-/// A file, of a certificate or a report, that appears with all of its content or not at all. Made before the content is known, so that a hopeless path is found out early.
+/// A file for a certificate or a report, which appears with all of its content or not at all. Opened before solving, so that an unwritable
+/// path fails early.
 class CertificateFile {
  public:
-  /// `what` is for messages. Throws InputError when nothing can be written there.
+  /// `what` is for messages. Throws InputError if nothing can be written there.
   explicit CertificateFile(std::string path, std::string what = "certificate");
   ~CertificateFile();
   CertificateFile(const CertificateFile&) = delete;
@@ -23,17 +24,17 @@ class CertificateFile {
  private:
   [[noreturn]] void fail();
 
-  std::string what_, path_, temporary_;  // no temporary: what exists is no regular file, and is written to as it is
+  std::string what_, path_, temporary_;  // no temporary_ if the path is an existing file that is not regular: it is written directly
   int descriptor_ = -1;
 };
 
 /// A folder for the certificates of a stream; made if it is missing.
 class CertificateFolder {
  public:
-  /// Throws InputError when it is no folder and cannot become one.
+  /// Throws InputError if it is no folder and cannot be made.
   explicit CertificateFolder(std::string path);
 
-  /// The path for the certificate of a case. Throws InputError when the id was asked for before.
+  /// Returns the path for the certificate of a case. Throws InputError if the id occurred before.
   std::string file(const std::string& id);
 
  private:
@@ -41,8 +42,8 @@ class CertificateFolder {
   std::set<std::string> names_;
 };
 
-/// The id with ".cert". Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot; of a
-/// name longer than a file's may be, the beginning, '~' and the SHA-256 of the id. Different ids make different names.
+/// Returns the id with ".cert". Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot. Where the name
+/// would be too long for a file, it is cut, and '~' and the SHA-256 of the id follow. Different ids make different names.
 std::string certificate_file_name(const std::string& id);
 
 }  // namespace fathom::cli

@@ -4,7 +4,7 @@
 
 namespace fathom::cli {
 
-/// Exit codes; in a stream the largest that occurred counts.
+/// Exit codes; a stream ends with the largest that occurred.
 enum ExitCode : int {
   fine = 0,
   judged_wrong = 1,    ///< a verdict failed, a certificate was refused

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bar of `fathom golden`: with the rate, and the time that is left at that rate.
+// The progress bar of `fathom golden`, with the rate and the time left at that rate.
 #pragma once
 
 #include <chrono>

@@ -6,7 +6,7 @@
 
 namespace fathom::cli {
 
-/// SIGINT as described here. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
+/// Handles SIGINT as described above. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
 void install_signal_handlers();
 
 /// Whether SIGINT arrived while a `Working` existed.
@@ -20,7 +20,7 @@ class StopOnInterrupt : public Monitor {
 };
 
 /// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
-/// itself. If it has not stopped after so many seconds, or on a second SIGINT, the process ends all the same.
+/// itself. If it has not stopped after `patience` seconds, or on a second SIGINT, the process ends all the same.
 class Working {
  public:
   explicit Working(unsigned patience = 1);
@@ -29,10 +29,10 @@ class Working {
   Working& operator=(const Working&) = delete;
 };
 
-/// The work has stopped, and what it came to is being written: from now on only a second SIGINT ends the process before its time.
+/// Call it when the work has stopped and its results are being written: from then on only a second SIGINT ends the process early.
 void take_time_to_write();
 
-/// Whether an unfinished line stands on the terminal, to be wiped before any last word.
+/// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
 void line_is_open(bool open);
 
 }  // namespace fathom::cli

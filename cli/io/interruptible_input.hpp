@@ -7,8 +7,8 @@
 
 namespace fathom::cli {
 
-/// Reads standard input, and throws Interrupted once a SIGINT has been noted, even if nothing comes. InputError if it cannot be read. A
-/// stream passes these on if its exceptions() have badbit.
+/// Reads standard input, and throws Interrupted once a SIGINT has been noted, even if nothing comes. Throws InputError if it cannot be
+/// read. A stream passes these on if its exceptions() have badbit.
 class InterruptibleInput : public std::streambuf {
  protected:
   int_type underflow() override;

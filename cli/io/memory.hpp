@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where memory ends, std::bad_alloc says so: a stream loses one case, anything else ends with a message and exit code 3.
+// When memory runs out, std::bad_alloc is thrown: a stream loses one case, anything else ends with a message and exit code 3.
 //
 // Left alone, mimalloc's operator new and GMP abort. Here operator new throws. Nothing may be thrown through GMP's frames: its requests
 // are served from a reserve then, and the thread's next operator new throws in its place. Where the reserve ends too, or no
@@ -8,7 +8,7 @@
 
 namespace fathom::cli {
 
-/// To be called first of all.
+/// Call it before anything else.
 void guard_memory();
 
 }  // namespace fathom::cli

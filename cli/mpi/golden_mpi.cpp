@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mpirun -np N fathom golden generate ...   which becomes this program. Rank 0 hands out the shards one by one to whoever asks, and works
-// itself; so a slow process makes fewer of them and holds up nobody but with its last one. All ranks have to see the same folder. A shard
-// is made by one process in the way in which a single one makes it, so the bytes are the same.
+// mpirun -np N fathom golden generate ...   is replaced by this program. Rank 0 gives the shards one by one to the ranks that ask, and
+// works itself; so a slow process makes fewer of them and delays the others only by its last one. All ranks must see the same folder. Each
+// shard is made by one process, as without MPI, so the bytes are the same.
 #include <fmt/format.h>
 
 #include <algorithm>

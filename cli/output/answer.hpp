@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a case, on its way to a page or to a JSON line.
+// The exact answer to a case, before it is printed as text or as JSON.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace fathom::cli {
 struct Answer {
   std::string id;
   Depth depth;                   ///< for `width`: of the body against itself
-  std::string certificate = {};  ///< as text, if one was asked for
+  std::string certificate = {};  ///< as text, if one is requested
 };
 
 /// The word for the method that answered.

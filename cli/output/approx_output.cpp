@@ -14,7 +14,7 @@
 namespace fathom::cli {
 namespace {
 
-/// No distance is told: of disjoint bodies an approximation knows some plane between them.
+/// Tells no distance: for disjoint bodies an approximation has only a plane between them.
 std::string direction_label(const ApproxDepth& depth) { return depth.status() == Status::disjoint ? "separating normal" : "direction"; }
 
 std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }

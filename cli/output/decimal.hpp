@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact values as a reader can take them in: exactly where that is short, else to a few digits behind a "~".
+// Exact values for people: in full where that is short, else a few digits behind a "~".
 #pragma once
 
 #include <gmpxx.h>

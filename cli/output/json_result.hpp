@@ -17,7 +17,7 @@ inline constexpr const char* result_schema = "fathom/result/1";
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string json_result(const Answer& answer, const Request& request);
 
-/// What stands in a stream of results for a case that has none.
+/// Returns the line for a case of a stream that has no result.
 std::string json_error(const std::string& id, std::size_t line, std::string_view error);
 
 }  // namespace fathom::cli

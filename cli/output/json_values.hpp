@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces that JSON results are made of. For the .cpp files that write results: others need not know the library.
+// The pieces of JSON results. Only .cpp files that write results include it, and with it the JSON library.
 #pragma once
 
 #include <gmpxx.h>
@@ -29,12 +29,12 @@ Json contact_object(const Contact& contact);
 Json witness_object(const Witness& witness);
 Json flat_array(const BodyFacts& facts);
 
-/// The text with U+FFFD for what is not UTF-8.
+/// Returns the text with U+FFFD for what is not UTF-8.
 std::string valid_utf8(const std::string& text);
 
 /// Ids and file names may hold any bytes; what is not UTF-8 is replaced, never an error.
 std::string one_line(const Json& object);
-/// What stands in a stream of results for a case that has none: one line.
+/// Returns the line for a case of a stream that has no result.
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error);
 
 }  // namespace fathom::cli

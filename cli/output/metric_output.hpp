@@ -15,7 +15,7 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball);
-/// What stands in a stream for a case that has none.
+/// Returns the line for a case of a stream that has no result.
 std::string metric_json_error(const std::string& id, std::size_t line, const std::string& error);
 
 }  // namespace fathom::cli

@@ -16,7 +16,7 @@ std::string ray_line(const std::string& id, const DirectionalDepth& depth);
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request);
-/// What stands in a stream for a case that has none.
+/// Returns the line for a case of a stream that has no result.
 std::string ray_json_error(const std::string& id, std::size_t line, const std::string& error);
 
 }  // namespace fathom::cli

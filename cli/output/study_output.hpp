@@ -17,7 +17,7 @@ std::string study_line(const std::string& id, const Study& study);
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string study_json(const std::string& id, const Study& study);
-/// What stands in a stream of studies for a case that has none.
+/// Returns the line for a case of a stream that has no study.
 std::string study_json_error(const std::string& id, std::size_t line, const std::string& error);
 
 /// The names of the columns; a row of counts; a row with nothing but an error. Without their newlines.

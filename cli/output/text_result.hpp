@@ -15,7 +15,7 @@ std::string text_block(const Answer& answer, const Request& request);
 /// One line, without its newline.
 std::string text_line(const Answer& answer, const Request& request);
 
-/// The id as it is, unless it would break the line or play tricks with a terminal.
+/// Returns the id, or as a JSON string if it holds control characters.
 std::string safe_id(const std::string& id);
 
 }  // namespace fathom::cli

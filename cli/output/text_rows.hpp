@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces that results for people are made of.
+// The pieces of results for people.
 #pragma once
 
 #include <optional>
@@ -15,28 +15,28 @@ namespace fathom::cli {
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;
 
-/// Exact numbers with more characters are left out of a line.
+/// Exact numbers with more characters are left out of one-line results.
 inline constexpr std::size_t longest_in_line = 40;
 
 /// What the command computes: "depth" or "width".
 std::string quantity(const Request& request);
 
-/// The heading, if there is one, and the rows with their texts in one column; without the last newline.
+/// Returns the heading, if there is one, and the rows with their texts in one column; without the last newline.
 std::string aligned(const std::string& heading, const std::vector<Row>& rows);
 
-/// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself, of A both.
+/// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);
 
 /// Two points, or the one that both bodies share.
 Row witness_row(const Witness& witness, bool same_body = false);
 
-/// The bodies without interior: "A and B", or nothing. For one body against itself: "A", or nothing.
+/// The bodies without interior: "A and B", or "". For one body against itself: "A", or "".
 std::string flat_text(const BodyFacts& facts, bool same_body = false);
 
-/// What a user should know where A is flat and yet has a depth.
+/// Explains why a flat A may have a positive depth.
 Row flat_note();
 
-/// "[low, high]" to so many digits.
+/// "[low, high]" to that many digits.
 std::string enclosure_text(const mpq_class& squared, unsigned digits);
 
 }  // namespace fathom::cli

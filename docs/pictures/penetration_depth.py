@@ -86,7 +86,7 @@ def picture(result):
     lines = [
         left.polygon("b", B), left.polygon("a", A), left.polygon("moved", [(x + t[0], y + t[1]) for x, y in A]),
         left.arrow(witness, t), left.text((.8, 1.8), "A", "name"), left.text((9, 2.7), "B", "name"),
-        left.text((-2.9, 5.6), "A + t", "name"), left.text((-1.6, -5.1), "the least t that parts A + t from B"),
+        left.text((-2.9, 5.6), "A + t", "name"), left.text((-1.6, -5.1), "the shortest t that separates A + t from B"),
         right.polygon("p", sum_), f'<circle class="ball" cx="{right.x}" cy="{right.y}" r="{UNIT * float(squared) ** .5:.1f}"/>',
         right.arrow((0, 0), t), right.dot((0, 0)), right.text((.4, -.7), "O", "name"), right.text((3.6, 2), "P = B ⊕ (−A)", "name"),
         right.text((-2, -7.1), f"|t|² = {squared}: the nearest facet of P, exactly"),

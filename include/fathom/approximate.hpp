@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a factor 1 + delta, and shallow ones.
 //                                                                                                              [AGHRS, section 3]
-// All of them shoot rays through P = B (+) (-A), which is never built: hierarchies of the two bodies answer where a ray leaves it. Exact,
-// for bodies of every rank. Bodies that do not penetrate get a separating plane only; penetration_depth tells how far they are apart.
+// All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick hierarchies of the two bodies find where a ray
+// leaves it. Exact, for bodies of every rank. For bodies that do not penetrate they return a separating plane only; penetration_depth tells
+// how far they are apart. What is said of penetration_depth's exceptions holds for all functions here; each adds its own.
 #pragma once
 
 #include <gmpxx.h>
@@ -24,14 +25,15 @@ namespace fathom {
 
 /// Where the ray from O leaves P.
 struct RayExit {
-  mpq_class factor;   ///< > 0, of the direction as given
-  Point translation;  ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
-  Vector normal;      ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
-  Contact contact;    ///< in direction `normal`
-  Witness witness;    ///< points of the contact with b - a = translation
-  std::uint64_t steps = 0;
+  mpq_class factor;         ///< > 0, of the direction as given
+  Point translation;        ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
+  Vector normal;            ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
+  Contact contact;          ///< in direction `normal`
+  Witness witness;          ///< points of the contact with b - a = translation
+  std::uint64_t steps = 0;  ///< in the hierarchies
 };
 
+/// How deep the bodies overlap along one direction.
 struct DirectionalDepth : SeparationOr<RayExit> {
   /// 0 unless penetrating: the interiors are disjoint already.
   [[nodiscard]] mpq_class factor() const;
@@ -43,8 +45,7 @@ struct DirectionalDepth : SeparationOr<RayExit> {
 };
 
 /// Returns how far A must move along `direction`, which need not have length 1, until the interiors are disjoint.
-/// Time: O(log^2(m + n)) steps once the hierarchies stand. Throws std::invalid_argument when a body is empty or the direction is zero, and
-/// Interrupted.
+/// Time: O(log^2(m + n)) steps after the hierarchies are built. Throws std::invalid_argument if the direction is zero.
 DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor = nullptr);
 
 // ---- in a norm or gauge ----
@@ -62,7 +63,7 @@ struct UnitBall {
   bool symmetric = false;  ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
 };
 
-/// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and std::invalid_argument when there are no points.
+/// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and std::invalid_argument if there are no points.
 UnitBall unit_ball(std::span<const Point> points);
 
 /// A shortest way out in the metric of Q: along a vertex of Q.
@@ -74,12 +75,14 @@ struct MetricOptimum {
   Witness witness;       ///< points of the contact with b - a = translation
 };
 
+/// The depth in the metric of Q, with every shortest way out along a vertex of Q.
 struct MetricPenetration {
   mpq_class depth;                    ///< > 0: the Q-length of each optimum's translation
   std::vector<MetricOptimum> optima;  ///< one per deciding vertex, by ascending id; at least one
-  std::uint64_t rays = 0;
+  std::uint64_t rays = 0;             ///< that were shot
 };
 
+/// A depth in the metric of Q: a Q-length, not squared.
 struct MetricResult : SeparationOr<MetricPenetration> {
   /// 0 unless penetrating.
   [[nodiscard]] mpq_class depth() const { return penetration() ? penetration()->depth : mpq_class(0); }
@@ -90,22 +93,23 @@ struct MetricResult : SeparationOr<MetricPenetration> {
 };
 
 /// Returns the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q makes the interiors disjoint.
-/// Time: a ray for each vertex of Q. Throws std::invalid_argument when a body is empty, and Interrupted.      [AGHRS, Corollary 3.4]
+/// Time: a ray for each vertex of Q.                                                                 [AGHRS, section 3.1, Corollary 3.4]
 MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor = nullptr);
 
 // ---- within a factor ----
 
 /// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
 struct ApproxPenetration {
-  mpq_class squared;               ///< |translation|^2
-  mpq_class bound_squared;         ///< a lower bound of depth^2
-  Vector direction;                ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
-  Point translation;               ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
-  Contact contact;                 ///< in that direction
-  std::optional<Witness> witness;  ///< only where the foot of O on the facet's plane lies in the facet
-  std::uint64_t rays = 0, steps = 0;
+  mpq_class squared;                  ///< |translation|^2
+  mpq_class bound_squared;            ///< a lower bound of depth^2
+  Vector direction;                   ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
+  Point translation;                  ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
+  Contact contact;                    ///< in that direction
+  std::optional<Witness> witness;     ///< nullopt if the foot of O on the facet's plane is not in the facet
+  std::uint64_t rays = 0, steps = 0;  ///< rays that were shot, and their steps in the hierarchies
 };
 
+/// The depth within the factor 1 + delta.
 struct ApproxDepth : SeparationOr<ApproxPenetration> {
   mpq_class delta;
 
@@ -118,7 +122,7 @@ struct ApproxDepth : SeparationOr<ApproxPenetration> {
 };
 
 /// Returns a separating translation at most 1 + delta times as long as the depth, which is exact in itself. Time: O(1 / delta) rays.
-/// Throws std::invalid_argument when a body is empty or delta is below 1e-9, and Interrupted.     [AGHRS, APPROX-SEPARATION, Theorem 3.2]
+/// Throws std::invalid_argument if delta is below 1e-9.                                        [AGHRS, APPROX-SEPARATION, Theorem 3.2]
 ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor = nullptr);
 
 /// The same for the width of one body, as the depth of the body against itself, with half of the rays.           [AGHRS, Corollary 3.3]
@@ -126,10 +130,10 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
 
 // ---- shallow ----
 
-/// Finds the exact depth with every optimum by looking only at the facets of P near O: fast where few facets are within (1 + delta) depth of
-/// O. The same result as that of penetration_depth but for Depth::method, which is none, and the counters. Of the options it reads `monitor`
-/// and `validate`. Throws std::invalid_argument when a body is empty and unless 0 < delta <= 2, and Interrupted.
-///                                                                                [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
+/// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of
+/// O. The same result for every delta, and as penetration_depth's but for Depth::method, which is nullopt, and the counters. Of the options
+/// it reads `monitor` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2.
+///                                                                         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));
 
@@ -137,11 +141,10 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
 
 class BodyPair;
 
-/// Two bodies whose Dobkin-Kirkpatrick hierarchies are built once. Each answer equals that of the function of the same name, which builds
-/// them first.
+/// Two bodies whose hierarchies are built once. Each answer equals that of the function of the same name, which builds them anew. Many
+/// threads may ask one object at once.
 class Hierarchies {
  public:
-  /// Throws std::invalid_argument when a body is empty, and Interrupted.
   Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);
   Hierarchies(Hierarchies&&) noexcept;
   Hierarchies& operator=(Hierarchies&&) noexcept;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and an answer.
-// Output  a proof of it, for a reader who trusts nobody: an inner polytope and supporting directions, as exact text. Four independent checkers
-//         read it: fathom/check.hpp and the program fathom-check, check.py, and one extracted from a proof in Coq.   [proofs/certificate.md]
+// Output  a proof of it, for a reader who trusts nobody: an inner polytope and supporting directions, as exact text. Four independent
+//         checkers read it: fathom/check.hpp and the program fathom-check, check.py, and one extracted from a proof in Coq.
+//                                                                                                                  [proofs/certificate.md]
 #pragma once
 
 #include <gmpxx.h>

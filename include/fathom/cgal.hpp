@@ -57,16 +57,16 @@ concept PointSpan = std::convertible_to<const T&, std::span<const Point>>;
 
 // ---- in ----
 
-/// The value of a coordinate. Throws std::invalid_argument if a floating-point number is not finite.
+/// Returns the value of a kernel's number. Throws std::invalid_argument if a floating-point number is not finite.
 template <class Number>
-mpq_class exact_rational(const Number& x) {
+mpq_class exact_value(const Number& x) {
   if constexpr (std::is_floating_point_v<Number>) {
     static_assert(sizeof(Number) <= sizeof(double), "long double is not supported");
-    return exact_value(x);
+    return exact_value(static_cast<double>(x));
   } else if constexpr (std::same_as<Number, mpq_class> || std::same_as<Number, mpz_class>) {
     return mpq_class(x);
   } else if constexpr (requires { x.exact(); }) {  // Lazy_exact_nt
-    return exact_rational(x.exact());
+    return exact_value(x.exact());
   } else if constexpr (requires { mpq_class(x.mpq()); }) {  // Gmpq
     return mpq_class(x.mpq());
   } else if constexpr (requires { mpz_class(x.mpz()); }) {  // Gmpz
@@ -80,7 +80,7 @@ mpq_class exact_rational(const Number& x) {
     typename CGAL::Fraction_traits<Number>::Numerator_type numerator;
     typename CGAL::Fraction_traits<Number>::Denominator_type denominator;
     typename CGAL::Fraction_traits<Number>::Decompose()(x, numerator, denominator);
-    return mpq_class(exact_rational(numerator) / exact_rational(denominator));
+    return mpq_class(exact_value(numerator) / exact_value(denominator));
   } else {
     static_assert(std::integral<Number> ||
                       std::derived_from<typename CGAL::Algebraic_structure_traits<Number>::Algebraic_category, CGAL::Euclidean_ring_tag>,
@@ -93,13 +93,14 @@ mpq_class exact_rational(const Number& x) {
   }
 }
 
-/// The same point.
+/// Returns the same point. Throws as exact_value does.
 template <CgalPoint P>
 Point exact_point(const P& p) {
-  return {exact_rational(p.x()), exact_rational(p.y()), exact_rational(p.z())};
+  return {exact_value(p.x()), exact_value(p.y()), exact_value(p.z())};
 }
 
-/// The points of a body in their order, or the vertices of a mesh in the order of its iteration: that is what the indices in results count.
+/// Returns the points of a range in their order, or of a mesh's vertices in the order of its iteration: the indices in results count these.
+/// Throws as exact_value does.
 template <CgalBody T>
 std::vector<Point> exact_points(const T& body) {
   std::vector<Point> points;
@@ -113,14 +114,15 @@ std::vector<Point> exact_points(const T& body) {
   return points;
 }
 
-/// What is a span of points already stays it.
+/// Returns the same points.
 template <PointSpan T>
 std::span<const Point> exact_points(const T& points) {
   return points;
 }
 
-/// penetration_depth of any two bodies, one of which is CGAL's: the same answer as for their exact points, and the same exceptions. Throws
-/// std::invalid_argument too if a floating-point coordinate is not finite. Other functions take exact_points(body).
+/// The penetration depth of any two bodies, of which one or both are CGAL's: the answer for their exact_points. Throws
+/// std::invalid_argument if a floating-point coordinate is not finite, and as fathom/depth.hpp says. To other functions of fathom pass
+/// exact_points(body).
 template <class A, class B>
 requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && CgalBody<B>)) Depth
     penetration_depth(const A& a, const B& b, const Options& options = {}) {
@@ -131,11 +133,11 @@ requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && Cgal
 
 // ---- out ----
 
-/// The same number.
+/// Returns the same number.
 inline CGAL::Exact_rational to_exact_rational(const mpq_class& x) { return CGAL::Exact_rational(x.get_mpq_t()); }
 
-/// The same number in a kernel's exact number type, which takes CGAL::Exact_rational or GMP's rationals. (To round to double, see
-/// fathom/numbers.hpp.)
+/// Returns the same number in a kernel's exact number type, which can be made from CGAL::Exact_rational or GMP's rationals.
+/// To round to double, see fathom/numbers.hpp.
 template <class Number>
 requires(CGAL::Algebraic_structure_traits<Number>::Is_exact::value) Number to_number(const mpq_class& x) {
   if constexpr (std::constructible_from<Number, mpq_srcptr>) {
@@ -145,21 +147,21 @@ requires(CGAL::Algebraic_structure_traits<Number>::Is_exact::value) Number to_nu
   }
 }
 
-/// The same point, or vector, in a kernel with exact rational coordinates.
+/// Returns the same point in a kernel with exact rational coordinates.
 template <class Kernel>
 typename Kernel::Point_3 to_point_3(const Point& p) {
   using FT = typename Kernel::FT;
   return {to_number<FT>(p.x), to_number<FT>(p.y), to_number<FT>(p.z)};
 }
 
-/// A translation as a vector.
+/// Returns a translation as a vector.
 template <class Kernel>
 typename Kernel::Vector_3 to_vector_3(const Point& translation) {
   using FT = typename Kernel::FT;
   return {to_number<FT>(translation.x), to_number<FT>(translation.y), to_number<FT>(translation.z)};
 }
 
-/// A direction or normal as a vector.
+/// Returns a direction or normal as a vector.
 template <class Kernel>
 typename Kernel::Vector_3 to_vector_3(const Vector& v) {
   return to_vector_3<Kernel>(Point{v.x, v.y, v.z});

@@ -9,24 +9,31 @@
 
 namespace fathom {
 
-/// The predicates that decide the topology. Names as reported.
-enum class Predicate { side_of_equator, x_order, side_of_arc, order_on_vertical, order_at_infinity, count };
+/// The predicates that decide the topology of the exact method, asked of directions on the sphere.       [docs/kernel_concept.md]
+enum class Predicate {
+  side_of_equator,    ///< in which hemisphere does a direction lie?
+  x_order,            ///< which of two directions lies to the left in the chart?
+  side_of_arc,        ///< on which side of a great circle does a direction lie?
+  order_on_vertical,  ///< which of two arcs lies above the other on a vertical?
+  order_at_infinity,  ///< the same, at the chart's left end
+  count
+};
 
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Predicate::count)> predicate_names{
     "side_of_equator", "x_order", "side_of_arc", "order_on_vertical", "order_at_infinity"};
 
-/// Calls of one predicate, by the tier that was reached.
+/// Calls of one predicate, by how far they went: filter, exact numbers, symbolic perturbation.
 struct TierCounts {
   std::uint64_t calls = 0;
-  std::uint64_t exact = 0;  ///< the interval filter was unsure
-  std::uint64_t zero = 0;   ///< the exact sign was zero: coincidences on the input
-  /// How many of the zeros which monomial in the infinitesimals decided (Monomial::packed).
+  std::uint64_t exact = 0;  ///< of these, the filter was unsure
+  std::uint64_t zero = 0;   ///< of these, the exact sign was zero: the input is degenerate, and the perturbation decided
+  /// How many zeros each monomial in the infinitesimals decided. monomial_name of fathom/study.hpp reads the keys.
   std::map<std::uint64_t, std::uint64_t> decided;
 };
 
 using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
 
-/// Counters of one run. "facets" are of A and of B; crossings count pairs of arcs, hence facets of P before merging.
+/// Counters of one run; those of stages that did not run are 0. A crossing of arcs is an edge-edge facet of P before coplanar ones merge.
 struct Counters {
   std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
   std::uint64_t scans = 0;         ///< linear scans of the position test

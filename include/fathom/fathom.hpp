@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library in one include. Apart from it stand fathom/cgal.hpp, which needs CGAL; fathom/check.hpp, the independent checker of certificates;
-// and fathom/judge.h, the judge for C.
+// The library in one include, but for fathom/cgal.hpp, which needs CGAL; fathom/check.hpp, the independent checker of certificates; and
+// fathom/judge.h, the judge for C.
 #pragma once
 
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/study.hpp"
 #include "fathom/width.hpp"

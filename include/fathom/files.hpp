@@ -74,6 +74,7 @@ struct CaseItem {
   std::string id;        ///< its id, else its line number as text; also of a bad case, if it could be read
   std::variant<Case, InputError> outcome;
 
+  // value() throws std::bad_variant_access unless ok(), and error() if ok().
   [[nodiscard]] bool ok() const { return std::holds_alternative<Case>(outcome); }
   [[nodiscard]] const Case& value() const { return std::get<Case>(outcome); }
   [[nodiscard]] const InputError& error() const { return std::get<InputError>(outcome); }

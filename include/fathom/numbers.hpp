@@ -24,7 +24,7 @@ enum class Decimals {
 /// The phrase is short printable ASCII, whatever the token was.
 struct ParsedNumber {
   std::optional<mpq_class> value;
-  std::string error;  ///< empty when there is a value
+  std::string error;  ///< empty if there is a value
 };
 
 /// Limits, so that a few bytes of hostile input cannot ask for unbounded memory.
@@ -39,10 +39,10 @@ inline constexpr long largest_binary_exponent = 400'000;   ///< in magnitude, as
 /// anything left over are errors. Never throws on bad input. Time is quasi-linear in the token's length plus the exponent's size.
 ParsedNumber parse_number(std::string_view token, Decimals decimals);
 
-/// The exact value of a finite double; a float converts to its equal double. Throws std::invalid_argument on NaN and infinities.
+/// Returns the exact value of a finite double; a float converts to its equal double. Throws std::invalid_argument on NaN and infinities.
 mpq_class exact_value(double value);
 
-/// "p/q" in lowest terms, integers without "/1"; parse_number reads it back. `value` must be in lowest terms.
+/// Returns "p/q" in lowest terms, integers without "/1"; parse_number reads it back. `value` must be in lowest terms.
 std::string exact_text(const mpq_class& value);
 
 // ---- rounding ----
@@ -50,24 +50,24 @@ std::string exact_text(const mpq_class& value);
 /// rn: to nearest, ties to even. rd: towards minus infinity. ru: towards plus infinity.
 enum class Rounding { rn, rd, ru };
 
-/// `value`, correctly rounded as IEEE 754 defines it: subnormals where they are due; beyond the largest finite number, infinity in the
-/// direction of rounding or the largest finite number against it; rn overflows from the largest finite number plus half an ulp on.
-/// A negative value that rounds to zero gives -0. The denominator must be positive; lowest terms are not needed.
+/// Returns `value`, correctly rounded as IEEE 754 defines it: subnormals where they are due; beyond the largest finite number, infinity in
+/// the direction of rounding or the largest finite number against it; rn overflows from the largest finite number plus half an ulp on. A
+/// negative value that rounds to zero gives -0. The denominator must be positive; lowest terms are not needed.
 double round_binary64(const mpq_class& value, Rounding mode = Rounding::rn);
 float round_binary32(const mpq_class& value, Rounding mode = Rounding::rn);
 
-/// The square root of `squared`, correctly rounded in the same sense: root_binary64(depth.squared()) is the depth. No root is ever taken
-/// in floating point. Throws std::domain_error when `squared` is negative.
+/// Returns the square root of `squared`, correctly rounded in the same sense: root_binary64(depth.squared()) is the depth. No root is ever
+/// taken in floating point. Throws std::domain_error if `squared` is negative.
 double root_binary64(const mpq_class& squared, Rounding mode = Rounding::rn);
 float root_binary32(const mpq_class& squared, Rounding mode = Rounding::rn);
 
-/// As C99 %a prints it, but in any locale: "0x1.999999999999ap-4", subnormals "0x0.0000000000001p-1022", zero "0x0p+0", "inf", "nan".
-/// A float is printed through its equal double, as %a does: its subnormals look normal.
+/// Returns the number as C99 %a prints it, but in any locale: "0x1.999999999999ap-4", subnormals "0x0.0000000000001p-1022", zero "0x0p+0",
+/// "inf", "nan". A float is printed through its equal double, as %a does: its subnormals look normal.
 std::string hex_text(double value);
 
 // ---- roots to any number of digits ----
 
-/// Decimals low <= root <= high. Equal exactly when the root is a decimal of that many digits; then written without trailing
+/// Decimals low <= root <= high. Equal if and only if the root is a decimal of that many digits; then written without trailing
 /// zeros. Otherwise neighbours among the decimals of that many significant digits, so that low < root < high.
 /// Plain ("0.01234") where that is short, else with an exponent ("1.234e-50"); parse_number reads both, within its limits.
 struct Enclosure {
@@ -77,8 +77,9 @@ struct Enclosure {
 
 inline constexpr std::size_t most_root_digits = 1'000'000;
 
-/// Encloses the square root of `squared` to `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the digits, exact
-/// squaring of both ends proves them. Throws std::domain_error when `squared` is negative, std::invalid_argument for other digits.
+/// Encloses the square root of `squared` by decimals of `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the
+/// digits, exact squaring of both ends proves them. Throws std::domain_error if `squared` is negative, std::invalid_argument for other
+/// digits.
 Enclosure enclose_root(const mpq_class& squared, std::size_t digits);
 
 }  // namespace fathom

@@ -11,8 +11,8 @@
 namespace fathom {
 
 /// Returns the depth of the body against itself: squared() is the squared width, each optimum's direction is normal to a pair of nearest
-/// supporting planes (and occurs with both signs), contact.a spans one of the two faces and contact.b the other. A flat body has width 0 and
-/// status touching. Throws as penetration_depth does.
+/// supporting planes (and occurs with both signs), contact.a spans one of the two faces and contact.b the other. A flat body has width 0
+/// and status touching. Throws as penetration_depth does.
 Depth width(std::span<const Point> points, const Options& options = {});
 
 }  // namespace fathom

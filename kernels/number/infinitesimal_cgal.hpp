@@ -35,7 +35,7 @@ class Real_embeddable_traits<fathom::Infinitesimal> : public INTERN_RET::Real_em
     CGAL_IMPLICIT_INTEROPERABLE_BINARY_OPERATOR_WITH_RT(Type, ::CGAL::Comparison_result)
   };
 
-  /// Of the limit, where all infinitesimals are 0: near enough for drawing and talking.
+  /// Returns the limit, where all infinitesimals are 0: enough for drawing and messages.
   struct To_double : cpp98::unary_function<Type, double> {
     double operator()(const Type& s) const { return CGAL::to_double(limit(s)); }
   };

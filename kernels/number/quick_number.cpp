@@ -8,7 +8,7 @@
 namespace fathom {
 
 // std::from_chars rounds correctly, but some of its shortcuts follow the rounding mode that an interval filter may have set.
-// What it reads and parse_number refuses (inf, nan), or knows better (integers beyond 64 bits, underflow), is left to the latter.
+// Falls back to parse_number for inf, nan, integers over 64 bits and underflow.
 bool quick_number(std::string_view token, Decimals decimals, mpq_class& value) {
   constexpr std::size_t short_enough = 64;
   if (token.size() > short_enough) return false;

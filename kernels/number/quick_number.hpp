@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Short integers and decimals, read at the speed of the machine: what nearly every token of a large mesh is.
+// A fast path for short integers and decimals, which are nearly all tokens of a large mesh.
 #pragma once
 
 #include <gmpxx.h>
@@ -10,8 +10,8 @@
 
 namespace fathom {
 
-/// Sets `value` to what parse_number(token, decimals) would yield and returns true; or returns false and leaves the token to it.
-/// Never differs from parse_number, which is its naive twin; decimals only in binary64 mode while rounding is to nearest.
+/// Sets `value` to the value of parse_number(token, decimals), its naive twin, and returns true; or returns false, and parse_number has to
+/// read the token. Reads decimals only in binary64 mode and while rounding is to nearest.
 bool quick_number(std::string_view token, Decimals decimals, mpq_class& value);
 
 }  // namespace fathom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounding by an enclosure that is refined until both of its ends round alike (Ziv's strategy): an irrational number is no border
-// between two roundings, so that this ends, and a rational one is rounded as such.                        [proofs/judge.md]
+// Rounding by an enclosure that is refined until both of its ends round alike (Ziv's strategy). This ends, since an irrational number never
+// lies on the border between two roundings; a rational one is rounded directly.  [proofs/judge.md]
 #include "kernels/number/surd.hpp"
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of a rational and square roots: their exact sign, and their correctly rounded value. What it takes to say by how much a claimed
-// number misses a depth, which is a root.                                                                         [proofs/judge.md]
+// Sums of a rational and square roots: their exact sign, and their correctly rounded value. With them the judge tells how far a claimed
+// number is from a depth, which is a root.  [proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -12,10 +12,10 @@ struct Surd {
   mpq_class rational, root;
 };
 
-/// Exact, by squaring.
+/// Returns the exact sign, found by squaring.
 int sign(const Surd& value);
 
-/// The exact sign of rational + signed root of x + signed root of y.
+/// Returns the exact sign of rational + signed root of x + signed root of y.
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y);
 
 /// Correctly rounded to nearest, ties to even; infinite beyond binary64. A value that rounds to zero gives +0.

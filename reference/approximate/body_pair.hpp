@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies made ready for many rays: on one lattice, with the position of O, hulls and their hierarchies; and the way back from the
-// lattice to what results say.                                                                                 [AGHRS, section 3]
+// Two bodies made ready for many rays: on one lattice, with the position of O, hulls and their hierarchies; and conversions from lattice
+// units to results.  [AGHRS, section 3]
 #pragma once
 
 #include <memory>

@@ -16,8 +16,8 @@ namespace fathom {
 
 /// In integers: vertices of the ball and points of the lattice as they are.
 struct MetricDepth {
-  bool inside = false;     ///< whether O is in P, its boundary included. If not, nothing else is said.
-  mpq_class depth;         ///< so many multiples of ball.vertices, as integer vectors, in the unit of the lattice
+  bool inside = false;     ///< whether O is in P, its boundary included. If not, no other field is set.
+  mpq_class depth;         ///< in multiples of ball.vertices, taken as integer vectors of the lattice
   std::uint64_t rays = 0;  ///< shot
   /// Vertices of the ball whose rays leave P first, ascending. Empty when the depth is 0.
   struct Deciding {

@@ -33,13 +33,13 @@ struct RayHit {
 
 struct SupportOfSum;
 
-/// For many rays through the same bodies: what does not depend on the ray is found once. Refers to the hierarchies, which must outlive
-/// it. Exact for integers of any size; bodies of any rank.
+/// Shoots many rays through the same bodies: computes once what does not depend on the ray. The hierarchies must outlive it. Exact for
+/// integers of any size; bodies of any rank.
 class RayShooter {
  public:
   RayShooter(const Hierarchy& a, const Hierarchy& b);
-  /// With another number of support queries in a search before it is left to a descent of both hierarchies, which takes O(log m log n)
-  /// steps whatever the shapes, but more than the usual search. Answers do not depend on it.
+  /// After `patience` support queries a search becomes a descent of both hierarchies, which takes O(log m log n) steps whatever the shapes,
+  /// but more than a usual search. Answers do not depend on it.
   RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t patience);
 
   /// From `start`, in lattice units. Moving A by t moves P by -t: shoot from t instead; nothing is prepared anew.
@@ -62,7 +62,7 @@ class RayShooter {
   std::array<Vector, 4> corners_;
 };
 
-/// One ray.
+/// Shoots one ray.
 RayHit shoot_ray(const Hierarchy& a, const Hierarchy& b, const Vector& direction, const Vector& start = {0, 0, 0});
 
 }  // namespace fathom

@@ -49,7 +49,7 @@ struct SupportOfSum {
 Portal portal_of_tetrahedron(const std::array<Vector, 4>& corners, const PushedRay& ray);
 
 /// Moves the portal outward until its plane supports a polytope, given by extreme points; or, when `within` is given, only until that
-/// point lies strictly on the inner side. Nothing after more than `patience` queries. The portal's corners must be points of the
+/// point lies strictly on the inner side. Returns nullopt after more than `patience` queries. The portal's corners must be points of the
 /// polytope, and its plane must pass through the interior or support it.
 std::optional<Portal> refine(Portal portal, const PushedRay& ray, const std::function<Vector(const Vector&)>& extreme,
                              const Vector* within = nullptr, std::uint64_t patience = std::numeric_limits<std::uint64_t>::max());

@@ -16,7 +16,7 @@ namespace fathom {
 
 /// In the unit of the lattice. With O on the boundary of P all lengths are 0; then, and outside, normal and ray are zero vectors.
 struct ApproxSeparation {
-  bool inside = false;      ///< whether O is in P, its boundary included. If not, nothing else is said.
+  bool inside = false;      ///< whether O is in P, its boundary included. If not, no other field is set.
   std::uint64_t rays = 0;   ///< shot
   std::uint64_t steps = 0;  ///< that they took
   Vector normal{0, 0, 0};   ///< primitive outward normal of the nearest facet that was hit; of several, the least lexicographically

@@ -83,7 +83,6 @@ Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
   const DefaultFloatEnvironment environment;
   checked(delta);
-  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   Context context(options.monitor);
   const PlacedPair pair = place(a, b);
   Depth depth{facts_of(pair), {}, std::nullopt, {}};

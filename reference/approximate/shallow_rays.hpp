@@ -39,7 +39,7 @@ class GaugeBound {
   /// The first six rays must be those along x, -x, y, -y, z, -z; the factors of all are positive.
   void add(const NearRay& ray);
 
-  /// Whether the rays along the axes and the one closest to u show that gauge(u)^2 bound_squared < 1. Exact; a "no" says nothing.
+  /// Whether the rays along the axes and the one closest to u show that gauge(u)^2 bound_squared < 1. Exact; false proves nothing.
   [[nodiscard]] bool below(const Vector& u, const mpq_class& bound_squared) const;
 
  private:

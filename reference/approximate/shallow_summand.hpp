@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One summand of P = B (+) (-A), with what a walk over P asks of it: the edges at a vertex, the edges around a face, and which face
+// One summand of P = B (+) (-A), with what a walk over P needs: the edges at a vertex, the edges around a face, and which face
 // becomes extreme next when a direction is turned about an edge of P.                                    [proofs/shallow.md]
 #pragma once
 
@@ -28,7 +28,7 @@ struct FaceEdge {
 
 /// What becomes extreme next in one summand, when a direction is turned.
 struct Turn {
-  bool never = true;  ///< nothing, for lack of another vertex
+  bool never = true;  ///< true if nothing does, for lack of another vertex
   Vector x;           ///< from the old face's vertex to a new vertex
   Face face;          ///< the new face; it contains the old one
 };
@@ -52,8 +52,8 @@ class Summand {
   [[nodiscard]] std::vector<FaceEdge> sides(const Face& face) const;
 
   /// `face`, a vertex or an edge along d, is extreme in all directions just after n when n is turned about d, where <n,d> = 0, by a
-  /// right-handed rotation; `from` is a vertex of it, the end from which d comes if it is an edge. Which directions become extreme
-  /// next, before half a turn is over? A vertex costs its degree, which is added to *steps.
+  /// right-handed rotation; `from` is a vertex of it, the end from which d comes if it is an edge. Returns what becomes extreme next,
+  /// before half a turn is over. A vertex costs its degree, which is added to *steps.
   [[nodiscard]] Turn turn(const Face& face, std::uint32_t from, const Vector& d, std::uint64_t* steps) const;
 
  private:

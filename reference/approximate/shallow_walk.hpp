@@ -29,7 +29,7 @@ struct WalkCounts {
   std::uint64_t steps = 0;   ///< corners of faces and neighbours of vertices that were looked at
 };
 
-/// Told of each facet once.
+/// Called once for each facet.
 using VisitFacet = std::function<void(const SumFacet& facet)>;
 
 /// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted.

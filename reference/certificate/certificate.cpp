@@ -69,6 +69,7 @@ Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b
 
 Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor) {
   const DefaultFloatEnvironment environment;
+  require_bodies(a, b);
   if (answer.touch()) return proof_of_touch(a, b, *answer.touch());
   if (answer.distance()) return proof_of_distance(a, b, *answer.distance());
   Certificate certificate = of_bodies(a, b, ClaimKind::depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive check of a certificate: in rationals, by definitions, without regard for time. Convexity is global here (every vertex against every
+// The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
 // facet), where the checkers' is local (each edge).
 #include <algorithm>
 #include <map>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 2048;  // points
 
-// In the direction of the nearest point of P the height is -distance: no other translation brings A to B sooner.
+// In the direction of the nearest point of P the height is -distance: no shorter translation brings A to B.
 Distance distance(Context& context, const PlacedPair& pair, bool checked) {
   const NearestPoints nearest = nearest_points(pair.a, pair.b);
   if (checked) insist(validate(nearest, pair.a.points(), pair.b.points()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies on a lattice.
-// Output  where O lies; for bodies that do not penetrate that is the answer.                [AGHRS, section 2.2, step before the algorithm]
+// Output  where O lies; for bodies that do not penetrate this is the answer.                [AGHRS, section 2.2, step before the algorithm]
 #pragma once
 
 #include "fathom/depth.hpp"
@@ -10,16 +10,17 @@
 
 namespace fathom {
 
-/// Whether the bodies are flat; extreme points are not counted.
+/// Returns whether the bodies are flat; does not count extreme points.
 BodyFacts facts_of(const PlacedPair& pair);
 
-/// The touch or the distance into `depth.outcome`. Returns false if the bodies penetrate. `checked`: validates what it finds.
+/// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate. If `checked`, validates what it finds.
 [[nodiscard]] bool answer_apart(Context& context, const PlacedPair& pair, bool checked, Depth& depth);
 
-/// The hulls of both bodies, which become part of the facts and the counters.
+/// The hulls of both bodies.
 struct Hulls {
   Polytope a, b;
 };
+/// Computes the hulls; sets the counts of extreme points in `facts`, and the counters. If `checked`, validates the hulls.
 Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts& facts);
 
 }  // namespace fathom

@@ -26,20 +26,21 @@ struct FacingFaces {
 };
 FacingFaces facing_faces(const PlacedPair& pair, const Vector& n);
 
-/// The optimum in direction n, the outward normal of a facet of P, with the faces in that direction. Throws std::logic_error when these do not
-/// span a facet.
+/// Returns the optimum in direction n, the outward normal of a facet of P, given the faces in that direction. Throws std::logic_error if
+/// these do not span a facet.
 Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
-/// Points a of the face of A and b of the face of B with b - a = translation. They exist for a nearest facet: the foot point of O lies in it.
+/// Returns points a of the face of A and b of the face of B with b - a = translation. They exist for a nearest facet: the foot point of O
+/// lies in it.
 Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces);
 
-/// Points a and b of the faces with b - a = v / d, in units of the lattice; nullopt if there are none. d > 0.
+/// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or nullopt if there are none.
 std::optional<Witness> meeting_points(const PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
 
-/// The rational position of a convex combination of lattice points.
+/// Returns the rational position of a convex combination of lattice points.
 Point combination(const PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
-/// Given the normals of all nearest facets of P, primitive and in lexicographic order: the answer, but for `inner`.
+/// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order.
 Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>& nearest);
 
 }  // namespace fathom

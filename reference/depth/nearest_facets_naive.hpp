@@ -12,7 +12,7 @@ namespace fathom {
 /// Every facet normal against every vertex, every edge against every edge by an exact test of its arcs, all in exact arithmetic. O(mn).
 NearestPlanes nearest_facets_naive(const Polytope& a, const Polytope& b);
 
-/// The twin that a competitor would write: every edge against every edge, with the double filter. O(mn), a few nanoseconds a pair.
+/// A twin as other libraries would write it: every edge against every edge, with the double filter. O(mn), a few nanoseconds a pair.
 /// `exponent` bounds the coordinates: |c| <= 2^exponent.
 NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exponent);
 

@@ -18,7 +18,7 @@ struct ExactOptions {
   Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
 };
 
-/// The answer, with what `context` has counted.
+/// Returns the answer, with the counters of `context`.
 Depth penetration_depth(Context& context, const PlacedPair& pair, const ExactOptions& options = {});
 
 }  // namespace fathom

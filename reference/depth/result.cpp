@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a Depth tells whatever its status.
+// Accessors of Depth for every status.
 #include "fathom/depth.hpp"
 
 namespace fathom {

@@ -19,7 +19,7 @@ struct Radius {
   double from_above = 0;
 };
 
-// The triangles that wait to be looked at, the one that seems nearest first.
+// A queue of triangles, the one that seems nearest first.
 class Waiting {
  public:
   void add(double distance, std::uint32_t triangle) { queue_.emplace(-distance, triangle); }
@@ -60,7 +60,7 @@ class Expander {
                 });
   }
 
-  // Until Q holds the ball. `holds` becomes whether P does.
+  // Expands until Q holds the ball. Sets `holds` to whether P does.
   ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
     const Radius radius = radius_of(squared.get_num(), squared.get_den());
     bool met = false;  // a facet of P that cuts the ball
@@ -73,8 +73,7 @@ class Expander {
     return end;
   }
 
-  // Until Q's triangles are no nearer than `next`, which shrinks to the distance of each facet plane of P that is met, ignoring those at
-  // `depth`.
+  // Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance found, ignoring facets at `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
     Radius radius = radius_of(next.get_num(), next.get_den());
     return grow([&](std::uint32_t t) { return beyond(t, radius, true); },
@@ -88,7 +87,8 @@ class Expander {
                 });
   }
 
-  // Until some direction is known to have h(n)^2 <= squared <n,n>; `direction` becomes it, or stays as it is if there is none.
+  // Expands until some direction n is known to have h(n)^2 <= squared <n,n>. Sets `direction` to it, or leaves it as it is if there is
+  // none.
   ExpansionEnd find_direction(const mpq_class& squared, Vector& direction) {
     wait_for_all();
     while (!waiting_.empty()) {
@@ -105,8 +105,8 @@ class Expander {
     return ExpansionEnd::proved;
   }
 
-  // Triangle after triangle, but for those that are passed over: Q grows towards what of P lies above it. A triangle with nothing above it
-  // lies in the plane of a facet of P, and `go_on` is asked with that plane.
+  // Takes triangle after triangle, except those that `pass_over` skips, and expands Q towards a point of P above it. A triangle with
+  // nothing above it lies in the plane of a facet of P, which `go_on` gets.
   template <class PassOver, class GoOn>
   ExpansionEnd grow(PassOver pass_over, GoOn go_on) {
     while (!waiting_.empty()) {
@@ -170,8 +170,8 @@ class Expander {
     return or_equal ? mine >= limit : mine > limit;
   }
 
-  // A point of P strictly above the triangle's plane: a guess, which an exact sign confirms, or else an extreme point. None: the plane
-  // supports P.
+  // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms, or an extreme point. Returns nullopt if
+  // the plane supports P.
   std::optional<SurfaceVertex> point_above(std::uint32_t t) {
     SurfaceVertex guess = vertex(likely_extreme(t));
     if (surface_->side(t, guess) > 0) return guess;

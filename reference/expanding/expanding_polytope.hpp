@@ -18,11 +18,11 @@
 
 namespace fathom {
 
-/// For a budget: no limit to the points that are added to Q.
+/// A budget without a limit on the points that are added to Q.
 inline constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 enum class ExpansionEnd {
-  proved,      ///< Q holds the ball that was asked for
+  proved,      ///< Q holds the requested ball
   not_inside,  ///< O is not in the interior of P
   spent        ///< the budget is used up
 };
@@ -31,12 +31,12 @@ struct Expansion {
   ExpansionEnd end = ExpansionEnd::spent;
   /// proved: the directions of all facets of P nearest to O, with their squared distance. Exact.
   NearestPlanes nearest;
-  /// proved: Q, in the ball's tangent planes at all nearest facets, and strictly farther from O everywhere else.
+  /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly farther from O.
   InnerPolytope inner;
   std::size_t points = 0;  ///< added to Q beyond the first four
 };
 
-/// The clouds must have the same exponent and be non-empty. Always ends: gives up rather than add more than `budget` points to Q. Throws
+/// The clouds must have the same exponent and be non-empty. Always ends: gives up if Q would need more than `budget` points. Throws
 /// Interrupted.
 Expansion nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget = unlimited);
 
@@ -56,9 +56,10 @@ struct BallExpansion {
 BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
                              const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
 
-/// With O in the interior of P, `nearest` = depth^2, and `bound` a larger squared distance of a facet plane of P: such a distance again, at
-/// most `bound`, such that no facet strictly between `nearest` and it holds the foot point of O in its interior. All in the clouds' unit.
-/// Throws std::invalid_argument if O is not in the interior of P.                                     [proofs/gap.md, lemma 2]
+/// Requires O in the interior of P, `nearest` = depth^2, and `bound`, a larger squared distance of a facet plane of P. Returns the squared
+/// distance of a facet plane, larger than `nearest` and at most `bound`, such that no facet at a distance strictly between holds the foot
+/// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in the interior of P.  [proofs/gap.md,
+/// lemma 2]
 mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& nearest,
                                     const mpq_class& bound);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each point is sought in a direction u that leads from the hull of those before it to O, then in -u. If neither leads out of that hull, P lies in
-// a plane orthogonal to u.
+// Each point is searched in a direction u from the hull of the points before it to O, then in -u. If neither leads out of that hull, P lies
+// in a plane orthogonal to u.
 #include "reference/expanding/start.hpp"
 
 #include <vector>

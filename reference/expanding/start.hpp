@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-/// Four differences that do not lie in one plane, found in directions that lead towards O; nothing if P is flat. Exact.
+/// Returns four differences that do not lie in one plane, found in directions that lead towards O, or nullopt if P is flat. Exact.
 std::optional<std::array<Difference, 4>> starting_tetrahedron(Differences& differences);
 
 }  // namespace fathom

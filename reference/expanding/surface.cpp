@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Only triangles strictly below the new point go. So an edge of the horizon never lies on one line with the point (the triangle that goes has
-// it strictly above), and new triangles are never degenerate; what is coplanar stays side by side.        [proofs/expanding.md, lemma 1]
+// Only triangles strictly below the new point are removed. So the point never lies on the line through an edge of the horizon, and new
+// triangles are never degenerate; coplanar triangles stay side by side.  [proofs/expanding.md, lemma 1]
 #include "reference/expanding/surface.hpp"
 
 #include <stdexcept>

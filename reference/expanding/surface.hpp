@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A convex polytope that grows point by point: its surface as triangles, none degenerate, neighbours coplanar or convex. Exact; questions
-// that binary64 with an error bound answers are not asked of integers.
+// A convex polytope that grows point by point: its surface as triangles, none degenerate, neighbours coplanar or convex. Exact; integers
+// are used only where binary64 with an error bound leaves a sign open.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct Triangle {
   std::array<std::uint32_t, 3> corners;
   std::array<std::uint32_t, 3> across;
   RoundedPlane rounded;
-  bool alive = true;  ///< part of the surface still
+  bool alive = true;  ///< still part of the surface
   std::unique_ptr<ExactPlane> exact;
 };
 
@@ -41,16 +41,16 @@ class Surface {
   /// The tetrahedron of four differences that do not lie in one plane. `exponent`: that of the clouds. Throws std::logic_error if they do.
   Surface(std::array<SurfaceVertex, 4> corners, long exponent);
 
-  /// Adds a point that lies strictly above triangle `seen`, and returns the new triangles. The surface is that of the convex hull then.
+  /// Adds a point that lies strictly above triangle `seen`, and returns the new triangles. Then the surface is that of the convex hull.
   /// Throws std::logic_error if the point does not lie above it.
   std::vector<std::uint32_t> insert(SurfaceVertex vertex, std::uint32_t seen);
 
-  [[nodiscard]] std::size_t size() const { return triangles_.size(); }  ///< of all triangles, those no longer alive too
+  [[nodiscard]] std::size_t size() const { return triangles_.size(); }  ///< counts also the triangles that are no longer alive
   [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return triangles_[t]; }
   [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const { return vertices_; }
   [[nodiscard]] std::size_t alive() const { return alive_; }
 
-  /// The plane of a triangle; computed when it is first asked for.
+  /// The plane of a triangle; computed on first use.
   const ExactPlane& plane(std::uint32_t t);
   /// The sign of the height of a point above the plane of triangle t.
   int side(std::uint32_t t, const SurfaceVertex& vertex);

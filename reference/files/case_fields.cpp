@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A listener to the events of a JSON parser. It knows its place in the object; whatever is not ours is passed over unstored. A fault
-// does not stop it: an id that comes later still names the case.
+// Listens to the events of a JSON parser. It knows its place in the object and skips unknown fields without storing them. It goes on after
+// a fault: an id that comes later still names the case.
 #include "reference/files/case_fields.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class Listener : public nlohmann::json_sax<Json> {
   void refuse_null_byte();
 
  private:
-  // A container that is being read: an object with the key at hand, or an array with the index at hand.
+  // A container that is being read: an object with its current key, or an array with its current index.
   struct Frame {
     CasePlace place;
     std::size_t index = 0;

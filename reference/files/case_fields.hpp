@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The JSON of one case, taken apart but not yet placed. Not a door: the door is cases.hpp.
+// The fields of one case, read from JSON; poses are not applied yet. For cases.cpp alone.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +20,17 @@ struct BodyFields {
   bool rounded = false;  ///< "pose_rounding": "binary64"
 };
 
-/// What a case says, or the first thing wrong with it.
+/// The fields of a case, or the first error in it.
 struct CaseFields {
-  std::optional<std::string> id;  ///< also if something is wrong, when it could be read
+  std::optional<std::string> id;  ///< also of a bad case, if it could be read
   BodyFields a, b;
   bool rounded = false;        ///< of both bodies
-  std::string fault;           ///< empty: all is well; else what was expected where, and what was found
-  std::size_t fault_line = 0;  ///< of a syntax error, lines of `text` before it
+  std::string fault;           ///< empty if the case is good; else what was expected where, and what was found
+  std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
 };
 
-/// Reads the JSON text of one case. Never throws on bad input. Malformed is also whatever follows the object, other than white space, and
-/// nesting of more than 64 objects and arrays, in fields that are passed over too.
+/// Reads the JSON text of one case. Never throws on bad input. White space alone may follow the object, and at most 64 objects and arrays
+/// may be nested, in skipped fields too.
 CaseFields read_case_fields(std::string_view text);
 
 }  // namespace fathom

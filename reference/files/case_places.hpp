@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The places in the JSON of a case where a value may stand, and what belongs there. Not a door.
+// The places in the JSON of a case where a value may stand, and what belongs there. For case_fields.cpp alone.
 #pragma once
 
 #include <string>
@@ -20,17 +20,17 @@ enum class CasePlace {
   pose,
   pose_row,
   pose_entry,
-  other  ///< nothing of ours: passed over
+  other  ///< no field of ours: skipped
 };
 
-/// What belongs there, for messages.
+/// Returns what belongs there, for messages.
 std::string expected_at(CasePlace place);
 
-/// What stands under `key` in the object of a case, or of a body.
+/// Returns the place of `key` in the object of a case, or of a body.
 CasePlace field_of_case(std::string_view key);
 CasePlace field_of_body(std::string_view key);
 
-/// Whether null there means the same as no field.
+/// Returns whether null there means the same as no field.
 bool may_be_null(CasePlace place);
 
 }  // namespace fathom

@@ -56,7 +56,7 @@ class Nesting {
 /// Whether nothing but blanks follows the first value, which may be cut short.
 bool holds_one_value(std::string_view text) { return is_blank(text.substr(Nesting().take(text))); }
 
-/// Places the vertices of `fields`; a sentence on what went wrong, or nothing.
+/// Places the vertices of `fields`. Returns a sentence on what went wrong, or "".
 std::string place(BodyFields& fields, bool rounded, const char* name, Body& body) {
   body.points = std::move(fields.vertices);
   for (std::size_t i = 0; i < body.points.size(); ++i) {
@@ -107,7 +107,7 @@ class CaseStream::Reader {
   std::string name_;
   CaseLayout layout_;
   std::size_t line_ = 0, case_line_ = 1;  ///< of the line read last; of the case
-  LineRead kept_ = LineRead::whole;       ///< else why the case at hand is lost
+  LineRead kept_ = LineRead::whole;       ///< or why the current case is lost
   std::optional<std::string> pending_;
   bool any_ = false, finished_ = false;
 };

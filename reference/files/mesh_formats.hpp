@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One reader per mesh format, and what they share. Not a door: the door is mesh.hpp.
+// One reader per mesh format, and what they share. For mesh.cpp and the readers.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimal
 Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals);
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
 
-/// Whether the size is the one that a binary STL announces.
+/// Returns whether the size is that which the header of a binary STL announces.
 bool is_binary_stl(std::string_view bytes);
 
-/// Sets `value` to the coordinate that `token` says; InputError, with the place of `scanner`, if it is no number.
+/// Sets `value` to the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is no number.
 void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value);
 
 /// The same with the next token of the line.
@@ -31,7 +31,7 @@ void read_coordinate(TextScanner& scanner, Decimals decimals, mpq_class& value);
 /// The same with the next three tokens.
 void read_point(TextScanner& scanner, Decimals decimals, Point& point);
 
-/// Room for what a file announces, but never more than `bytes_left` could hold at `bytes_each`.
+/// Reserves room for the items that a file announces, but never for more than `bytes_left` bytes can hold at `bytes_each` an item.
 template <class T>
 void reserve_within(std::vector<T>& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
   const std::uint64_t possible = bytes_left / bytes_each + 1;

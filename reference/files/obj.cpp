@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: lines "v x y z" and "f i/j/k ..."; every other kind of line is passed over.
+// Wavefront OBJ: lines "v x y z" and "f i/j/k ..."; skips every other kind of line.
 #include <charconv>
 
 #include "reference/files/mesh_formats.hpp"

@@ -14,14 +14,14 @@ namespace fathom {
 enum class PlyEncoding { ascii, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of one value in a binary file.
+/// Returns the bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
 bool is_integer(PlyType type);
 
 struct PlyProperty {
   std::string name;
   PlyType type;                       ///< of the value, or of each item of the list
-  std::optional<PlyType> count_type;  ///< set: a list, whose length comes first in this integer type
+  std::optional<PlyType> count_type;  ///< if set, the property is a list, whose length comes first in this integer type
 };
 
 struct PlyElement {
@@ -37,7 +37,7 @@ struct PlyHeader {
   std::size_t body_line = 1;  ///< number of the first line after the header
 };
 
-/// InputError for anything but a complete header. Its lines end in LF, CR LF or CR, all like the first.
+/// Throws InputError for anything but a complete header. Its lines end in LF, CR LF or CR, all like the first.
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& name);
 
 }  // namespace fathom

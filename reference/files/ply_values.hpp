@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One value after another from the body of a PLY file: as text, or as bytes. Both classes answer the same calls; an error names the
-// line, or the byte. Not a door.
+// One value after another from the body of a PLY file: as text, or as bytes. Both classes have the same functions; an error names the line,
+// or the byte. For ply.cpp alone.
 #pragma once
 
 #include <algorithm>

@@ -8,13 +8,13 @@
 
 namespace fathom {
 
-/// Rows of a 3 x 4 matrix (M | t). M may be anything: neither orthonormal nor regular.
+/// Rows of a 3 x 4 matrix (M | t). M may be any matrix: it need be neither orthonormal nor regular.
 using Pose = std::array<std::array<mpq_class, 4>, 3>;
 
-/// M p + t, exactly.
+/// Returns M p + t, exactly.
 Point placed(const Point& p, const Pose& pose);
 
-/// Sets `point` to the nearest binary64 numbers, ties to even. False: a coordinate is too large; the point is then unusable.
+/// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too large; then the point is unusable.
 bool round_to_binary64(Point& point);
 
 }  // namespace fathom

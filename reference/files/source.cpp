@@ -107,7 +107,7 @@ std::string read_file(const std::string& path, std::size_t most_of_a_pipe) {
   }
 }
 
-// Not by opening: whoever writes into a named pipe would see its reader go.
+// Does not open it: a writer to a named pipe would see its reader leave.
 void require_readable(const std::string& path) {
   require_plain_name(path);
   struct stat status {};

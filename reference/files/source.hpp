@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a path to bytes, and from bytes to what a message may show of them.
+// Reads files and lines, and prints untrusted bytes safely in messages.
 #pragma once
 
 #include <cstddef>
@@ -9,30 +9,31 @@
 
 namespace fathom {
 
-/// The longest line of a stream, in bytes, and the longest case, over however many lines: an input without an end must not eat all memory.
+/// The longest line of a stream, and the longest case, which may span many lines, in bytes: endless input must not use up the memory.
 inline constexpr std::size_t longest_line = std::size_t{256} << 20;
 
 enum class LineRead { whole, too_long, no_memory, none };
 
-/// Replaces `line` by the next line of `input`, without its line feed; `none`: there is no more. A line that is longer than the limit, or
-/// than the memory at hand, is passed over to its end and leaves `line` empty; after sixteen times the limit `input` is taken to be
-/// without an end, and goes bad.
+/// Replaces `line` by the next line of `input`, without its line feed. Returns `none` at the end of the input. Skips a line that is longer
+/// than the limit, or than the memory allows, and leaves `line` empty; after sixteen times the limit it takes `input` for endless and sets
+/// its badbit.
 LineRead read_line(std::istream& input, std::string& line);
 
-/// The whole file, byte by byte; pipes are read to their end.
-/// InputError if it is missing, a directory, unreadable, or a pipe or device, which may have no end, of more than so many bytes.
+/// Returns the bytes of the whole file; reads pipes to their end. Throws InputError if it is missing, a directory, unreadable, or a pipe or
+/// device with more than `most_of_a_pipe` bytes, which may have no end.
 std::string read_file(const std::string& path, std::size_t most_of_a_pipe = std::size_t{1} << 30);
 
-/// InputError if `path` is missing, a directory or unreadable. Opens nothing.
+/// Throws InputError if `path` is missing, a directory or unreadable. Does not open it.
 void require_readable(const std::string& path);
 
-/// The extension of the file's name in lower case and without the dot; empty if there is none.
+/// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
 std::string extension(std::string_view path);
 
-/// `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN. "nothing" if empty.
+/// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN; "nothing" if it is
+/// empty.
 std::string shown(std::string_view text);
 
-/// `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
+/// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit);
 
 }  // namespace fathom

@@ -8,9 +8,9 @@
 
 namespace fathom {
 
-/// What belongs to no token, besides blanks.
+/// What a scan skips besides blanks.
 struct ScanRules {
-  char comment = '\0';        ///< starts a comment that runs to the end of the line; '\0': there are none
+  char comment = '\0';        ///< starts a comment that runs to the end of the line; '\0' for none
   bool continuation = false;  ///< a backslash that ends a line joins it to the next
 };
 
@@ -19,23 +19,23 @@ class TextScanner {
  public:
   TextScanner(std::string_view text, std::string file, ScanRules rules = {}, std::size_t first_line = 1);
 
-  /// Goes to the next line that holds a token (or is joined to one that may). False: none is left.
+  /// Goes to the next line that holds a token (or is joined to one that may). Returns false if none is left.
   bool next_line();
-  /// The next token of the line; empty at its end.
+  /// Returns the next token of the line, or an empty one at its end.
   std::string_view next_token();
-  /// The next token, on this line or a later one; empty at the end of the text.
+  /// Returns the next token, on this line or a later one, or an empty one at the end of the text.
   std::string_view next_token_anywhere();
-  /// What is left of the line, without comment and outer blanks. Does not move.
+  /// Returns the rest of the line, without comment and outer blanks. Does not move.
   [[nodiscard]] std::string_view rest_of_line() const;
-  /// The next token of the line as a count: decimal digits only. `what` is for the message: "the number of vertices".
+  /// Reads the next token of the line as a count: decimal digits only. `what` names it in the message: "the number of vertices".
   std::uint64_t count(const std::string& what);
 
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] const std::string& file() const { return file_; }
-  /// Bytes that are neither in this line nor before it: a bound on everything that can still come.
+  /// Returns the number of bytes after this line: a bound on all that can still come.
   [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
 
-  /// InputError "file:line: expected ..., found ...". An empty `token` is told as the end of the line.
+  /// Throws InputError "file:line: expected ..., found ...". An empty `token` is called the end of the line.
   [[noreturn]] void fail(const std::string& expected, std::string_view token) const;
   /// The same where the text ends too early.
   [[noreturn]] void fail_at_end(const std::string& expected) const;
@@ -51,7 +51,7 @@ class TextScanner {
   bool started_ = false, joined_ = false;
 };
 
-/// Whether `token` is decimal digits that fit 64 bits; if so, their value.
+/// Returns whether `token` is decimal digits that fit 64 bits; if so, sets `value`.
 bool parse_count(std::string_view token, std::uint64_t& value);
 
 }  // namespace fathom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plain points, one a line: x y z, or x,y,z. Further columns (normals, colours) are passed over, if every line has as many.
+// Plain points, one a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
 // A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
 #include <optional>
 

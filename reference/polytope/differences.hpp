@@ -10,7 +10,7 @@
 
 namespace fathom {
 
-/// Indices of a point a of A and a point b of B; stands for the difference b - a.
+/// The difference b - a, by the indices of a in A and of b in B.
 using Difference = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The clouds must outlive it.
@@ -20,7 +20,7 @@ struct Differences {
   std::size_t scans = 0;  ///< linear scans over both clouds so far
 
   [[nodiscard]] Vector operator[](Difference d) const { return b[d.second] - a[d.first]; }
-  /// A difference that maximises <u, p>; of equals the one with the lowest indices.
+  /// Returns a difference that maximises <u, p>; of several the one with the lowest indices.
   Difference extreme(const Vector& u);
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to three
-// differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does without.
-// |z| falls strictly, so that no triple comes back and the search ends.                                         [proofs/distance.md]
+// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to
+// three differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does not
+// need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
 #include "reference/polytope/distance.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Foot {
 
 Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
-/// The foot of O on the affine hull of one to three affinely independent points; nothing unless all of its weights are positive.
+/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt unless all of its weights are positive.
 std::optional<Foot> foot(const std::vector<Corner>& corners) {
   const Vector& p = corners[0].p;
   if (corners.size() == 1) return Foot{p, {1}, 1};

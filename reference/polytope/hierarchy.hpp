@@ -28,12 +28,12 @@ class Hierarchy {
   /// The vertices, as the filters read them.
   [[nodiscard]] const PointCloud& cloud() const { return cloud_; }
   [[nodiscard]] std::size_t levels() const;
-  /// Everything stored: vertices, edges of all levels, links and changes.
+  /// Returns the number of stored items: vertices, edges of all levels, links and changes.
   [[nodiscard]] std::size_t size() const;
 
-  /// A vertex that maximises <u, p>; any, when several do. Exact. u may be zero. The steps are added to *steps.
+  /// Returns a vertex that maximises <u, p>; any, if several do. Exact. u may be zero. Adds its steps to *steps.
   [[nodiscard]] std::uint32_t extreme(const Vector& u, Steps* steps = nullptr) const;
-  /// All vertices that maximise <u, p>, ascending: a vertex, the ends of an edge, the corners of a facet, or all vertices when u is
+  /// Returns all vertices that maximise <u, p>, ascending: a vertex, the ends of an edge, the corners of a facet, or all vertices when u is
   /// zero or normal to a flat polytope. The listing adds its own length to the time, not to the steps.
   [[nodiscard]] std::vector<std::uint32_t> extreme_face(const Vector& u, Steps* steps = nullptr) const;
 

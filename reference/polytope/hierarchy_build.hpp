@@ -11,7 +11,7 @@
 
 namespace fathom {
 
-/// A vertex is removed only while at most so many edges meet in it.
+/// A vertex is removed only while at most this many edges meet in it.
 inline constexpr std::uint32_t greatest_degree = 8;
 /// A polytope with fewer vertices is not coarsened further. Then more than greatest_degree vertices remain, which keeps every level
 /// solid.                                                                                                [proofs/hierarchy.md, lemma 4]

@@ -20,16 +20,17 @@ class HierarchyDescent {
 
   /// The vertices of the coarsest level; all of them if there is but one level.
   [[nodiscard]] std::vector<std::uint32_t> coarsest() const;
-  /// Takes a place at the coarsest level. u must not be zero.
+  /// Starts at the coarsest level, with direction u, which must not be zero.
   void start(const Vector& u);
 
   [[nodiscard]] std::uint32_t highest() const;
   [[nodiscard]] bool at_finest() const { return level_ == 0; }
-  /// To the next finer level. Whether one of its vertices is strictly higher: it is `highest` then, and its last level is this one.
+  /// Goes to the next finer level. Returns whether one of its vertices is strictly higher: then it is `highest`, and its last level is this
+  /// one.
   bool step_down();
   /// Goes on with another direction, in which `highest`, new at this level, is still highest among the vertices of this level.
   void turn_to(const Vector& u);
-  /// The neighbours at this level of `highest`, when it is new at this level.
+  /// Returns the neighbours of `highest` at this level, if it is new at this level.
   [[nodiscard]] std::vector<std::uint32_t> neighbours() const;
 
   /// Rank 3, at the finest level: another highest vertex, adjacent to `highest`, if there is one.

@@ -25,7 +25,7 @@ class HierarchySurface {
   /// Half-edges that leave v, counter-clockwise.
   [[nodiscard]] std::vector<std::uint32_t> leaving(std::uint32_t v) const;
 
-  /// Takes v away and closes the hole with the hull of its neighbours. New edges get the next numbers. Returns the edges of all new
+  /// Removes v and closes the hole with the hull of its neighbours. New edges get the next numbers. Returns the edges of all new
   /// facets, each once: the rim first. What remains must be of rank 3.
   std::vector<std::uint32_t> remove(std::uint32_t v);
 

@@ -13,7 +13,7 @@
 namespace fathom {
 namespace {
 
-// A common denominator of so many bits never costs much; a longer one is compared with the coordinates.
+// A common denominator with at most this many bits never costs much; a longer one is compared with the coordinates.
 constexpr std::size_t short_enough = 4096;
 constexpr std::size_t times_the_widest = 8;
 // Of all coordinates together, where the denominator outgrows them: 256 MB.
@@ -141,9 +141,13 @@ PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
 
 }  // namespace
 
-std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b) {
-  if (a.empty() || b.empty()) throw std::invalid_argument("a lattice of a body without points");
+void require_bodies(std::span<const Point> a, std::span<const Point> b) {
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   all_coordinates(a, b, [](const mpq_class& q) { return require_lowest_terms(q), true; });
+}
+
+std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b) {
+  require_bodies(a, b);
   std::size_t limit = short_enough;
   Lattice lattice;
   lattice.denominator = common_denominator(a, b, [&](std::size_t size) {

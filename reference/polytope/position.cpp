@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// O is in P iff (0, 1) is in the cone of all (p, 1). If it is, O lies in the relative interior of the hull of some differences T; T grows, in
-// dimension each time, until a supporting plane through O is met or T surrounds O.                               [proofs/position.md]
+// O is in P iff (0, 1) is in the cone of all (p, 1). If it is, O lies in the relative interior of the hull of some differences T; T grows,
+// by a dimension each time, until a supporting plane through O is found or T surrounds O.  [proofs/position.md]
 #include "reference/polytope/position.hpp"
 
 #include <algorithm>

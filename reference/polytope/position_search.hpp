@@ -15,11 +15,11 @@ class ConeSearch {
  public:
   explicit ConeSearch(Differences& differences) : differences_(differences) {}
 
-  /// A point of the cone as a combination of differences, and what is missing to the target.
+  /// A point of the cone as a combination of differences, and the residual to the target.
   struct Nearest {
     std::vector<Difference> support;
     std::vector<mpq_class> weights;  ///< > 0
-    Lifted residual;                 ///< zero: the target is in the cone. Else a proof that it is not, see below.
+    Lifted residual;                 ///< zero if the target is in the cone; else a proof that it is not, see below
   };
 
   /// Searches the cone of all (p, lift), p a difference, for `target`. If the target is not in it, the residual r is a positive multiple

@@ -10,8 +10,8 @@ namespace fathom {
 /// Normals primitive, corners on the plane, cycles simple, strictly convex and counter-clockwise. Indices must be in range.
 void validate_facets(const Polytope& polytope, Report& report);
 
-/// Rank 3 with valid facets: each side of a facet belongs to one edge and each edge to two sides, left and right are what they are
-/// called, facets meet convexly at every edge and in a convex cone at every vertex.
+/// Rank 3 with valid facets: each side of a facet belongs to one edge and each edge to two sides, left and right facets lie to the left and
+/// right, facets meet convexly at every edge and in a convex cone at every vertex.
 void validate_surface(const Polytope& polytope, Report& report);
 
 }  // namespace fathom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A guess at the points that decide, from bodies rounded to a coarse grid; the exact answer to those; then all points are asked whether one of
-// them lies farther out in a direction that this answer names. As long as some do they join, and the answer is sought anew.
+// Guesses the deciding points on bodies rounded to a coarse grid, and answers exactly for those. If other points lie farther out in a
+// direction of that answer, they become deciding points too, and it answers again.
 #include "reference/solve/deciding_points.hpp"
 
 #include <algorithm>
@@ -68,8 +68,8 @@ std::vector<std::uint32_t> extreme_among(std::span<const Point> body, const Vect
   return extreme;
 }
 
-// The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice that
-// of the greatest.
+// The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice
+// that of the greatest.
 std::vector<std::uint32_t> extreme_of_all(std::span<const Point> body, std::span<const Vector> images, const Vector& u) {
   std::vector<mpz_class> values;
   values.reserve(images.size());

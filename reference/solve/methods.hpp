@@ -9,7 +9,7 @@
 
 namespace fathom {
 
-/// With counters of its own: what `context` has counted before is forgotten.
+/// Resets the counters of `context` first.
 Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& options);
 
 }  // namespace fathom

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The public function: it places the bodies on a lattice, or picks the points that decide where a common lattice would be too fine.
-#include <stdexcept>
-
+// The public function: it places the bodies on a lattice, or answers for the deciding points if a common lattice would be too fine.
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
@@ -13,7 +11,6 @@ namespace fathom {
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
   const DefaultFloatEnvironment environment;
-  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   Context context(options.monitor);
   if (const std::optional<PlacedPair> slim = place_if_slim(a, b)) return depth_by_method(context, *slim, options);
   if (std::optional<Depth> depth = depth_by_deciding_points(context, a, b, options)) return std::move(*depth);

@@ -7,6 +7,7 @@
 #include "fathom/approximate.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {
@@ -18,9 +19,9 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
   std::size_t penetrating = 0;
   for (const Case& input : testing::cases_of_all_families(2, 8)) {
     const std::vector<Point>&a = input.a.points, &b = input.b.points;
-    const Depth exact = penetration_depth(a, b);
-    const Lattice lattice = common_lattice(a, b);
-    const Polytope p = testing::differences(lattice);
+    const Depth exact = testing::exact_depth(a, b);
+    const PlacedPair placed = place(a, b);
+    const Polytope p = testing::differences(placed);
     for (const Point& u : directions) {
       const DirectionalDepth found = directional_depth(a, b, u);
       ASSERT_EQ(found.status(), exact.status()) << input.id;
@@ -29,20 +30,20 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
       if (found.status() != Status::penetrating) {
         EXPECT_EQ(found.factor(), 0) << input.id;
         EXPECT_EQ(sgn(testing::support(a, b, found.normal())), found.status() == Status::disjoint ? -1 : 0) << input.id;
-        EXPECT_FALSE(found.contact || found.witness) << input.id;
         continue;
       }
       ++penetrating;
+      const RayExit& exit = *found.penetration();
       const Vector scaled{mpq_class(21000 * u.x).get_num(), mpq_class(21000 * u.y).get_num(), mpq_class(21000 * u.z).get_num()};
       const mpq_class factor = testing::factor_naive(p, scaled);
-      EXPECT_EQ(found.factor(), factor * 21000 / lattice.denominator) << input.id;
+      EXPECT_EQ(found.factor(), factor * 21000 / placed.denominator) << input.id;
       EXPECT_TRUE(testing::is_hit(p, found.normal(), factor, scaled)) << input.id;
-      EXPECT_EQ(found.contact->kind, testing::kind_of(found.contact->a.size(), found.contact->b.size())) << input.id;
-      ASSERT_TRUE(found.witness) << input.id;
-      const Witness& w = *found.witness;
-      EXPECT_EQ((Point{w.b.x - w.a.x, w.b.y - w.a.y, w.b.z - w.a.z}), found.translation()) << input.id;
-      EXPECT_TRUE(testing::in_hull(w.a, a, found.contact->a)) << input.id;
-      EXPECT_TRUE(testing::in_hull(w.b, b, found.contact->b)) << input.id;
+      EXPECT_EQ(exit.contact.kind, testing::kind_of(exit.contact, a, b)) << input.id;
+      EXPECT_EQ(exit.contact.a, testing::face(a, -exit.normal)) << input.id;
+      EXPECT_EQ(exit.contact.b, testing::face(b, exit.normal)) << input.id;
+      EXPECT_EQ(testing::difference(exit.witness.b, exit.witness.a), found.translation()) << input.id;
+      EXPECT_TRUE(testing::in_hull(exit.witness.a, a, exit.contact.a)) << input.id;
+      EXPECT_TRUE(testing::in_hull(exit.witness.b, b, exit.contact.b)) << input.id;
     }
   }
   EXPECT_GT(penetrating, 200U);
@@ -51,13 +52,13 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
 // Along the direction of an optimum the directional depth is the depth.
 TEST(Directional, AlongAnOptimumItIsTheDepth) {
   for (const Case& input : testing::cases_of_all_families(2, 10)) {
-    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     for (const Optimum& optimum : exact.optima()) {
       const DirectionalDepth found = directional_depth(input.a.points, input.b.points, optimum.translation);
       EXPECT_EQ(found.factor(), 1) << input.id;
       EXPECT_EQ(found.squared(), exact.squared()) << input.id;
       EXPECT_EQ(found.normal(), optimum.direction) << input.id;
-      EXPECT_EQ(found.contact, optimum.contact) << input.id;
+      EXPECT_EQ(found.penetration()->contact, optimum.contact) << input.id;
     }
   }
 }

@@ -27,8 +27,9 @@ bool covers_by_tangent(const Vector& p, const Vector& v, const mpq_class& delta)
 
 // The cone of directions that a centre covers is convex: a cell is covered if its four corners are.
 TEST(Directions, EveryCellIsCoveredByItsCentre) {
+  Context context;
   for (const mpq_class& delta : deltas) {
-    const DirectionGrid grid(delta);
+    const DirectionGrid grid(context, delta);
     for (std::uint64_t cell = 0; cell < grid.size(); ++cell) {
       const Vector centre = grid.centre(cell);
       for (const Vector& corner : grid.corners(cell)) {
@@ -41,8 +42,9 @@ TEST(Directions, EveryCellIsCoveredByItsCentre) {
 
 // The cells cover the sphere: each corner's cycle turns to the left about its centre, and each side is shared by two cells.
 TEST(Directions, CellsTileTheSphere) {
+  Context context;
   for (const mpq_class& delta : deltas) {
-    const DirectionGrid grid(delta);
+    const DirectionGrid grid(context, delta);
     using Side = std::pair<std::vector<mpz_class>, std::vector<mpz_class>>;
     std::map<Side, int> sides;
     const auto key = [](const Vector& v) { return std::vector<mpz_class>{v.x, v.y, v.z}; };
@@ -73,8 +75,9 @@ TEST(Directions, CellsTileTheSphere) {
 }
 
 TEST(Directions, TheSecondHalfIsOppositeToTheFirst) {
+  Context context;
   for (const mpq_class& delta : deltas) {
-    const DirectionGrid grid(delta);
+    const DirectionGrid grid(context, delta);
     VectorSet first, second;
     for (std::uint64_t cell = 0; cell < grid.size(); ++cell) (cell < grid.size() / 2 ? first : second).insert(grid.centre(cell));
     EXPECT_EQ(first.size(), second.size());
@@ -83,9 +86,10 @@ TEST(Directions, TheSecondHalfIsOppositeToTheFirst) {
 }
 
 TEST(Directions, RandomDirectionsAreCovered) {
+  Context context;
   std::mt19937_64 random(3);
   for (const mpq_class& delta : {mpq_class(2), mpq_class(1, 4), mpq_class(1, 60)}) {
-    const DirectionGrid grid(delta);
+    const DirectionGrid grid(context, delta);
     for (int i = 0; i < 100; ++i) {
       const Vector v = testing::random_direction(random, i % 2 == 0 ? 2 : 50);
       bool covered = false;
@@ -97,9 +101,10 @@ TEST(Directions, RandomDirectionsAreCovered) {
 
 // O(1 / delta): proved with a larger constant in proofs/approximate.md.
 TEST(Directions, AreFew) {
-  EXPECT_EQ(DirectionGrid(mpq_class(1000000)).size(), 6U);
-  EXPECT_EQ(DirectionGrid(mpq_class(1)).size(), 6U);
-  for (const int n : {2, 4, 10, 100, 2500, 10000}) EXPECT_LE(DirectionGrid(mpq_class(1, n)).size(), 5U * n + 24U) << n;
+  Context context;
+  EXPECT_EQ(DirectionGrid(context, mpq_class(1000000)).size(), 6U);
+  EXPECT_EQ(DirectionGrid(context, mpq_class(1)).size(), 6U);
+  for (const int n : {2, 4, 10, 100, 2500, 10000}) EXPECT_LE(DirectionGrid(context, mpq_class(1, n)).size(), 5U * n + 24U) << n;
 }
 
 TEST(Directions, TheCriterionIsExact) {
@@ -114,11 +119,12 @@ TEST(Directions, TheCriterionIsExact) {
 }
 
 TEST(Directions, RefusesWhatIsNoDelta) {
-  EXPECT_THROW(DirectionGrid(mpq_class(0)), std::invalid_argument);
-  EXPECT_THROW(DirectionGrid(mpq_class(-1, 2)), std::invalid_argument);
+  Context context;
+  EXPECT_THROW(DirectionGrid(context, mpq_class(0)), std::invalid_argument);
+  EXPECT_THROW(DirectionGrid(context, mpq_class(-1, 2)), std::invalid_argument);
   mpz_class huge = 1;
   huge <<= 100;
-  EXPECT_THROW(DirectionGrid(mpq_class(1, huge)), std::invalid_argument);
+  EXPECT_THROW(DirectionGrid(context, mpq_class(1, huge)), std::invalid_argument);
 }
 
 }  // namespace

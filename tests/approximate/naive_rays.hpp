@@ -7,20 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::testing {
 
-inline mpq_class quotient(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class q(numerator, denominator);
-  q.canonicalize();
-  return q;
-}
-
 /// P = B (+) (-A) in the unit of the lattice, moved by -shift.
-inline Polytope differences(const Lattice& lattice, const Vector& shift = {0, 0, 0}) {
-  const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+inline Polytope differences(const PlacedPair& placed, const Vector& shift = {0, 0, 0}) {
+  const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
   std::vector<Vector> all;
   for (const Vector& p : a.vertices) {
     for (const Vector& q : b.vertices) all.push_back(q - p - shift);
@@ -45,7 +40,7 @@ inline mpq_class factor_naive(const Polytope& p, const Vector& u) {
   for (const Facet& facet : p.facets) {
     const mpz_class speed = dot(facet.normal, u);
     if (speed <= 0) continue;
-    const mpq_class factor = quotient(height(p, facet), speed);
+    const mpq_class factor = ratio(height(p, facet), speed);
     if (!least || factor < *least) least = factor;
   }
   return least.value();

@@ -100,11 +100,9 @@ std::vector<Vector> telling_starts(const Polytope& p, std::mt19937_64& random) {
 void expect_rays(std::span<const Vector> a, std::span<const Vector> b, unsigned seed) {
   const Prepared body_a(a), body_b(b);
   const RayShooter rays(body_a.hierarchy, body_b.hierarchy), by_levels(body_a.hierarchy, body_b.hierarchy, 0);
-  Lattice lattice;
-  lattice.a.assign(a.begin(), a.end());
-  lattice.b.assign(b.begin(), b.end());
+  const PlacedPair placed = place_integers({a.begin(), a.end()}, {b.begin(), b.end()});
   std::mt19937_64 random(seed);
-  const Polytope p = testing::differences(lattice);
+  const Polytope p = testing::differences(placed);
   for (const Vector& start : telling_starts(p, random)) {
     Polytope moved = p;
     for (Vector& v : moved.vertices) v = v - start;
@@ -120,8 +118,8 @@ void expect_rays(std::span<const Vector> a, std::span<const Vector> b, unsigned 
 TEST(Ray, AgreesWithTheHullOfDifferencesOnAllFamilies) {
   for (const Case& input : cases_of_all_families(2, 9)) {
     SCOPED_TRACE(input.id);
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    expect_rays(lattice.a, lattice.b, static_cast<unsigned>(input.id.back()));
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    expect_rays(placed.a.points(), placed.b.points(), static_cast<unsigned>(input.id.back()));
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -154,7 +152,7 @@ Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
     const RayHit hit = rays.shoot(u);
     EXPECT_TRUE(hit.interior);
     EXPECT_EQ(hit.height, dot(hit.normal, b.cloud()[b.extreme(hit.normal)]) - dot(hit.normal, a.cloud()[a.extreme(-hit.normal)]));
-    EXPECT_EQ(hit.factor, testing::quotient(hit.height, dot(hit.normal, u)));
+    EXPECT_EQ(hit.factor, ratio(hit.height, dot(hit.normal, u)));
     greatest.queries = std::max(greatest.queries, hit.queries);
     greatest.steps = std::max(greatest.steps, hit.steps);
   }
@@ -165,10 +163,10 @@ Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
 void expect_growth(const char* family, unsigned n, bool with_itself) {
   SCOPED_TRACE(std::string(family) + " " + std::to_string(n));
   const Case input = families::find_family(family)->make(1, n);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const Prepared b(lattice.b);
+  const PlacedPair placed = place(input.a.points, input.b.points);
+  const Prepared b(placed.b.points());
   const Growth growth =
-      with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy) : greatest_of_rays(Prepared(lattice.a).hierarchy, b.hierarchy);
+      with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy) : greatest_of_rays(Prepared(placed.a.points()).hierarchy, b.hierarchy);
   const std::uint64_t doublings = std::bit_width(b.polytope.vertices.size());
   std::cout << family << " vertices " << b.polytope.vertices.size() << " queries " << growth.queries << " steps " << growth.steps << '\n';
   EXPECT_LE(growth.queries, 5 * doublings);
@@ -225,8 +223,8 @@ TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
        {"random_sphere", "crossed_parabolas", "prisms_posed", "crossed_prisms", "parallel_edges", "common_normals", "plates"}) {
     SCOPED_TRACE(family);
     const Case input = families::find_family(family)->make(2, 300);
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const Prepared a(lattice.a), b(lattice.b);
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const Prepared a(placed.a.points()), b(placed.b.points());
     const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0);
     std::mt19937_64 random(3);
     const Vector on = b.polytope.vertices[5] - a.polytope.vertices[7];

@@ -7,6 +7,7 @@
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/separation.hpp"
 #include "tests/approximate/naive_rays.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -58,7 +59,7 @@ TEST(SeparationErrata, ThatGridIsOffByAFactorOfThree) {
   const std::vector<Point> a{{0, 0, 0}};
   std::vector<Point> b;
   for (const Vector& p : grid) b.push_back({p.x, p.y, p.z});
-  const mpq_class squared = penetration_depth(a, b).squared();
+  const mpq_class squared = testing::exact_depth(a, b).squared();
   EXPECT_EQ(squared, mpq_class(1, 3));
   const Polytope tetrahedron = convex_hull(grid);
   for (const Vector& p : grid) {
@@ -68,7 +69,7 @@ TEST(SeparationErrata, ThatGridIsOffByAFactorOfThree) {
     for (const Vector& q : grid) EXPECT_FALSE(covers(p, -q, delta)) << "the criterion used here refuses the grid";
   }
   const ApproxDepth approx = approx_depth(a, b, delta);
-  EXPECT_LE(approx.depth.squared, (1 + delta) * (1 + delta) * approx.bound_squared());
+  EXPECT_LE(approx.squared(), (1 + delta) * (1 + delta) * approx.bound_squared());
   EXPECT_LE(approx.bound_squared(), squared);
 }
 

@@ -8,6 +8,8 @@
 #include "reference/approximate/grid/directions.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
+#include "tests/support/exact_depth.hpp"
+#include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {
@@ -15,7 +17,6 @@ namespace {
 
 using testing::cases_of_all_families;
 using testing::differences;
-using testing::quotient;
 
 mpq_class squared_length(const Point& t) { return t.x * t.x + t.y * t.y + t.z * t.z; }
 
@@ -24,46 +25,45 @@ mpq_class square(const mpq_class& q) { return q * q; }
 /// bound <= depth <= |t| <= (1 + delta) bound, and t separates along the direction that is told.
 void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<const Point> a, std::span<const Point> b,
                       const std::string& what) {
-  const Depth& depth = approx.depth;
-  EXPECT_EQ(depth.status(), exact.status()) << what;
-  EXPECT_EQ(std::pair(depth.flat_a, depth.flat_b), std::pair(exact.flat_a, exact.flat_b)) << what;
-  EXPECT_TRUE(depth.optima().empty()) << what;
-  EXPECT_EQ(squared_length(depth.translation()), depth.squared()) << what;
-  EXPECT_LE(exact.squared(), depth.squared()) << what;
-  EXPECT_LE(depth.squared(), square(1 + approx.delta) * approx.bound_squared()) << what;
+  EXPECT_EQ(approx.status(), exact.status()) << what;
+  EXPECT_EQ(std::pair(approx.flat_a, approx.flat_b), std::pair(exact.flat_a, exact.flat_b)) << what;
+  EXPECT_EQ(squared_length(approx.translation()), approx.squared()) << what;
+  EXPECT_LE(exact.squared(), approx.squared()) << what;
+  EXPECT_LE(approx.squared(), square(1 + approx.delta) * approx.bound_squared()) << what;
   EXPECT_LE(approx.bound_squared(), exact.squared()) << what;
   if (exact.status() != Status::penetrating) {
-    EXPECT_EQ(depth.squared(), 0) << what;
+    EXPECT_EQ(approx.squared(), 0) << what;
     EXPECT_EQ(approx.bound_squared(), 0) << what;
-    EXPECT_EQ(sgn(testing::support(a, b, depth.direction())), exact.status() == Status::disjoint ? -1 : 0) << what;
-    EXPECT_FALSE(depth.contact() || depth.witness()) << what;
+    EXPECT_EQ(sgn(testing::support(a, b, approx.direction())), exact.status() == Status::disjoint ? -1 : 0) << what;
     return;
   }
-  const Vector& n = depth.direction();
+  const Vector& n = approx.direction();
   const mpq_class h = testing::support(a, b, n), s = h / dot(n, n);
-  EXPECT_EQ(depth.translation(), (Point{s * n.x, s * n.y, s * n.z}))
+  EXPECT_EQ(approx.translation(), (Point{s * n.x, s * n.y, s * n.z}))
       << what << ": h(n) = <n,t>, so A + t and B lie on two sides of a plane";
-  ASSERT_TRUE(depth.contact()) << what;
-  EXPECT_EQ(depth.contact()->kind, testing::kind_of(depth.contact()->a.size(), depth.contact()->b.size())) << what;
-  if (!depth.witness()) return;
-  EXPECT_EQ((Point{depth.witness()->b.x - depth.witness()->a.x, depth.witness()->b.y - depth.witness()->a.y,
-                   depth.witness()->b.z - depth.witness()->a.z}),
-            depth.translation())
-      << what;
-  EXPECT_TRUE(testing::in_hull(depth.witness()->a, a, depth.contact()->a)) << what;
-  EXPECT_TRUE(testing::in_hull(depth.witness()->b, b, depth.contact()->b)) << what;
+  const ApproxPenetration& found = *approx.penetration();
+  EXPECT_EQ(found.contact.kind, testing::kind_of(found.contact, a, b)) << what;
+  EXPECT_EQ(found.contact.a, testing::face(a, -n)) << what;
+  EXPECT_EQ(found.contact.b, testing::face(b, n)) << what;
+  if (!found.witness) return;
+  EXPECT_EQ(testing::difference(found.witness->b, found.witness->a), found.translation) << what;
+  EXPECT_TRUE(testing::in_hull(found.witness->a, a, found.contact.a)) << what;
+  EXPECT_TRUE(testing::in_hull(found.witness->b, b, found.contact.b)) << what;
 }
 
 TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
+  Context context;
   std::size_t penetrating = 0, off = 0;
   for (const Case& input : cases_of_all_families(2, 9)) {
-    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 4)}) {
       const ApproxDepth approx = approx_depth(input.a.points, input.b.points, delta);
       expect_guarantee(approx, exact, input.a.points, input.b.points, input.id);
-      EXPECT_EQ(approx.rays, exact.status() == Status::penetrating ? DirectionGrid(delta).size() : 0) << input.id;
-      if (exact.status() == Status::penetrating) ++penetrating;
-      if (exact.squared() < approx.depth.squared) ++off;
+      if (exact.status() == Status::penetrating) {
+        ++penetrating;
+        EXPECT_EQ(approx.penetration()->rays, DirectionGrid(context, delta).size()) << input.id;
+      }
+      if (exact.squared() < approx.squared()) ++off;
     }
   }
   EXPECT_GT(penetrating, 100U);
@@ -73,30 +73,31 @@ TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
 TEST(Separation, KeepsItsGuaranteeWithManyRays) {
   const std::vector<Case> cases = cases_of_all_families(1, 6);
   for (const Case& input : cases) {
-    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 100)), exact, input.a.points, input.b.points, input.id);
   }
   for (const char* name : {"random_sphere", "near_ties"}) {
     const Case input = families::find_family(name)->make(1, 8);
-    const Depth exact = penetration_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 2500)), exact, input.a.points, input.b.points, input.id);
   }
 }
 
 // The plane of a facet instead of the hit point: never farther than the nearest hit, which the naive twin finds too.
 TEST(Separation, TheReachIsThatOfTheNearestRay) {
+  Context context;
   const mpq_class delta(1, 4);
-  const DirectionGrid grid(delta);
+  const DirectionGrid grid(context, delta);
   std::size_t shorter = 0, moved = 0;
   for (const Case& input : cases_of_all_families(1, 8)) {
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
     const Hierarchy hierarchy_a(a), hierarchy_b(b);
     for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 0, -2}}) {
-      const Polytope p = differences(lattice, shift);
+      const Polytope p = differences(placed, shift);
       if (!testing::holds_origin(p)) continue;
       if (!is_zero(shift)) ++moved;
-      const ApproxSeparation found = approx_separation(hierarchy_a, hierarchy_b, delta, shift);
+      const ApproxSeparation found = approx_separation(context, hierarchy_a, hierarchy_b, delta, shift);
       mpq_class reach = -1;
       for (std::uint64_t i = 0; i < grid.size(); ++i) {
         const Vector u = grid.centre(i);
@@ -106,7 +107,7 @@ TEST(Separation, TheReachIsThatOfTheNearestRay) {
       EXPECT_TRUE(found.inside);
       EXPECT_EQ(found.reach_squared, reach) << input.id;
       EXPECT_EQ(square(testing::factor_naive(p, found.ray)) * dot(found.ray, found.ray), reach) << input.id;
-      const mpq_class squared = quotient(found.height * found.height, dot(found.normal, found.normal));
+      const mpq_class squared = ratio(found.height * found.height, dot(found.normal, found.normal));
       EXPECT_LE(squared, reach) << input.id;
       if (squared < reach) ++shorter;
       const auto facet = std::find_if(p.facets.begin(), p.facets.end(), [&](const Facet& f) { return f.normal == found.normal; });
@@ -120,25 +121,27 @@ TEST(Separation, TheReachIsThatOfTheNearestRay) {
 
 // With O on the boundary some ray leaves P at once; outside, no ray says anything.
 TEST(Separation, OffTheInterior) {
+  Context context;
   const std::vector<Vector> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
   const std::vector<Vector> point{{0, 0, 0}};
   const Polytope a = convex_hull(point), b = convex_hull(corners);
   const Hierarchy hierarchy_a(a), hierarchy_b(b);
   for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 1, 0}, Vector{1, 1, 2}, Vector{3, 0, 1}}) {
-    const ApproxSeparation found = approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), shift);
+    const ApproxSeparation found = approx_separation(context, hierarchy_a, hierarchy_b, mpq_class(1, 4), shift);
     EXPECT_TRUE(found.inside);
     EXPECT_EQ(found.reach_squared, 0);
     EXPECT_EQ(found.height, 0);
   }
   for (const Vector& shift : {Vector{2, 2, 2}, Vector{-1, 1, 1}}) {
-    EXPECT_FALSE(approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), shift).inside);
+    EXPECT_FALSE(approx_separation(context, hierarchy_a, hierarchy_b, mpq_class(1, 4), shift).inside);
   }
-  const ApproxSeparation inside = approx_separation(hierarchy_a, hierarchy_b, mpq_class(1, 4), {1, 1, 1});
+  const ApproxSeparation inside = approx_separation(context, hierarchy_a, hierarchy_b, mpq_class(1, 4), {1, 1, 1});
   EXPECT_TRUE(inside.inside);
-  EXPECT_EQ(quotient(inside.height * inside.height, dot(inside.normal, inside.normal)), mpq_class(1, 3));
+  EXPECT_EQ(ratio(inside.height * inside.height, dot(inside.normal, inside.normal)), mpq_class(1, 3));
 }
 
 TEST(ApproxWidth, KeepsItsGuaranteeWithHalfOfTheRays) {
+  Context context;
   std::size_t solids = 0;
   for (const Case& input : cases_of_all_families(2, 10)) {
     const std::vector<Point>& points = input.a.points;
@@ -148,7 +151,7 @@ TEST(ApproxWidth, KeepsItsGuaranteeWithHalfOfTheRays) {
       expect_guarantee(approx, exact, points, points, input.id);
       if (exact.status() != Status::penetrating) continue;
       ++solids;
-      EXPECT_EQ(approx.rays, DirectionGrid(delta).size() / 2) << input.id;
+      EXPECT_EQ(approx.penetration()->rays, DirectionGrid(context, delta).size() / 2) << input.id;
     }
   }
   EXPECT_GT(solids, 100U);
@@ -162,21 +165,16 @@ TEST(Separation, RefusesWhatIsNoDelta) {
   EXPECT_THROW(approx_depth(one, none, 1), std::invalid_argument);
 }
 
-TEST(Separation, ProgressCanStopTheRun) {
+TEST(Separation, AMonitorHearsOfProgressAndCanStopTheRun) {
   const Case input = families::find_family("random_sphere")->make(1, 20);
-  std::size_t calls = 0, stages = 0;
-  approx_depth(input.a.points, input.b.points, mpq_class(1, 50), [&](const std::string&, double share) {
-    EXPECT_GE(share, 0);
-    EXPECT_LE(share, 1);
-    ++stages;
-    return true;
-  });
-  EXPECT_GT(stages, 4U);
-  for (std::size_t stop = 1; stop <= stages; ++stop) {
-    calls = 0;
-    EXPECT_THROW(approx_depth(input.a.points, input.b.points, mpq_class(1, 50), [&](const std::string&, double) { return ++calls < stop; }),
-                 Interrupted);
-    EXPECT_EQ(calls, stop);
+  testing::Recorder all;
+  approx_depth(input.a.points, input.b.points, mpq_class(1, 50), &all);
+  EXPECT_GT(all.stages.size(), 4U);
+  for (const double share : all.shares) EXPECT_TRUE(share >= 0 && share <= 1) << share;
+  for (std::size_t stop = 1; stop <= all.stages.size(); ++stop) {
+    testing::Recorder some(stop);
+    EXPECT_THROW(approx_depth(input.a.points, input.b.points, mpq_class(1, 50), &some), Interrupted);
+    EXPECT_EQ(some.stages.size(), stop);
   }
 }
 

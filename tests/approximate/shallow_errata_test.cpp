@@ -21,10 +21,8 @@ struct JustP {
   /// The nearest facets that a walk in the ball finds.
   [[nodiscard]] NearestPlanes nearest(const Ball& ball, const std::vector<SumFacet>& starts) const {
     NearestPlanes planes;
-    walk(surface, ball, starts, [&](const SumFacet& f, std::size_t) {
-      planes.offer(f.normal, dot(f.normal, surface.point(f)));
-      return true;
-    });
+    Context context;
+    walk(context, surface, ball, starts, [&](const SumFacet& f) { planes.offer(f.normal, dot(f.normal, surface.point(f))); });
     return planes;
   }
 
@@ -83,6 +81,7 @@ TEST(ShallowErrata, TheFaceThatUSupportsIsFarFromTheBall) {
 // The box with a rim that slopes down a little, in units of 1/1000: no facet at the vertex that u supports comes within 50 of O. From
 // whichever of them the walk starts, it ends there, with a plane farther than the depth, which is 1.
 TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
+  Context context;
   std::vector<Vector> corners = box(50000, 1000);
   for (const Vector& v : box(100000, 995)) corners.push_back(v);
   const JustP p(corners);
@@ -105,7 +104,7 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
   }
   EXPECT_EQ(facets, 4U);
   EXPECT_EQ(squared(p.nearest(near, {p.facet(shoot_ray(p.a, p.b, u).normal)})), depth_squared);
-  const ShallowResult result = ShallowPenetration(p.a, p.b, delta).query();
+  const ShallowResult result = ShallowPenetration(context, p.a, p.b, delta).query(context);
   EXPECT_EQ(squared(result.nearest), depth_squared);
   EXPECT_EQ(result.nearest.directions().size(), 2U);
 }
@@ -117,9 +116,10 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
 // of the depth. The rays that cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge to the nearest
 // facet is at a distance of 21, the ball has the radius 15.
 TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
+  Context context;
   const JustP p({{-10, -60, -60}, {137, -60, -60}, {-10, 87, -60}, {-10, -60, 87}});
   const mpq_class delta = 1;
-  const DirectionGrid coarse(delta);
+  const DirectionGrid coarse(context, delta);
   std::vector<Vector> directions;
   for (std::uint64_t cell = 0; cell < coarse.size(); ++cell) directions.push_back(coarse.centre(cell));
   ASSERT_EQ(directions.size(), 6U);
@@ -134,19 +134,20 @@ TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
     if (in_reach(delta, squared_reach(p, u), least_squared)) starts.push_back(p.facet(shoot_ray(p.a, p.b, u).normal));
   }
   EXPECT_EQ(squared(p.nearest(ball(delta, least_squared), starts)), 100) << "the letter of the text";
-  EXPECT_EQ(squared(ShallowPenetration(p.a, p.b, delta).query().nearest), depth_squared) << "with the grid for delta / 4";
+  EXPECT_EQ(squared(ShallowPenetration(context, p.a, p.b, delta).query(context).nearest), depth_squared) << "with the grid for delta / 4";
 }
 
 // ---- delta ----
 
 // (1 + delta/2) (1 + delta/4) <= 1 + delta, which puts the ball within (1 + delta) depth, holds up to delta = 2 and no farther.
 TEST(ShallowErrata, TheBallIsWithinItsBoundUpToDeltaTwo) {
+  Context context;
   const auto ball_within_bound = [](const mpq_class& d) { return (1 + d / 2) * (1 + d / 4) <= 1 + d; };
   for (int i = 1; i <= 200; ++i) EXPECT_TRUE(ball_within_bound(mpq_class(i, 100)));
   EXPECT_FALSE(ball_within_bound(mpq_class(201, 100)));
   const JustP p(box(3, 1));
-  EXPECT_NO_THROW(ShallowPenetration(p.a, p.b, 2));
-  EXPECT_THROW(ShallowPenetration(p.a, p.b, mpq_class(201, 100)), std::invalid_argument);
+  EXPECT_NO_THROW(ShallowPenetration(context, p.a, p.b, 2));
+  EXPECT_THROW(ShallowPenetration(context, p.a, p.b, mpq_class(201, 100)), std::invalid_argument);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ mpq_class depth_squared(const Polytope& p) {
   mpq_class least = -1;
   for (const Facet& f : p.facets) {
     const mpz_class h = testing::height(p, f);
-    const mpq_class here = testing::quotient(h * h, dot(f.normal, f.normal));
+    const mpq_class here = ratio(h * h, dot(f.normal, f.normal));
     if (least < 0 || here < least) least = here;
   }
   return least;
@@ -45,7 +45,8 @@ void expect_laws(const NearRays& rays, const Polytope& p, const mpq_class& delta
     EXPECT_TRUE(testing::is_hit(p, ray.normal, ray.factor, ray.direction));
     shot.insert(ray.direction);
   }
-  const DirectionGrid grid(delta);
+  Context context;
+  const DirectionGrid grid(context, delta);
   for (std::uint64_t cell = 0; cell < grid.size(); ++cell) {
     const Vector u = grid.centre(cell);
     EXPECT_TRUE(shot.contains(u) || square(factor_naive(p, u)) * dot(u, u) > limit) << "skipped: " << u;
@@ -56,6 +57,7 @@ void expect_laws(const NearRays& rays, const Polytope& p, const mpq_class& delta
 class EveryFamily : public ::testing::TestWithParam<families::Family> {};
 
 TEST_P(EveryFamily, SkipsNoRayWithinReach) {
+  Context context;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
     SCOPED_TRACE(input.id);
@@ -63,7 +65,7 @@ TEST_P(EveryFamily, SkipsNoRayWithinReach) {
     if (scene.sum.rank < 3) continue;
     const RayShooter shooter(scene.a, scene.b);
     const mpq_class delta = seed == 1 ? mpq_class(1, 16) : seed == 2 ? mpq_class(1, 2) : mpq_class(3);
-    const NearRays rays = RayGrids(delta).shoot(shooter, {0, 0, 0});
+    const NearRays rays = RayGrids(context, delta).shoot(context, shooter, {0, 0, 0});
     EXPECT_EQ(rays.inside, testing::holds_origin(scene.sum));
     if (rays.inside) expect_laws(rays, scene.sum, delta);
   }
@@ -95,11 +97,12 @@ INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily, ::testing::ValuesIn(families:
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ShallowRays, FarSidesTakeFewRays) {
+  Context context;
   const ShallowScene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}), cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
   const RayShooter through_plate(plate.a, plate.b), through_cube(cube.a, cube.b);
   for (const mpq_class& delta : {mpq_class(1, 16), mpq_class(1, 100)}) {
-    const RayGrids grids(delta);
-    const NearRays of_plate = grids.shoot(through_plate, {0, 0, 0}), of_cube = grids.shoot(through_cube, {0, 0, 0});
+    const RayGrids grids(context, delta);
+    const NearRays of_plate = grids.shoot(context, through_plate, {0, 0, 0}), of_cube = grids.shoot(context, through_cube, {0, 0, 0});
     expect_laws(of_plate, plate.sum, delta);
     expect_laws(of_cube, cube.sum, delta);
     EXPECT_LE(of_plate.rays, of_plate.skipped / 4);
@@ -109,21 +112,23 @@ TEST(ShallowRays, FarSidesTakeFewRays) {
 }
 
 TEST(ShallowRays, FromOtherPlacesAndOutside) {
+  Context context;
   const ShallowScene scene({"a box", {{{0, 0, 0}}}, families::box(4, 5, 6)});
   const RayShooter shooter(scene.a, scene.b);
-  const RayGrids grids(mpq_class(1, 4));
-  const Vector b = scene.lattice.b.front() - scene.lattice.a.front();  // a corner of P
-  EXPECT_FALSE(grids.shoot(shooter, b).inside);
-  EXPECT_FALSE(grids.shoot(shooter, {b.x * 2, b.y, b.z}).inside);
+  const RayGrids grids(context, mpq_class(1, 4));
+  const Vector b = scene.placed.b[0] - scene.placed.a[0];  // a corner of P
+  EXPECT_FALSE(grids.shoot(context, shooter, b).inside);
+  EXPECT_FALSE(grids.shoot(context, shooter, {b.x * 2, b.y, b.z}).inside);
   const Vector inside{0, 2, 0};
-  const NearRays rays = grids.shoot(shooter, inside);
+  const NearRays rays = grids.shoot(context, shooter, inside);
   EXPECT_TRUE(rays.inside);
-  expect_laws(rays, testing::differences(scene.lattice, inside), mpq_class(1, 4));
+  expect_laws(rays, testing::differences(scene.placed, inside), mpq_class(1, 4));
 }
 
 TEST(ShallowRays, RefusesWhatIsNoDelta) {
-  EXPECT_THROW(RayGrids(mpq_class(0)), std::invalid_argument);
-  EXPECT_THROW(RayGrids(mpq_class(-1, 3)), std::invalid_argument);
+  Context context;
+  EXPECT_THROW(RayGrids(context, mpq_class(0)), std::invalid_argument);
+  EXPECT_THROW(RayGrids(context, mpq_class(-1, 3)), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ using NormalSet = std::set<Vector, NearestPlanes::LexicographicOrder>;
 /// Both bodies with their hierarchies, and P itself.
 struct ShallowScene {
   explicit ShallowScene(const Case& input)
-      : lattice(common_lattice(input.a.points, input.b.points)),
-        hull_a(convex_hull(lattice.a)),
-        hull_b(convex_hull(lattice.b)),
+      : placed(place(input.a.points, input.b.points)),
+        hull_a(convex_hull(placed.a.points())),
+        hull_b(convex_hull(placed.b.points())),
         a(hull_a),
         b(hull_b),
-        sum(differences(lattice)) {}
-  Lattice lattice;
+        sum(differences(placed)) {}
+  PlacedPair placed;
   Polytope hull_a, hull_b;
   Hierarchy a, b;
   Polytope sum;

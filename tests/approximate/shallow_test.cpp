@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "tests/approximate/shallow_scene.hpp"
+#include "tests/support/exact_depth.hpp"
+#include "tests/support/monitors.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"
@@ -28,7 +29,6 @@ void expect_same(const Depth& depth, const Depth& exact) {
   EXPECT_EQ(depth.optima(), exact.optima());
   EXPECT_EQ(depth.direction(), exact.direction());
   EXPECT_EQ(depth.translation(), exact.translation());
-  EXPECT_EQ(depth.contact(), exact.contact());
   EXPECT_EQ(depth.witness(), exact.witness());
   EXPECT_EQ(depth.flat_a, exact.flat_a);
   EXPECT_EQ(depth.flat_b, exact.flat_b);
@@ -43,7 +43,7 @@ TEST_P(EveryFamily, EqualsTheExactPipeline) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const Case input = GetParam().make(seed, size);
       SCOPED_TRACE(input.id);
-      const Depth exact = penetration_depth(input.a.points, input.b.points);
+      const Depth exact = testing::exact_depth(input.a.points, input.b.points);
       Options validated;
       validated.validate = true;
       const Depth depth = shallow_depth(input.a.points, input.b.points, validated, seed == 1 ? mpq_class(1, 4) : mpq_class(seed - 1));
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Shallow, EveryFamily, ::testing::ValuesIn(families::fam
 TEST(Shallow, EqualsTheExactPipelineOnTheCatalogue) {
   for (const families::CatalogueEntry& entry : families::catalogue()) {
     SCOPED_TRACE(entry.name);
-    const Depth exact = penetration_depth(entry.pair.a.points, entry.pair.b.points);
+    const Depth exact = testing::exact_depth(entry.pair.a.points, entry.pair.b.points);
     for (const mpq_class& delta : {mpq_class(1, 4), mpq_class(1)}) {
       const Depth depth = shallow_depth(entry.pair.a.points, entry.pair.b.points, {}, delta);
       expect_same(depth, exact);
@@ -81,24 +81,25 @@ mpq_class squared_distance(const Polytope& p, const Facet& f) {
     const Vector &u = p.vertices[p.corners[i]], &v = p.vertices[p.corners[i + 1 == f.end ? f.begin : i + 1]];
     const Vector d = v - u;
     if (det(n, d, -u) < 0) foot_inside = false;  // the foot is O moved along n
-    const mpq_class t = std::clamp(testing::quotient(-dot(u, d), dot(d, d)), mpq_class(0), mpq_class(1));
+    const mpq_class t = std::clamp(ratio(-dot(u, d), dot(d, d)), mpq_class(0), mpq_class(1));
     const mpq_class here = dot(u, u) + t * (2 * mpq_class(dot(u, d)) + t * dot(d, d));
     if (!least || here < *least) least = here;
   }
-  return foot_inside ? testing::quotient(h * h, square) : *least;
+  return foot_inside ? ratio(h * h, square) : *least;
 }
 
 // Visited facets meet the ball, and the ball is such that those are within Theorem 3.5's count, (1 + delta) depth of O.
 TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
+  Context context;
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const Case input = GetParam().make(seed, 7);
     SCOPED_TRACE(input.id);
     const ShallowScene scene(input);
     for (const mpq_class& delta : {mpq_class(1, 2), mpq_class(2)}) {
-      const ShallowResult result = ShallowPenetration(scene.a, scene.b, delta).query();
+      const ShallowResult result = ShallowPenetration(context, scene.a, scene.b, delta).query(context);
       EXPECT_EQ(result.inside, testing::holds_origin(scene.sum));
       if (!result.inside) continue;
-      const mpq_class depth_squared = testing::quotient(result.nearest.numerator(), result.nearest.denominator());
+      const mpq_class depth_squared = ratio(result.nearest.numerator(), result.nearest.denominator());
       EXPECT_LE(result.ball_radius_squared, (1 + delta) * (1 + delta) * depth_squared);
       EXPECT_GE(result.ball_radius_squared, (1 + delta / 2) * (1 + delta / 2) * depth_squared);
       std::uint64_t within = 0;
@@ -120,7 +121,7 @@ Case spheres_that_overlap_a_little(unsigned points, const mpq_class& apart) {
 TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
   for (const unsigned points : {100U, 400U}) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(15, 8));
-    const Depth exact = penetration_depth(input.a.points, input.b.points), depth = shallow_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points), depth = shallow_depth(input.a.points, input.b.points);
     expect_same(depth, exact);
     ASSERT_EQ(depth.status(), Status::penetrating) << points;
     EXPECT_GE(exact.counters.crossings, 2U * points) << "facets of P; there are others";
@@ -129,12 +130,13 @@ TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
 }
 
 TEST(Shallow, TheWalkDoesNotGrowWithTheBodies) {
+  Context context;
   for (const unsigned points : {1000U, 8000U}) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(99, 50));
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const Polytope hull_a = convex_hull(lattice.a), hull_b = convex_hull(lattice.b);
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const Polytope hull_a = convex_hull(placed.a.points()), hull_b = convex_hull(placed.b.points());
     const Hierarchy a(hull_a), b(hull_b);
-    const ShallowResult result = ShallowPenetration(a, b).query();
+    const ShallowResult result = ShallowPenetration(context, a, b).query(context);
     ASSERT_TRUE(result.inside);
     EXPECT_LE(result.facets, 40U) << points;
     EXPECT_LE(result.walk_steps, 1000U) << points;
@@ -152,21 +154,22 @@ TEST(Shallow, ADeepPenetrationTakesItThroughAllOfP) {
 // ---- bodies that move ----
 
 TEST(Shallow, ABodyMovesWithoutNewPreparation) {
+  Context context;
   for (const char* name : {"random_lattice", "boxes_aligned", "random_sphere", "polygon_solid", "exact_ties"}) {
     const families::Family* family = families::find_family(name);
     ASSERT_NE(family, nullptr) << name;
     const Case input = family->make(2, 8);
     const ShallowScene scene(input);
     ASSERT_EQ(scene.sum.rank, 3);
-    const ShallowPenetration bodies(scene.a, scene.b);
-    const mpz_class& unit = scene.lattice.denominator;
+    const ShallowPenetration bodies(context, scene.a, scene.b);
+    const mpz_class& unit = scene.placed.denominator;
     std::size_t inside = 0;
     for (int i = 0; i < 40; ++i) {
       const mpz_class step = unit > 4 ? mpz_class(unit / 4) : mpz_class(1);
       const Vector shift{step * (i % 5 - 2), step * (i / 5 % 4 - 1), step * (i / 20 - 1)};
-      const Point by{testing::quotient(shift.x, unit), testing::quotient(shift.y, unit), testing::quotient(shift.z, unit)};
-      const Depth exact = penetration_depth(families::translated(input.a, by).points, input.b.points);
-      const ShallowResult result = bodies.query(shift);
+      const Point by{ratio(shift.x, unit), ratio(shift.y, unit), ratio(shift.z, unit)};
+      const Depth exact = testing::exact_depth(families::translated(input.a, by).points, input.b.points);
+      const ShallowResult result = bodies.query(context, shift);
       EXPECT_TRUE(validate(result, scene.a, scene.b, shift).ok());
       ASSERT_EQ(result.inside, exact.status() == Status::penetrating) << name << i;
       if (!result.inside) {
@@ -174,7 +177,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
         continue;
       }
       ++inside;
-      EXPECT_EQ(testing::quotient(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
+      EXPECT_EQ(ratio(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
       NormalSet directions;
       for (const Optimum& o : exact.optima()) directions.insert(o.direction);
       EXPECT_TRUE(std::ranges::equal(directions, result.nearest.directions())) << name << i;
@@ -184,8 +187,9 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
 }
 
 TEST(Shallow, ValidateSeesWhatIsBroken) {
+  Context context;
   const ShallowScene scene({"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)});
-  const ShallowResult result = ShallowPenetration(scene.a, scene.b).query();
+  const ShallowResult result = ShallowPenetration(context, scene.a, scene.b).query(context);
   EXPECT_TRUE(validate(result, scene.a, scene.b).ok());
   ShallowResult broken = result;
   broken.inside = false;
@@ -201,54 +205,43 @@ TEST(Shallow, ValidateSeesWhatIsBroken) {
 }
 
 TEST(Shallow, FlatSumsAndPlacesOutsideHaveNoDepth) {
+  Context context;
   const families::Family* flat = families::find_family("segment_segment");
   const ShallowScene segments(flat->make(1, 4));
-  EXPECT_FALSE(ShallowPenetration(segments.a, segments.b).query().inside);
+  EXPECT_FALSE(ShallowPenetration(context, segments.a, segments.b).query(context).inside);
   const ShallowScene solids(families::find_family("boxes_aligned")->make(1, 8));
-  const ShallowPenetration bodies(solids.a, solids.b);
-  EXPECT_FALSE(bodies.query({1000000, 0, 0}).inside);
-  EXPECT_FALSE(bodies.query(solids.sum.vertices.front()).inside) << "a vertex of P";
-  EXPECT_EQ(bodies.query(solids.sum.vertices.front()).facets, 0U);
+  const ShallowPenetration bodies(context, solids.a, solids.b);
+  EXPECT_FALSE(bodies.query(context, {1000000, 0, 0}).inside);
+  EXPECT_FALSE(bodies.query(context, solids.sum.vertices.front()).inside) << "a vertex of P";
+  EXPECT_EQ(bodies.query(context, solids.sum.vertices.front()).facets, 0U);
 }
 
 // ---- what may go wrong ----
 
 TEST(Shallow, RefusesADeltaThatIsNotBetweenZeroAndTwo) {
+  Context context;
   const Case input = families::find_family("boxes_aligned")->make(1, 8);
   for (const mpq_class& delta : {mpq_class(0), mpq_class(-1, 4), mpq_class(9, 4)}) {
     EXPECT_THROW(shallow_depth(input.a.points, input.b.points, {}, delta), std::invalid_argument) << delta;
     const ShallowScene scene(input);
-    EXPECT_THROW(ShallowPenetration(scene.a, scene.b, delta), std::invalid_argument) << delta;
+    EXPECT_THROW(ShallowPenetration(context, scene.a, scene.b, delta), std::invalid_argument) << delta;
   }
   EXPECT_THROW(shallow_depth({}, input.b.points), std::invalid_argument);
-  Options options;
-  options.method = Method::shallow;
-  EXPECT_THROW(penetration_depth(input.a.points, input.b.points, options), std::invalid_argument)
-      << "the room to the left has no such method";
 }
 
-TEST(Shallow, ReportsProgressAndStopsWhenAsked) {
+TEST(Shallow, AMonitorHearsOfProgressAndCanStopTheRun) {
   const Case input = families::find_family("crossed_patch")->make(1, 40);
-  std::map<std::string, int> calls;
-  Options options;
-  options.progress = [&](const std::string& stage, double share) {
-    EXPECT_GE(share, 0);
-    EXPECT_LE(share, 1);
-    ++calls[stage];
-    return true;
-  };
-  const Depth depth = shallow_depth(input.a.points, input.b.points, options);
+  testing::Recorder all;
+  const Depth depth = shallow_depth(input.a.points, input.b.points, {.monitor = &all});
   ASSERT_EQ(depth.status(), Status::penetrating);
   EXPECT_GT(depth.counters.facets_visited, 1000U) << "near ties are all near O";
-  EXPECT_GT(calls["hierarchies"], 0);
-  EXPECT_GT(calls["facets near the origin"], 2);
-  int left = 0;
-  for (const auto& [stage, count] : calls) left += count;
-  for (int stop = 1; stop <= left; ++stop) {
-    int asked = 0;
-    options.progress = [&](const std::string&, double) { return ++asked < stop; };
-    EXPECT_THROW(shallow_depth(input.a.points, input.b.points, options), Interrupted);
-    EXPECT_EQ(asked, stop);
+  EXPECT_GT(std::ranges::count(all.stages, "hierarchies"), 0);
+  EXPECT_GT(std::ranges::count(all.stages, "facets near the origin"), 2);
+  for (const double share : all.shares) EXPECT_TRUE(share >= 0 && share <= 1) << share;
+  for (std::size_t stop = 1; stop <= all.stages.size(); ++stop) {
+    testing::Recorder some(stop);
+    EXPECT_THROW(shallow_depth(input.a.points, input.b.points, {.monitor = &some}), Interrupted);
+    EXPECT_EQ(some.stages.size(), stop);
   }
 }
 

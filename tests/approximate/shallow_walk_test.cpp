@@ -29,10 +29,10 @@ SumFacet facet_of(const SumSurface& surface, const ShallowScene& scene, const Ve
 
 /// Whether the segment meets the ball, by another route than Ball::meets: the least of the distances of the ends and of a foot between.
 bool meets_naive(const Ball& ball, const Vector& p, const Vector& q) {
-  const mpq_class radius_squared = testing::quotient(ball.numerator, ball.denominator);
+  const mpq_class radius_squared = ratio(ball.numerator, ball.denominator);
   const Vector r = p - ball.centre, s = q - ball.centre, d = q - p;
   mpq_class least = std::min(mpz_class(dot(r, r)), mpz_class(dot(s, s)));
-  const mpq_class t = testing::quotient(-dot(r, d), dot(d, d));
+  const mpq_class t = ratio(-dot(r, d), dot(d, d));
   if (t > 0 && t < 1) least = std::min(least, mpq_class(dot(r, r) - t * t * dot(d, d)));
   return least <= radius_squared;
 }
@@ -57,10 +57,9 @@ NormalSet walk_naive(const Polytope& p, const Ball& ball, const NormalSet& start
 
 NormalSet walk_from(const SumSurface& surface, const Ball& ball, const std::vector<SumFacet>& starts) {
   NormalSet visited;
-  const WalkCounts counts = walk(surface, ball, starts, [&](const SumFacet& f, std::size_t) {
-    EXPECT_TRUE(visited.insert(f.normal).second) << "visited twice";
-    return true;
-  });
+  Context context;
+  const WalkCounts counts =
+      walk(context, surface, ball, starts, [&](const SumFacet& f) { EXPECT_TRUE(visited.insert(f.normal).second) << "visited twice"; });
   EXPECT_EQ(counts.facets, visited.size());
   return visited;
 }

@@ -34,9 +34,9 @@ void hull_of_differences(const Case& input) {
 }
 
 void filtered_scan(const Case& input) {
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
-  benchmark::DoNotOptimize(nearest_facets_scan(convex_hull(lattice.a), convex_hull(lattice.b), exponent));
+  const PlacedPair placed = place(input.a.points, input.b.points);
+  const long exponent = std::max(binary_exponent(placed.a), binary_exponent(placed.b));
+  benchmark::DoNotOptimize(nearest_facets_scan(convex_hull(placed.a.points()), convex_hull(placed.b.points()), exponent));
 }
 
 #ifdef FATHOM_SGM

@@ -27,13 +27,13 @@ Case spheres(unsigned points) {
 /// Two bodies made ready.
 struct Ready {
   explicit Ready(const Case& input, const mpq_class& delta)
-      : lattice(common_lattice(input.a.points, input.b.points)),
-        hull_a(convex_hull(lattice.a)),
-        hull_b(convex_hull(lattice.b)),
+      : placed(place(input.a.points, input.b.points)),
+        hull_a(convex_hull(placed.a.points())),
+        hull_b(convex_hull(placed.b.points())),
         a(hull_a),
         b(hull_b),
         bodies(a, b, delta) {}
-  Lattice lattice;
+  PlacedPair placed;
   Polytope hull_a, hull_b;
   Hierarchy a, b;
   ShallowPenetration bodies;

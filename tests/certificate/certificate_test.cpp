@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/number/ratio.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/catalogue.hpp"
@@ -18,12 +20,11 @@ std::vector<Case> all_cases() {
 }
 
 Certificate certificate_of(const Case& input) {
-  return make_certificate(input.a.points, input.b.points, penetration_depth(input.a.points, input.b.points));
+  return make_certificate(input.a.points, input.b.points, testing::exact_depth(input.a.points, input.b.points));
 }
 
 std::string accepted_line(const Depth& depth) {
-  std::string line = depth.status() == Status::penetrating ? "penetrating" : depth.status() == Status::touching ? "touching" : "disjoint";
-  line = "s VERIFIED " + line + " depth_squared=" + depth.squared().get_str();
+  std::string line = "s VERIFIED " + std::string(name(depth.status())) + " depth_squared=" + depth.squared().get_str();
   if (depth.status() == Status::penetrating) line += " optima=" + std::to_string(depth.optima().size());
   return line + " name";
 }
@@ -42,7 +43,7 @@ const Case cubes{"two cubes", box(0, 2), box(1, 3)};
 
 TEST(Certificate, EveryAnswerOfThePipelineGetsOneThatHolds) {
   for (const Case& input : all_cases()) {
-    const Depth depth = penetration_depth(input.a.points, input.b.points);
+    const Depth depth = testing::exact_depth(input.a.points, input.b.points);
     const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
     const Report report = validate(certificate);
     EXPECT_TRUE(report.ok()) << input.id << "\n" << testing::text(report);
@@ -52,7 +53,7 @@ TEST(Certificate, EveryAnswerOfThePipelineGetsOneThatHolds) {
 
 TEST(Certificate, OfAWidthRepeatsTheBody) {
   for (const Case& input : testing::cases_of_all_families(1, 10)) {
-    const Depth depth = penetration_depth(input.a.points, input.a.points);
+    const Depth depth = testing::exact_depth(input.a.points, input.a.points);
     const Certificate certificate = make_certificate(input.a.points, input.a.points, depth);
     EXPECT_TRUE(validate(certificate).ok()) << input.id;
     EXPECT_EQ(verdict(certificate), accepted_line(depth)) << input.id;
@@ -98,14 +99,13 @@ Body around_the_sphere(int count) {
     touching.push_back({2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square)});
   }
   for (Point& p : touching) p.x.canonicalize(), p.y.canonicalize(), p.z.canonicalize();
-  const Lattice lattice = common_lattice(touching, touching);
-  const Polytope dual = convex_hull(lattice.a);
+  const PlacedPair placed = place(touching, touching);
+  const Polytope dual = convex_hull(placed.a.points());
   Body body;
   for (const Facet& facet : dual.facets) {  // of the dual: a corner of the body
     const mpz_class height = dot(facet.normal, dual.vertices[dual.corners[facet.begin]]);
-    mpq_class distance(height, lattice.denominator);
-    distance.canonicalize();
-    const Point& o = lattice.origin;
+    mpq_class distance = ratio(height, placed.denominator);
+    const Point& o = placed.origin;
     distance += facet.normal.x * o.x + facet.normal.y * o.y + facet.normal.z * o.z;
     body.points.push_back({facet.normal.x / distance, facet.normal.y / distance, facet.normal.z / distance});
   }
@@ -114,45 +114,42 @@ Body around_the_sphere(int count) {
 
 TEST(Certificate, OfManyOptima) {
   const Case input{"many ties", {{{0, 0, 0}}}, around_the_sphere(150)};
-  const Depth depth = penetration_depth(input.a.points, input.b.points);
+  const Depth depth = testing::exact_depth(input.a.points, input.b.points);
   EXPECT_EQ(depth.squared(), 1);
   EXPECT_EQ(depth.optima().size(), 150U);
   const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
   EXPECT_GE(certificate.inner.facets.size(), 150U);
   EXPECT_EQ(verdict(certificate), accepted_line(depth));
-  Options options;
-  options.method = Method::certificate;
-  const Depth certified = penetration_depth(input.a.points, input.b.points, options);
+  const Depth certified = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate});
   EXPECT_EQ(certified.optima(), depth.optima());
 }
 
 TEST(Certificate, ContradictsAWrongAnswer) {
   const Body &a = cubes.a, &b = cubes.b;
-  const Depth right = penetration_depth(a.points, b.points);
+  const Depth right = testing::exact_depth(a.points, b.points);
   const auto refused = [&](const Depth& answer, const Body& of_b) {
     EXPECT_THROW(static_cast<void>(make_certificate(a.points, of_b.points, answer)), std::logic_error);
   };
-  Depth wrong = right;
-  wrong.squared() += mpq_class(1, 1000000);
-  refused(wrong, b);
-  wrong = right;
-  wrong.optima().pop_back();
-  refused(wrong, b);
-  wrong = right;
-  std::swap(wrong.optima()[0], wrong.optima()[1]);
-  refused(wrong, b);
+  const auto refused_with = [&](auto change) {
+    Depth wrong = right;
+    change(std::get<Penetration>(wrong.outcome));
+    refused(wrong, b);
+  };
+  refused_with([](Penetration& p) { p.squared += mpq_class(1, 1000000); });
+  refused_with([](Penetration& p) { p.optima.pop_back(); });
+  refused_with([](Penetration& p) { std::swap(p.optima[0], p.optima[1]); });
   refused(right, box(2, 3));
   refused(right, box(4, 5));
-  wrong = right;
-  wrong.status() = Status::touching;
+  Depth wrong = right;
+  wrong.outcome = Touch{right.direction(), right.witness()->a};
   refused(wrong, b);
-  wrong.status() = Status::disjoint;
-  refused(wrong, b);
-  wrong.direction().reset();
-  refused(wrong, b);
-  wrong = penetration_depth(a.points, box(2, 3).points);
+  for (const Vector& direction : {right.direction(), Vector{0, 0, 0}}) {
+    wrong.outcome = Distance{.squared = 1, .direction = direction, .translation = {}, .witness = {}};
+    refused(wrong, b);
+  }
+  wrong = testing::exact_depth(a.points, box(2, 3).points);
   ASSERT_EQ(wrong.status(), Status::touching);
-  wrong.direction() = Vector{0, 0, 1};
+  std::get<Touch>(wrong.outcome).direction = {0, 0, 1};
   refused(wrong, box(2, 3));
 }
 
@@ -194,7 +191,7 @@ TEST(Certificate, NaiveCheckSeesEachKindOfFault) {
 TEST(BoundsCertificate, HoldsWhateverTheBoundsAre) {
   std::size_t made = 0;
   for (const Case& input : testing::cases_of_all_families(1, 14)) {
-    const Depth depth = penetration_depth(input.a.points, input.b.points);
+    const Depth depth = testing::exact_depth(input.a.points, input.b.points);
     const auto bounds = [&](const mpq_class& low, const mpq_class& high) {
       return make_bounds_certificate(input.a.points, input.b.points, low, high);
     };

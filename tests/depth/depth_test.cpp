@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole pipeline against its twins and against the independent oracles, by exact equality, over all families.
+// The exact method against its twins and against the independent oracles, by exact equality, over all families.
 #include "fathom/depth.hpp"
 
 #include <gtest/gtest.h>
 
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/nearest_facets_naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"
 #include "tests/support/check_depth.hpp"
+#include "tests/support/exact_depth.hpp"
+#include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {
@@ -19,19 +22,16 @@ using oracles::OracleAnswer;
 using testing::check;
 using testing::text;
 
-Depth solve(const Case& input, const Options& options = {}) { return penetration_depth(input.a.points, input.b.points, options); }
+Depth solve(const Case& input, const Options& options = {}) { return testing::exact_depth(input.a.points, input.b.points, options); }
 
 class EveryFamily : public ::testing::TestWithParam<families::Family> {};
 
 TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
-  Options validated;
-  validated.validate = true;
-  Options naive;
-  naive.method = Method::naive;
   for (const unsigned size : {1U, 5U, 11U}) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const Case input = GetParam().make(seed, size);
-      const Depth depth = solve(input, validated), twin = solve(input, naive);
+      const Depth depth = solve(input, {.validate = true});
+      const Depth twin = penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
       EXPECT_EQ(answer_of(depth), answer_of(twin)) << input.id;
       EXPECT_EQ(depth.optima(), twin.optima()) << input.id;
       const Report report = check(depth, input.a.points, input.b.points);
@@ -45,11 +45,10 @@ TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 9);
     const Depth depth = solve(input);
+    const PlacedPair placed = place(input.a.points, input.b.points);
     for (const Perturbation& perturbation : testing::perturbations()) {
-      Options options;
-      options.perturbation = perturbation;
-      options.validate = true;
-      const Depth other = solve(input, options);
+      Context context;
+      const Depth other = penetration_depth(context, placed, {.validate = true, .perturbation = perturbation});
       EXPECT_EQ(answer_of(other), answer_of(depth)) << input.id;
       EXPECT_EQ(other.optima(), depth.optima()) << input.id;
       EXPECT_EQ(other.witness(), depth.witness()) << input.id;
@@ -99,7 +98,7 @@ TEST(Depth, UnitCubesAThirdDeep) {
     a.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
     b.push_back({(i & 1) + mpq_class(2, 3), i >> 1 & 1, i >> 2 & 1});
   }
-  const Depth depth = penetration_depth(a, b);
+  const Depth depth = testing::exact_depth(a, b);
   EXPECT_EQ(depth.status(), Status::penetrating);
   EXPECT_EQ(depth.squared(), mpq_class(1, 9));
   ASSERT_EQ(depth.optima().size(), 1U);
@@ -108,23 +107,16 @@ TEST(Depth, UnitCubesAThirdDeep) {
   EXPECT_EQ(depth.optima()[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
 }
 
-TEST(Depth, ProgressCanStopTheRun) {
+TEST(Depth, AMonitorHearsOfProgressAndCanStopTheRun) {
   const Case input = families::find_family("random_sphere")->make(1, 60);
-  Options options;
-  std::vector<std::string> stages;
-  options.progress = [&](const std::string& stage, double share) {
-    EXPECT_GE(share, 0);
-    EXPECT_LE(share, 1);
-    stages.push_back(stage);
-    return true;
-  };
-  solve(input, options);
-  EXPECT_GE(stages.size(), 6U);
-  for (std::size_t stop = 1; stop <= stages.size(); ++stop) {
-    std::size_t calls = 0;
-    options.progress = [&](const std::string&, double) { return ++calls < stop; };
-    EXPECT_THROW(solve(input, options), Interrupted);
-    EXPECT_EQ(calls, stop);
+  testing::Recorder all;
+  solve(input, {.monitor = &all});
+  EXPECT_GE(all.stages.size(), 6U);
+  for (const double share : all.shares) EXPECT_TRUE(share >= 0 && share <= 1) << share;
+  for (std::size_t stop = 1; stop <= all.stages.size(); ++stop) {
+    testing::Recorder some(stop);
+    EXPECT_THROW(solve(input, {.monitor = &some}), Interrupted);
+    EXPECT_EQ(some.stages.size(), stop);
   }
 }
 
@@ -147,9 +139,8 @@ TEST(Depth, TwoThreadsChangeNothing) {
   const Depth depth = solve(input);
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
-  Context context;
-  for (const Charts& charts : p->charts) crossings += canonical_subsets(context, charts).sums().product;
-  const PredicateCounts alone = predicate_counts() - before;
+  for (const Charts& charts : p->charts) crossings += canonical_subsets(p->context, charts).sums().product;
+  const PredicateCounts& alone = p->context.counters.predicates;
   EXPECT_EQ(depth.counters.crossings, crossings);
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     EXPECT_EQ(depth.counters.predicates[i].calls, alone[i].calls) << predicate_names[i];
@@ -157,10 +148,18 @@ TEST(Depth, TwoThreadsChangeNothing) {
     EXPECT_EQ(depth.counters.predicates[i].zero, alone[i].zero) << predicate_names[i];
     EXPECT_EQ(depth.counters.predicates[i].decided, alone[i].decided) << predicate_names[i];
   }
-  for (const double until : {0.0, 0.3}) {
-    Options options;
-    options.progress = [&](const std::string& stage, double share) { return stage != "canonical subsets" || share < until; };
-    EXPECT_THROW(solve(input, options), Interrupted);
+  // While both threads work there may be nothing to report, but whether to go on is asked.
+  struct StopAfter final : Monitor {
+    explicit StopAfter(int left) : left(left) {}
+    void report(std::string_view stage, double) override { subsets = subsets || stage == "canonical subsets"; }
+    bool stopped() override { return subsets && left-- <= 0; }
+    int left;
+    bool subsets = false;
+  };
+  for (const int left : {0, 3}) {
+    StopAfter stop(left);
+    EXPECT_THROW(solve(input, {.monitor = &stop}), Interrupted) << left;
+    EXPECT_TRUE(stop.subsets);
   }
 }
 

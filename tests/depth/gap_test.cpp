@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The next nearest facet plane against the hull of all differences.
+#include "reference/depth/gap.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "fathom/depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/solids.hpp"
@@ -12,21 +13,16 @@
 namespace fathom {
 namespace {
 
-Depth solved(const Body& a, const Body& b) {
-  Options options;
-  options.method = Method::certificate;
-  return penetration_depth(a.points, b.points, options);
-}
+Depth solved(const Body& a, const Body& b) { return penetration_depth(a.points, b.points); }
 
 /// Whether the bodies penetrate; then both ways must agree.
 bool agrees(const Body& a, const Body& b) {
   const Depth depth = solved(a, b);
   if (depth.status() != Status::penetrating) {
-    EXPECT_THROW((void)second_nearest_squared(a.points, b.points, depth), std::invalid_argument);
     EXPECT_THROW((void)second_nearest_squared_naive(a.points, b.points), std::invalid_argument);
     return false;
   }
-  const std::optional<mpq_class> second = second_nearest_squared(a.points, b.points, depth);
+  const std::optional<mpq_class> second = second_nearest_squared(a.points, b.points, *depth.penetration());
   EXPECT_EQ(second, second_nearest_squared_naive(a.points, b.points));
   EXPECT_TRUE(!second || *second > depth.squared());
   return true;
@@ -70,7 +66,7 @@ TEST(Gap, IsNothingWhereAllFacetsTie) {
   for (const Body& body : {families::cube(), families::tetrahedron(), families::box(1, 1, 1)}) {
     const Depth depth = solved(body, Body{{{0, 0, 0}}});
     EXPECT_GE(depth.optima().size(), 4U);
-    EXPECT_FALSE(second_nearest_squared(body.points, std::vector<Point>{{0, 0, 0}}, depth));
+    EXPECT_FALSE(second_nearest_squared(body.points, std::vector<Point>{{0, 0, 0}}, *depth.penetration()));
   }
 }
 
@@ -79,7 +75,7 @@ TEST(Gap, IsFoundOnTheOtherSide) {
   const Body a = families::box(1, 2, 3), b = families::translated(a, {0, 0, families::ratio(9, 2)});
   const Depth depth = solved(a, b);
   EXPECT_EQ(depth.squared(), families::ratio(9, 4));
-  EXPECT_EQ(second_nearest_squared(a.points, b.points, depth), mpq_class(4));
+  EXPECT_EQ(second_nearest_squared(a.points, b.points, *depth.penetration()), mpq_class(4));
 }
 
 // Two facets tie, and the next one leans against the second of them; around the first all are far.
@@ -87,7 +83,7 @@ TEST(Gap, IsSoughtAroundEveryOptimum) {
   const Body b{{{-1, -3, 1}, {-1, 3, -2}, {1, -1, 3}, {-1, -1, -2}, {1, 2, -3}}}, origin{{{0, 0, 0}}};
   const Depth depth = solved(origin, b);
   EXPECT_EQ(depth.optima().size(), 2U);
-  EXPECT_EQ(second_nearest_squared(origin.points, b.points, depth), families::ratio(49, 101));
+  EXPECT_EQ(second_nearest_squared(origin.points, b.points, *depth.penetration()), families::ratio(49, 101));
   EXPECT_TRUE(agrees(origin, b));
 }
 

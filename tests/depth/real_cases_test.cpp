@@ -9,14 +9,11 @@
 #include "fathom/depth.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/support/check_depth.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace fathom {
 namespace {
-
-std::string name(Status status) {
-  return status == Status::penetrating ? "penetrating" : status == Status::touching ? "touching" : "disjoint";
-}
 
 // As the file has them: exact strings, in lexicographic order of the strings.
 std::vector<std::vector<std::string>> translations(const Depth& depth) {
@@ -32,16 +29,12 @@ TEST(RealCases, HaveTheStatedAnswers) {
   std::ifstream file(FATHOM_TEST_DATA "/real_cases.jsonl");
   ASSERT_TRUE(file);
   std::size_t cases = 0;
-  Options naive;
-  naive.method = Method::naive;
-  Options validated;
-  validated.validate = true;
   for (std::string line; std::getline(file, line); ++cases) {
     const CaseItem item = parse_case(line, "real_cases.jsonl", cases + 1);
     ASSERT_TRUE(item.ok()) << item.error().what();
     const Case& input = item.value();
     const nlohmann::json expected = nlohmann::json::parse(line)["expected"];
-    const Depth depth = penetration_depth(input.a.points, input.b.points, validated);
+    const Depth depth = testing::exact_depth(input.a.points, input.b.points, {.validate = true});
     EXPECT_EQ(name(depth.status()), expected["status"]) << item.id;
     EXPECT_EQ(depth.squared().get_str(), expected["depth_squared"]) << item.id;
     std::vector<std::vector<std::string>> stated = expected["translations"];
@@ -49,7 +42,7 @@ TEST(RealCases, HaveTheStatedAnswers) {
     EXPECT_EQ(translations(depth), stated) << item.id;
     const Report report = testing::check(depth, input.a.points, input.b.points);
     EXPECT_TRUE(report.ok()) << item.id << "\n" << testing::text(report);
-    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, naive).optima(), depth.optima()) << item.id;
+    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, {.method = Method::naive}).optima(), depth.optima()) << item.id;
   }
   EXPECT_EQ(cases, 63U);
 }

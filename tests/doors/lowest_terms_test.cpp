@@ -10,14 +10,11 @@
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/width.hpp"
-#include "reference/approximate/metric.hpp"
-#include "reference/approximate/separation.hpp"
-#include "reference/approximate/shallow.hpp"
-#include "reference/certificate/certificate.hpp"
+#include "reference/depth/gap.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "reference/width/width.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 
@@ -52,15 +49,12 @@ TEST(LowestTerms, AreAskedExactly) {
 using Door = std::function<void(const Points& a, const Points& b)>;
 
 Door depth_by(Method method) {
-  return [method](const Points& a, const Points& b) {
-    Options options;
-    options.method = method;
-    penetration_depth(a, b, options);
-  };
+  return [method](const Points& a, const Points& b) { penetration_depth(a, b, {.method = method}); };
 }
 
 const std::map<std::string, Door>& doors() {
   static const std::map<std::string, Door> result{
+      {"automatic", depth_by(Method::automatic)},
       {"exact", depth_by(Method::exact)},
       {"naive", depth_by(Method::naive)},
       {"certificate", depth_by(Method::certificate)},
@@ -72,12 +66,12 @@ const std::map<std::string, Door>& doors() {
        }},
       {"metric",
        [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
-      {"certify", [](const Points& a, const Points& b) { make_certificate(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
-      {"gap", [](const Points& a, const Points& b) { second_nearest_squared(a, b, penetration_depth(cube(0), cube(mpq_class(1, 2)))); }},
+      {"gap", [](const Points& a,
+                 const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
       {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
-      {"lattice", [](const Points& a, const Points& b) { common_lattice(a, b); }},
+      {"placed", [](const Points& a, const Points& b) { place(a, b); }},
       {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
       {"judge",
        [](const Points& a, const Points& b) {
@@ -110,6 +104,26 @@ TEST(LowestTerms, AreRequiredOfPointsAtEveryDoor) {
         }
       }
     }
+  }
+}
+
+// Whether or not the proof has to be sought in the bodies.
+TEST(LowestTerms, AreRequiredOfBodiesThatGetACertificate) {
+  struct Answered {
+    mpq_class at;
+    Method method;
+  };
+  for (const auto& [at, method] : {Answered{mpq_class(1, 2), Method::exact}, Answered{mpq_class(1, 2), Method::automatic},
+                                   Answered{1, Method::exact}, Answered{2, Method::exact}}) {
+    const Points a = cube(0), b = cube(at);
+    const Depth answer = penetration_depth(a, b, {.method = method});
+    EXPECT_NO_THROW(make_certificate(a, b, answer));
+    EXPECT_THROW(make_certificate({}, b, answer), std::invalid_argument);
+    Points bad = b;
+    std::destroy_at(&bad[7].z);
+    std::construct_at(&bad[7].z, raw(2, 4));
+    EXPECT_THROW(make_certificate(a, bad, answer), std::invalid_argument) << name(answer.status());
+    EXPECT_THROW(make_certificate(bad, a, answer), std::invalid_argument) << name(answer.status());
   }
 }
 

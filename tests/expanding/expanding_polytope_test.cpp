@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/depth/naive_depth.hpp"
+#include "reference/expanding/inner_polytope.hpp"
 #include "reference/expanding/start.hpp"
 #include "reference/expanding/surface.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -15,15 +17,6 @@ namespace fathom {
 namespace {
 
 using Random = std::mt19937_64;
-
-struct Clouds {
-  PointCloud a, b;
-  Clouds(const std::vector<Vector>& of_a, const std::vector<Vector>& of_b) {
-    const long exponent = std::max(binary_exponent(of_a), binary_exponent(of_b));
-    a = PointCloud(of_a, exponent);
-    b = PointCloud(of_b, exponent);
-  }
-};
 
 /// Few points on a small lattice: ties, coplanar and collinear points, flat bodies everywhere.
 std::vector<Vector> small_body(Random& random, long reach) {
@@ -50,21 +43,20 @@ void expect_hull(const InnerPolytope& inner, const PointCloud& a, const PointClo
 }
 
 TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
+  Context context;
   Random random(1);
   std::size_t penetrating = 0, ties = 0;
   for (int i = 0; i < 1500; ++i) {
     const std::vector<Vector> a = small_body(random, 1 + i % 4), b = i % 3 == 0 ? a : small_body(random, 2 + i % 5);
-    const Clouds clouds(a, b);
+    const PlacedPair clouds = place_integers(a, b);
     const NaiveDepth naive = naive_depth(a, b);
-    const Expansion expansion = nearest_by_expansion(clouds.a, clouds.b);
+    const Expansion expansion = nearest_by_expansion(context, clouds.a, clouds.b);
     ASSERT_EQ(expansion.end, naive.status == Status::penetrating ? ExpansionEnd::proved : ExpansionEnd::not_inside) << i;
     if (naive.status != Status::penetrating) continue;
     ++penetrating;
     ties += naive.directions.size() > 1 ? 1U : 0U;
     EXPECT_EQ(directions(expansion.nearest), naive.directions) << i;
-    mpq_class squared(expansion.nearest.numerator(), expansion.nearest.denominator());
-    squared.canonicalize();
-    EXPECT_EQ(squared, naive.squared) << i;
+    EXPECT_EQ(ratio(expansion.nearest.numerator(), expansion.nearest.denominator()), naive.squared) << i;
     expect_hull(expansion.inner, clouds.a, clouds.b);
   }
   EXPECT_GT(penetrating, 300U);
@@ -72,10 +64,10 @@ TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
 }
 
 TEST(ExpandingPolytope, GrowsOnFamiliesToAHullThatHoldsTheBall) {
+  Context context;
   for (const Case& input : testing::cases_of_all_families(2, 24)) {
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const Clouds clouds(lattice.a, lattice.b);
-    const Expansion expansion = nearest_by_expansion(clouds.a, clouds.b);
+    const PlacedPair clouds = place(input.a.points, input.b.points);
+    const Expansion expansion = nearest_by_expansion(context, clouds.a, clouds.b);
     if (expansion.end != ExpansionEnd::proved) continue;
     SCOPED_TRACE(input.id);
     expect_hull(expansion.inner, clouds.a, clouds.b);
@@ -85,10 +77,10 @@ TEST(ExpandingPolytope, GrowsOnFamiliesToAHullThatHoldsTheBall) {
 }
 
 TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
+  Context context;
   const Case input = families::find_family("crossed_fans")->make(1, 12);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const Clouds clouds(lattice.a, lattice.b);
-  const Expansion right = nearest_by_expansion(clouds.a, clouds.b);
+  const PlacedPair clouds = place(input.a.points, input.b.points);
+  const Expansion right = nearest_by_expansion(context, clouds.a, clouds.b);
   ASSERT_TRUE(validate(right, clouds.a, clouds.b).ok());
   using Change = void (*)(Expansion&);
   const Change changes[] = {
@@ -120,34 +112,39 @@ TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
   }
 }
 
-TEST(ExpandingPolytope, GivesUpAtItsBudgetAndTellsEachStep) {
+TEST(ExpandingPolytope, GivesUpAtItsBudgetAndAsksAtEachStepWhetherToGoOn) {
   const Case input = families::find_family("crossed_patch")->make(1, 20);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const Clouds clouds(lattice.a, lattice.b);
-  ExpansionOptions options;
-  std::size_t steps = 0;
-  options.on_step = [&] { ++steps; };
-  const Expansion whole = nearest_by_expansion(clouds.a, clouds.b, options);
+  const PlacedPair clouds = place(input.a.points, input.b.points);
+  struct Steps final : Monitor {
+    void report(std::string_view, double) override {}
+    bool stopped() override { return ++asked > most; }
+    std::size_t asked = 0, most = unlimited;
+  } steps;
+  Context context(&steps);
+  const Expansion whole = nearest_by_expansion(context, clouds.a, clouds.b);
   ASSERT_EQ(whole.end, ExpansionEnd::proved);
-  EXPECT_EQ(steps, whole.points);
+  EXPECT_GE(steps.asked, whole.points);
   EXPECT_GT(whole.points, 50U);
-  options.most_points = whole.points - 1;
-  EXPECT_EQ(nearest_by_expansion(clouds.a, clouds.b, options).end, ExpansionEnd::spent);
-  options.most_points = whole.points;
-  EXPECT_EQ(nearest_by_expansion(clouds.a, clouds.b, options).end, ExpansionEnd::proved);
+  EXPECT_EQ(nearest_by_expansion(context, clouds.a, clouds.b, whole.points - 1).end, ExpansionEnd::spent);
+  EXPECT_EQ(nearest_by_expansion(context, clouds.a, clouds.b, whole.points).end, ExpansionEnd::proved);
+  steps = {};
+  steps.most = whole.points / 2;
+  EXPECT_THROW(nearest_by_expansion(context, clouds.a, clouds.b), Interrupted);
+  EXPECT_EQ(steps.asked, steps.most + 1);
 }
 
 TEST(ExpandingPolytope, ABallIsHeldExactlyIfItFits) {
+  Context context;
   Random random(3);
   for (int i = 0; i < 400; ++i) {
     const std::vector<Vector> a = small_body(random, 3), b = small_body(random, 4);
-    const Clouds clouds(a, b);
+    const PlacedPair clouds = place_integers(a, b);
     const NaiveDepth naive = naive_depth(a, b);
     if (naive.status != Status::penetrating) continue;
     const mpq_class little(1, 1000), q = naive.squared;
     for (const mpq_class& low : {mpq_class(0), mpq_class(q / 2), q, mpq_class(q * (1 + little))}) {
       for (const mpq_class& high : {mpq_class(q * (1 - little)), q, mpq_class(q * 3)}) {
-        const BallExpansion ball = expand_to_ball(clouds.a, clouds.b, low, high);
+        const BallExpansion ball = expand_to_ball(context, clouds.a, clouds.b, low, high);
         ASSERT_EQ(ball.end, ExpansionEnd::proved);
         EXPECT_EQ(ball.low_holds, low <= q);
         EXPECT_EQ(ball.high_holds, high >= q);
@@ -155,15 +152,16 @@ TEST(ExpandingPolytope, ABallIsHeldExactlyIfItFits) {
       }
     }
     const Vector& n = naive.directions.front();
-    EXPECT_EQ(expand_to_ball(clouds.a, clouds.b, 0, q, n).direction, n) << "the hint is used";
-    EXPECT_EQ(expand_to_ball(clouds.a, clouds.b, 0, q, Vector{0, 0, 0}).high_holds, true) << "a useless hint does no harm";
+    EXPECT_EQ(expand_to_ball(context, clouds.a, clouds.b, 0, q, n).direction, n) << "the hint is used";
+    EXPECT_EQ(expand_to_ball(context, clouds.a, clouds.b, 0, q, Vector{0, 0, 0}).high_holds, true) << "a useless hint does no harm";
   }
 }
 
 TEST(ExpandingPolytope, RefusesCloudsThatDoNotBelongTogether) {
+  Context context;
   const PointCloud none, one({{1, 2, 3}}), fine({{1, 2, 3}}, 10);
-  EXPECT_THROW(nearest_by_expansion(none, one), std::invalid_argument);
-  EXPECT_THROW(nearest_by_expansion(one, fine), std::invalid_argument);
+  EXPECT_THROW(nearest_by_expansion(context, none, one), std::invalid_argument);
+  EXPECT_THROW(nearest_by_expansion(context, one, fine), std::invalid_argument);
 }
 
 TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolid) {
@@ -171,11 +169,11 @@ TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolid) {
   std::size_t solid = 0, flat = 0;
   for (int i = 0; i < 2000; ++i) {
     const std::vector<Vector> a = small_body(random, i % 3), b = small_body(random, i % 2);
-    const Clouds clouds(a, b);
+    const PlacedPair clouds = place_integers(a, b);
     std::vector<Vector> differences;
     for (const Vector& p : a)
       for (const Vector& q : b) differences.push_back(q - p);
-    Differences search(clouds.a, clouds.b);
+    Differences search{clouds.a, clouds.b};
     const auto start = starting_tetrahedron(search);
     ASSERT_EQ(start.has_value(), affine_rank(differences) == 3) << i;
     ++(start ? solid : flat);

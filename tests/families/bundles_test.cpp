@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "fathom/depth.hpp"
 #include "reference/depth/nearest_facets_naive.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace {
@@ -29,13 +29,10 @@ constexpr Bundle bundles[] = {
 class Bundles : public ::testing::TestWithParam<Bundle> {};
 
 TEST_P(Bundles, EqualTheHullOfAllDifferences) {
-  Options validated, naive;
-  validated.validate = true;
-  naive.method = Method::naive;
   for (const unsigned n : {16U, 100U}) {
     const Case input = find_family(GetParam().family)->make(n, n);
-    const Depth depth = penetration_depth(input.a.points, input.b.points, validated);
-    const Depth twin = penetration_depth(input.a.points, input.b.points, naive);
+    const Depth depth = fathom::testing::exact_depth(input.a.points, input.b.points, {.validate = true});
+    const Depth twin = penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
     EXPECT_EQ(depth.status(), Status::penetrating) << input.id;
     EXPECT_EQ(depth.squared(), twin.squared()) << input.id;
     EXPECT_EQ(depth.optima(), twin.optima()) << input.id;
@@ -45,7 +42,7 @@ TEST_P(Bundles, EqualTheHullOfAllDifferences) {
 TEST_P(Bundles, CrossLikeAGridAndTwoEdgesDecide) {
   for (const unsigned n : {64U, 256U}) {
     const Case input = find_family(GetParam().family)->make(5, n);
-    const Depth depth = penetration_depth(input.a.points, input.b.points);
+    const Depth depth = fathom::testing::exact_depth(input.a.points, input.b.points);
     const double grid = GetParam().share * n * n, crossings = static_cast<double>(depth.counters.crossings);
     EXPECT_GT(crossings, grid * (1 - 8.0 / n)) << input.id;
     EXPECT_LT(crossings, grid * (1 + 32.0 / n)) << input.id;

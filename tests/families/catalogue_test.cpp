@@ -21,13 +21,10 @@ using namespace fathom;
 using namespace fathom::families;
 
 Depth solve(const Case& pair, Method method = Method::exact) {
-  Options options;
-  options.method = method;
-  options.validate = true;
-  return penetration_depth(pair.a.points, pair.b.points, options);
+  return penetration_depth(pair.a.points, pair.b.points, {.method = method, .validate = true});
 }
 
-int rank_of(const Body& body) { return convex_hull(common_lattice(body.points, body.points).a).rank; }
+int rank_of(const Body& body) { return convex_hull(place(body.points, body.points).a.points()).rank; }
 
 class EveryEntry : public ::testing::TestWithParam<CatalogueEntry> {};
 
@@ -113,7 +110,7 @@ TEST(Approach, IsGenericAndReproducible) {
   EXPECT_EQ(near.a.points, again.a.points);
   EXPECT_NE(near.a.points, other.a.points);
   EXPECT_EQ(near.id, "identical_cubes-k80-s1");
-  const Polytope hull = convex_hull(common_lattice(near.a.points, near.a.points).a);
+  const Polytope hull = convex_hull(place(near.a.points, near.a.points).a.points());
   EXPECT_TRUE(std::ranges::all_of(hull.facets, [](const Facet& f) { return f.end - f.begin == 3; })) << "no coplanar points are left";
   EXPECT_EQ(solve(near).optima().size(), 1U) << "no tie is left";
 }

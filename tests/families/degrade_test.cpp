@@ -22,14 +22,14 @@ using namespace fathom::families;
 
 /// Both hulls on one lattice, with their edge directions and facet normals.
 struct Shape {
-  Lattice lattice;
+  PlacedPair placed;
   Polytope a, b;
 };
 
 Shape shape(const Case& pair) {
-  Shape result{common_lattice(pair.a.points, pair.b.points), {}, {}};
-  result.a = convex_hull(result.lattice.a);
-  result.b = convex_hull(result.lattice.b);
+  Shape result{place(pair.a.points, pair.b.points), {}, {}};
+  result.a = convex_hull(result.placed.a.points());
+  result.b = convex_hull(result.placed.b.points());
   return result;
 }
 
@@ -125,11 +125,14 @@ const std::map<Degradation, Law>& laws() {
   static const Vector pole{0, 0, 1}, upright{0, 1, 0};
   static const auto on_shape = [](bool (*law)(const Shape&)) { return [law](const Case& pair) { return law(shape(pair)); }; };
   static const std::map<Degradation, Law> all{
-      {Degradation::duplicate_points, on_shape([](const Shape& s) { return has_duplicates(s.lattice.a) && has_duplicates(s.lattice.b); })},
-      {Degradation::collinear_points,
-       on_shape([](const Shape& s) { return has_point_inside_an_edge(s.lattice.a, s.a) && has_point_inside_an_edge(s.lattice.b, s.b); })},
-      {Degradation::coplanar_points,
-       on_shape([](const Shape& s) { return has_facet_of_five_points(s.lattice.a, s.a) && has_facet_of_five_points(s.lattice.b, s.b); })},
+      {Degradation::duplicate_points,
+       on_shape([](const Shape& s) { return has_duplicates(s.placed.a.points()) && has_duplicates(s.placed.b.points()); })},
+      {Degradation::collinear_points, on_shape([](const Shape& s) {
+         return has_point_inside_an_edge(s.placed.a.points(), s.a) && has_point_inside_an_edge(s.placed.b.points(), s.b);
+       })},
+      {Degradation::coplanar_points, on_shape([](const Shape& s) {
+         return has_facet_of_five_points(s.placed.a.points(), s.a) && has_facet_of_five_points(s.placed.b.points(), s.b);
+       })},
       {Degradation::shared_vertex, on_shape([](const Shape& s) { return any(s.a.vertices, s.b.vertices, std::equal_to<Vector>()); })},
       {Degradation::shared_edge_direction, on_shape([](const Shape& s) { return any(directions(s.a), directions(s.b), parallel); })},
       {Degradation::shared_facet_normal, on_shape([](const Shape& s) { return any(normals(s.a), normals(s.b), std::equal_to<Vector>()); })},

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fathom/depth.hpp"
 #include "tests/support/crossing_planes.hpp"
+#include "tests/support/exact_depth.hpp"
 
 namespace {
 
@@ -39,7 +39,7 @@ void expect_two_minima(const Case& input, const mpq_class& share) {
   EXPECT_NE(minima.least, minima.greatest) << input.id;
   ASSERT_GT(found.middle.count, 0U) << input.id;
   EXPECT_GT(found.middle.least, minima.greatest * ratio(101, 100)) << input.id << ": a saddle";
-  EXPECT_EQ(penetration_depth(input.a.points, input.b.points).contact()->kind, ContactKind::edge_edge) << input.id;
+  EXPECT_EQ(fathom::testing::exact_depth(input.a.points, input.b.points).contact()->kind, ContactKind::edge_edge) << input.id;
 }
 
 TEST(Fillets, TwoRegionsCompete) {

@@ -14,17 +14,14 @@
 #include "kernels/number/rounding.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/inverse_lenses.hpp"
 
 namespace fathom::families {
 namespace {
 
-Depth solved(const Case& input) {
-  Options options;
-  options.method = Method::certificate;
-  return penetration_depth(input.a.points, input.b.points, options);
-}
+Depth solved(const Case& input) { return penetration_depth(input.a.points, input.b.points); }
 
 template <class F>
 void for_each_coordinate(const Case& input, F f) {
@@ -127,7 +124,8 @@ TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
     const long log = binary_logarithm(share) / 2;
     EXPECT_LE(log, -38) << input.id;
     thinnest = std::min(thinnest, log);
-    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, depth), times_power_of_two(depth.squared(), 40)) << input.id;
+    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()), times_power_of_two(depth.squared(), 40))
+        << input.id;
   }
   EXPECT_EQ(kinds.size(), 6U);
   EXPECT_LT(thinnest, -180);
@@ -141,8 +139,8 @@ TEST(Hair, GapsAreBetweenTheFeatures) {
     ASSERT_EQ(depth.status(), Status::disjoint) << input.id;
     const Vector& n = depth.distance()->direction;
     EXPECT_LE(binary_logarithm(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    const std::size_t a = extreme_points_naive(lattice.a, -n).size(), b = extreme_points_naive(lattice.b, n).size();
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    const std::size_t a = extreme_points_naive(placed.a.points(), -n).size(), b = extreme_points_naive(placed.b.points(), n).size();
     features.emplace(std::min<std::size_t>(a, 3), std::min<std::size_t>(b, 3));
   }
   EXPECT_EQ(features.size(), 9U);
@@ -154,7 +152,7 @@ TEST(Deep, IsNearlyTheSumOfTheRadii) {
     const Depth depth = solved(input);
     ASSERT_EQ(depth.status(), Status::penetrating);
     EXPECT_GT(depth.squared(), ratio(1, 4)) << input.id;
-    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, depth), depth.squared() * ratio(3, 2)) << input.id;
+    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()), depth.squared() * ratio(3, 2)) << input.id;
   }
 }
 
@@ -162,7 +160,7 @@ TEST(Stretched, ReachesARatioOfABillion) {
   double greatest = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case input = find_family("stretched")->make(seed, 12);
-    const Depth thickness = penetration_depth(input.a.points, input.a.points);
+    const Depth thickness = fathom::testing::exact_depth(input.a.points, input.a.points);
     const double ratio = 1 / std::sqrt(thickness.squared().get_d());
     EXPECT_GT(ratio, 1e3) << input.id;
     greatest = std::max(greatest, ratio);
@@ -174,9 +172,9 @@ TEST(ApproachingDegraded, IsLeftBehind) {
   std::size_t rank = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case input = find_family("approaching_degraded")->make(seed, 8);
-    const Lattice lattice = common_lattice(input.a.points, input.b.points);
-    rank += affine_rank(lattice.a) == 3 && affine_rank(lattice.b) == 3 ? 1U : 0U;
-    EXPECT_LE(solved(input).optima.size(), 1U) << input.id << ": ties are gone";
+    const PlacedPair placed = place(input.a.points, input.b.points);
+    rank += affine_rank(placed.a.points()) == 3 && affine_rank(placed.b.points()) == 3 ? 1U : 0U;
+    EXPECT_LE(solved(input).optima().size(), 1U) << input.id << ": ties are gone";
   }
   EXPECT_EQ(rank, 40U);
 }

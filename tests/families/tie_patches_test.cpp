@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fathom/depth.hpp"
 #include "tests/support/crossing_planes.hpp"
+#include "tests/support/exact_depth.hpp"
 
 namespace {
 
@@ -41,8 +41,8 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
     EXPECT_FALSE(grid.within(promised(GetParam(), n) / 2)) << input.id << ": a saddle, not a plain";
     EXPECT_LT(others.count, 16 * n) << input.id;
     EXPECT_GT(others.least, 2 * grid.greatest) << input.id;
-    const Depth depth = penetration_depth(input.a.points, input.b.points);
-    EXPECT_EQ(depth.squared(), grid.least / (p->lattice.denominator * p->lattice.denominator)) << input.id;
+    const Depth depth = fathom::testing::exact_depth(input.a.points, input.b.points);
+    EXPECT_EQ(depth.squared(), grid.least / (p->placed.denominator * p->placed.denominator)) << input.id;
     EXPECT_EQ(depth.contact()->kind, ContactKind::edge_edge) << input.id;
   }
 }
@@ -51,10 +51,10 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
 TEST_P(TiePatch, LargeChainsTieAsPromised) {
   const unsigned n = 5000;
   const Case input = find_family(GetParam())->make(1, n);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
+  const PlacedPair placed = place(input.a.points, input.b.points);
   Spread grid;
   for (unsigned i = 0; i < n; i += 37)
-    for (unsigned j = 0; j < n; j += 37) grid.add(spanned_plane(lattice.a[i], lattice.a[i + 1], lattice.b[j], lattice.b[j + 1]).squared());
+    for (unsigned j = 0; j < n; j += 37) grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
   const bool rounded = std::string_view(GetParam()) == "crossed_vanishing_ties";
   EXPECT_TRUE(grid.within(promised(GetParam(), n) * (rounded ? 4 : ratio(11, 10))));
   EXPECT_FALSE(grid.within(promised(GetParam(), n) / 2));

@@ -11,6 +11,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
+#include "reference/depth/gap.hpp"
 #include "reference/files/cases.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
@@ -58,9 +59,7 @@ TEST(Record, AgreesWithTheNaiveAndTheExactMethod) {
       const Case points = points_of(record);
       statuses.insert(expected["status"]);
       for (const Method method : {Method::naive, Method::exact}) {
-        Options options;
-        options.method = method;
-        expect_answer(expected, penetration_depth(points.a.points, points.b.points, options), record.id);
+        expect_answer(expected, penetration_depth(points.a.points, points.b.points, {.method = method}), record.id);
       }
       if (expected["status"] != "penetrating") continue;
       const auto gap = second_nearest_squared_naive(points.a.points, points.b.points);
@@ -208,9 +207,16 @@ TEST(Record, TheRealCasesHaveTheAnswersThatTwoOtherProgramsFound) {
 
 TEST(Record, StopsWhenAsked) {
   const Recipe recipe{Source::family, "random_ball", 8, 1};
-  EXPECT_THROW(records_of(recipe, [] { return false; }), Interrupted);
-  int left = 3;
-  EXPECT_THROW(records_of(recipe, [&left] { return --left > 0; }), Interrupted);
+  struct StopAfter final : Monitor {
+    explicit StopAfter(int left) : left(left) {}
+    void report(std::string_view, double) override {}
+    bool stopped() override { return --left < 0; }
+    int left;
+  };
+  for (const int left : {0, 2}) {
+    StopAfter stop(left);
+    EXPECT_THROW(records_of(recipe, &stop), Interrupted);
+  }
 }
 
 TEST(Record, CertificatesAreAcceptedAndBearTheId) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "kernels/number/rounding.hpp"
+#include "kernels/vector.hpp"
 #include "verify/families/families.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/seen_case.hpp"

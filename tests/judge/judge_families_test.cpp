@@ -45,7 +45,7 @@ Tolerance some_tolerance(Random& random) {
 Triple some_direction(const Depth& depth, Random& random) {
   const auto k = random.between(0, 5);
   if (k == 0) return {0, 0, 0};
-  if (k <= 2 || !depth.direction()) {
+  if (k <= 2) {
     const double x = static_cast<double>(random.between(-2, 2)), y = static_cast<double>(random.between(-2, 2));
     return {x, y, static_cast<double>(random.between(-1, 1))};
   }

@@ -222,7 +222,7 @@ TEST(Judge, WitnessPoints) {
 
 TEST(Judge, EveryTieIsRight) {
   const Truth same = truth_about(cube(0), cube(0));
-  ASSERT_EQ(same.depth.optima.size(), 6U);
+  ASSERT_EQ(same.depth.optima().size(), 6U);
   for (const Triple& u : {left, right, up, Triple{0, 0, -1}, Triple{0, 1, 0}, Triple{0, -1, 0}}) {
     EXPECT_EQ(findings(same, overlap(1, u)), Findings{});
   }

@@ -17,12 +17,8 @@ namespace fathom::testing {
 class NaiveJudge {
  public:
   NaiveJudge(const Truth& truth, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
-      : truth_(truth),
-        conventions_(conventions),
-        precision_(precision),
-        tolerance_(tolerance),
-        p_(differences(common_lattice(truth.a, truth.b))) {
-    denominator_ = common_lattice(truth.a, truth.b).denominator;
+      : truth_(truth), conventions_(conventions), precision_(precision), tolerance_(tolerance), p_(differences(place(truth.a, truth.b))) {
+    denominator_ = place(truth.a, truth.b).denominator;
     depth_ = root(real(truth.depth.squared()));
     distance_ = truth.depth.distance() ? root(real(truth.depth.distance()->squared)) : real(0);
     tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),

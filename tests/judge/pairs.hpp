@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "kernels/number/parse.hpp"
+#include "kernels/number/ratio.hpp"
 #include "kernels/number/rounding.hpp"
 #include "kernels/number/surd.hpp"
+#include "kernels/vector.hpp"
 #include "verify/judge/judge.hpp"
 
 namespace fathom::testing {
@@ -55,11 +57,7 @@ inline Triple rounded(const Point& p) {
 }
 inline Triple unit(const Vector& n) {
   const mpz_class square = dot(n, n);
-  const auto component = [&](const mpz_class& x) {
-    mpq_class q(x * abs(x), square);
-    q.canonicalize();
-    return nearest_binary64({0, q});
-  };
+  const auto component = [&](const mpz_class& x) { return nearest_binary64({0, ratio(x * abs(x), square)}); };
   return {component(n.x), component(n.y), component(n.z)};
 }
 inline Triple opposite(const Triple& u) { return {-u[0], -u[1], -u[2]}; }

@@ -180,7 +180,7 @@ TEST(RoundedAnswers, WitnessPointsSixteenUlpsAwayFail) {
 TEST(RoundedAnswers, ADirectionFourRoundoffsAwayFails) {
   const Truth& cubes = testing::cubes();
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
-    const double u = unit_roundoff(precision).get_d(), depth = Rounded{precision}.root(cubes.depth.squared);
+    const double u = unit_roundoff(precision).get_d(), depth = Rounded{precision}.root(cubes.depth.squared());
     const auto findings = [&](double t) {
       return judge(cubes, testing::overlap(depth, Triple{-1, t, 0}), {}, precision, strictest).findings;
     };

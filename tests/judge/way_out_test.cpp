@@ -14,20 +14,19 @@ TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
   std::size_t rays = 0, given_up = 0;
   for (const Case& input : testing::cases_of_all_families(2, 9)) {
     const std::vector<Point>&a = input.a.points, &b = input.b.points;
-    Options options;
-    options.method = Method::certificate;
-    const Depth depth = penetration_depth(a, b, options);
-    if (!depth.inner) continue;
-    const Lattice lattice = common_lattice(a, b);
+    const Depth depth = penetration_depth(a, b, {.method = Method::certificate});
+    if (!depth.penetration()) continue;
+    const InnerPolytope& inner = depth.penetration()->inner.value();
+    const PlacedPair placed = place(a, b);
     std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {1, 1, 1}, {3, -2, 1}, {1, 0, 1000000}};
     for (const Optimum& optimum : depth.optima()) directions.push_back(optimum.direction);
-    for (const Difference& d : depth.inner->vertices) directions.push_back(lattice.b[d.second] - lattice.a[d.first]);
+    for (const auto& [i, j] : inner.vertices) directions.push_back(placed.b[j] - placed.a[i]);
     if (directions.size() > 12) directions.resize(12);
     for (const Vector& u : directions) {
       ++rays;
       const DirectionalDepth expected = directional_depth(a, b, {u.x, u.y, u.z});
-      const std::optional<mpq_class> found = way_out(lattice, *depth.inner, u);
-      if (found) EXPECT_EQ(*found / lattice.denominator, expected.factor()) << input.id;
+      const std::optional<mpq_class> found = way_out(placed, inner, u);
+      if (found) EXPECT_EQ(*found / placed.denominator, expected.factor()) << input.id;
       else ++given_up;
     }
   }
@@ -37,11 +36,9 @@ TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
 
 TEST(WayOut, MayRunOutOfPatience) {
   const Case input = families::find_family("random_sphere")->make(1, 30);
-  Options options;
-  options.method = Method::certificate;
-  const Depth depth = penetration_depth(input.a.points, input.b.points, options);
-  ASSERT_TRUE(depth.inner);
-  EXPECT_FALSE(way_out(common_lattice(input.a.points, input.b.points), *depth.inner, {1, 2, 3}, 0));
+  const Depth depth = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate});
+  const InnerPolytope& inner = depth.penetration()->inner.value();
+  EXPECT_FALSE(way_out(place(input.a.points, input.b.points), inner, {1, 2, 3}, 0));
 }
 
 }  // namespace

@@ -10,10 +10,13 @@ rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
 names     no two types of the project share a name, whatever their namespaces
+examples  each installed header is included, and each of its functions called, by a program in examples
 """
 import pathlib
 import re
 import sys
+
+import public_functions
 
 # From left to right. Rooms on one line do not know each other.
 ORDER = [
@@ -57,7 +60,7 @@ STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
 NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
 NAMESPACE_END = re.compile(r"\}  // namespace")
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:,])[^;]*(?:\{.*|$)"
-                  r"|(?:template <.*> )?using (\w+) = .*")
+                  r"|(?:template <.*> )?using (\w+) =.*")
 INSTALL = re.compile(r"^[ \t]*install\(([^()]*(?:\([^()]*\)[^()]*)*)\)", re.MULTILINE)
 HEADER = re.compile(r"[\w*]\.h(?:pp)?\b|INCLUDEDIR|(?:^|/)include\b")
 ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
@@ -206,7 +209,7 @@ def breaches(root):
                     definitions.setdefault(defined.split("::")[-1], []).append(name)
         elif path.suffix == ".cmake" or path.name == "CMakeLists.txt":
             found += [(name, *breach) for breach in install_breaches(name, text)]
-    return found + list(name_breaches(definitions))
+    return found + list(name_breaches(definitions)) + list(public_functions.breaches(root))
 
 
 def main():

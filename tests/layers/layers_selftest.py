@@ -111,7 +111,7 @@ class Layers(unittest.TestCase):
     def test_a_type_has_a_name_of_its_own(self):
         first = SPDX + "namespace fathom {\n\n%s\n}  // namespace fathom\n"
         for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {", "class [[nodiscard]] Place {",
-                     "struct alignas(16) Place {", "using Place = int;", "struct Place\n    : Base {"):
+                     "struct alignas(16) Place {", "using Place = int;", "using Place =\n    int;", "struct Place\n    : Base {"):
             changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first % (text + ("\n};\n" if "{" in text else "\n"))}
             self.assertEqual(breaches(changes), [("reference/depth/two.cpp", "names")], text)
 
@@ -143,6 +143,35 @@ class Layers(unittest.TestCase):
                      "DIRECTORY kernels DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}", "DIRECTORY kernels DESTINATION include/fathom",
                      "DIRECTORY . DESTINATION x FILES_MATCHING PATTERN *.hpp"):
             self.expect("cmake/bad.cmake", f"# SPDX-License-Identifier: GPL-3.0-or-later\nif(X)\n  install({call})\nendif()\n", "installed")
+
+    def test_each_public_function_has_an_example(self):
+        header = SPDX + """#include <vector>
+namespace fathom {
+/// Not decoy(this).
+struct Box {
+  explicit Box(int x) : base(x) {}
+  ~Box();
+  Box& operator=(const Box&);
+  [[nodiscard]] int volume() const { return twice(x_); }
+};
+enum class Kind { one, two };
+inline constexpr int limit = compute(3);
+template <class T>
+requires(Solid<T>) Box largest(const std::vector<T>& boxes, int from = first(0), const Kind& kind = {});
+}  // namespace fathom
+"""
+        program = SPDX + '#include <fathom/box.hpp>\nint main() { return fathom::largest<Box>(boxes).volume(); }\n'
+        name = "include/fathom/box.hpp"
+        self.assertEqual(breaches({name: header, "examples/box.cpp": program}), [])
+        self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("volume", "depth")}), [(name, "examples")])
+        self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("largest", "least")}), [(name, "examples")])
+        self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("fathom/box.hpp", "vector")}), [(name, "examples")])
+        self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("int main", "// int main")}), [(name, "examples")] * 2)
+        c = SPDX + 'extern "C" {\nint fathom_volume(int x);\n}\n'
+        self.assertEqual(breaches({"include/fathom/box.h": c}), [("include/fathom/box.h", "examples")] * 2)
+        check = "// SPDX-License-Identifier: Apache-2.0\nnamespace fathom_check {\nbool verify(int x);\n}  // namespace fathom_check\n"
+        self.assertEqual(breaches({"verify/check/check.hpp": check}), [("verify/check/check.hpp", "examples")] * 2)
+        self.assertEqual(breaches({"include/fathom/box.h": c, "examples/box.c": "#include <fathom/box.h>\nint x = fathom_volume(3);\n"}), [])
 
     def test_exit_code(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):

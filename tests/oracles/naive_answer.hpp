@@ -9,9 +9,9 @@
 namespace fathom::oracles {
 
 inline OracleAnswer naive_answer(std::span<const Point> a, std::span<const Point> b) {
-  const Lattice lattice = common_lattice(a, b);
-  const NaiveDepth naive = naive_depth(lattice.a, lattice.b);
-  return {naive.status, mpq_class(naive.squared / (lattice.denominator * lattice.denominator)), naive.directions};
+  const PlacedPair placed = place(a, b);
+  const NaiveDepth naive = naive_depth(placed.a.points(), placed.b.points());
+  return {naive.status, mpq_class(naive.squared / (placed.denominator * placed.denominator)), naive.directions};
 }
 
 }  // namespace fathom::oracles

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <random>
 
+#include "kernels/number/ratio.hpp"
 #include "tests/support/check_depth.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -17,12 +19,6 @@ namespace {
 using testing::random_vector;
 using testing::text;
 
-mpq_class quotient(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class q(numerator, denominator);
-  q.canonicalize();
-  return q;
-}
-
 /// By definition: the nearest feature of P is a vertex, an edge or a facet, so the least distance of O to the hulls of one, two or three
 /// differences is the answer, whether or not these lie on the boundary of P.
 mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
@@ -31,7 +27,7 @@ mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
     for (const Vector& y : b) p.push_back(y - x);
   mpq_class best = dot(p[0], p[0]);
   const auto offer = [&](const mpz_class& numerator, const mpz_class& denominator) {
-    best = std::min(best, quotient(numerator, denominator));
+    best = std::min(best, ratio(numerator, denominator));
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
     offer(dot(p[i], p[i]), 1);
@@ -55,11 +51,11 @@ mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
 }
 
 NearestPoints solve(const std::vector<Vector>& a, const std::vector<Vector>& b) {
-  const long exponent = std::max(binary_exponent(a), binary_exponent(b));
-  return nearest_points(PointCloud(a, exponent), PointCloud(b, exponent));
+  const PlacedPair placed = place_integers(a, b);
+  return nearest_points(placed.a, placed.b);
 }
 
-mpq_class squared(const NearestPoints& z) { return quotient(z.height * z.height, dot(z.normal, z.normal)); }
+mpq_class squared(const NearestPoints& z) { return ratio(z.height * z.height, dot(z.normal, z.normal)); }
 
 std::vector<Vector> random_points(std::mt19937_64& random, std::size_t n, unsigned bits, const Vector& shift) {
   std::vector<Vector> points;
@@ -76,8 +72,8 @@ TEST(NearestPoints, EqualsBruteForceOnSmallBodies) {
     far <<= bits;
     const std::vector<Vector> a = random_points(random, 1 + random() % 4, bits, {0, 0, 0});
     const std::vector<Vector> b = random_points(random, 1 + random() % 4, bits, random_vector(random, bits) + Vector{far, far, 0});
-    const long exponent = std::max(binary_exponent(a), binary_exponent(b));
-    if (position_of_origin(PointCloud(a, exponent), PointCloud(b, exponent)).position != Position::outside) {
+    const PlacedPair placed = place_integers(a, b);
+    if (position_of_origin(placed.a, placed.b).position != Position::outside) {
       EXPECT_THROW(solve(a, b), std::invalid_argument);
       ++kinds[0];
       continue;
@@ -125,7 +121,7 @@ TEST(NearestPoints, ValidateHasTeeth) {
   EXPECT_TRUE(broken([](NearestPoints& z) { z.b[0].index = 1; }));
 }
 
-Depth depth_of(const Case& pair) { return penetration_depth(pair.a.points, pair.b.points); }
+Depth depth_of(const Case& pair) { return testing::exact_depth(pair.a.points, pair.b.points); }
 
 Case moved(Case pair, const Point& t) {
   for (Point& p : pair.a.points) p = {p.x + t.x, p.y + t.y, p.z + t.z};
@@ -138,7 +134,7 @@ TEST(Distance, TranslationBringsTheBodiesIntoTouch) {
   for (Case input : testing::cases_of_all_families(2, 9)) {
     if (depth_of(input).status() != Status::disjoint) input = moved(input, {mpq_class(7, 3), 1, 40});
     const Depth depth = depth_of(input);
-    EXPECT_EQ(depth.distance().has_value(), depth.status() == Status::disjoint) << input.id;
+    EXPECT_EQ(depth.distance() != nullptr, depth.status() == Status::disjoint) << input.id;
     if (!depth.distance()) continue;
     ++disjoint;
     const Distance& d = *depth.distance();
@@ -150,11 +146,8 @@ TEST(Distance, TranslationBringsTheBodiesIntoTouch) {
     EXPECT_EQ(h * h, d.squared * dot(d.direction, d.direction)) << input.id;
     const Point &a = d.witness.a, &b = d.witness.b;
     EXPECT_EQ((Point{b.x - a.x, b.y - a.y, b.z - a.z}), t) << input.id;
-    std::vector<std::uint32_t> all_a(input.a.points.size()), all_b(input.b.points.size());
-    for (std::uint32_t i = 0; i < all_a.size(); ++i) all_a[i] = i;
-    for (std::uint32_t i = 0; i < all_b.size(); ++i) all_b[i] = i;
-    EXPECT_TRUE(testing::in_hull(a, input.a.points, all_a)) << input.id;
-    EXPECT_TRUE(testing::in_hull(b, input.b.points, all_b)) << input.id;
+    EXPECT_TRUE(testing::in_hull(a, input.a.points, testing::all_of(input.a.points))) << input.id;
+    EXPECT_TRUE(testing::in_hull(b, input.b.points, testing::all_of(input.b.points))) << input.id;
     EXPECT_EQ(depth_of(moved(input, t)).status(), Status::touching) << input.id;
     const mpq_class half(1, 2);
     EXPECT_EQ(signed_square(depth_of(moved(input, {half * t.x, half * t.y, half * t.z}))), -d.squared / 4) << input.id;
@@ -167,7 +160,7 @@ TEST(Distance, OneSignedFunctionAcrossContact) {
   std::vector<Point> a, b;
   for (int i = 0; i < 8; ++i) a.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
   for (int step = -4; step <= 4; ++step) {
-    const mpq_class gap = quotient(step, 9);
+    const mpq_class gap = ratio(step, 9);
     b = a;
     for (Point& p : b) p.x += 1 + gap;
     const Depth depth = penetration_depth(a, b);

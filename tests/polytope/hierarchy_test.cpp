@@ -58,8 +58,8 @@ TEST(Hierarchy, AgreesWithTheScanOnAllFamilies) {
   for (const unsigned size : {8U, 40U}) {
     for (const Case& input : cases_of_all_families(size < 10 ? 2 : 1, size)) {
       SCOPED_TRACE(input.id);
-      const Lattice lattice = common_lattice(input.a.points, input.b.points);
-      for (const std::vector<Vector>* points : {&lattice.a, &lattice.b}) expect_laws(convex_hull(*points), size);
+      const PlacedPair placed = place(input.a.points, input.b.points);
+      for (const PointCloud* cloud : {&placed.a, &placed.b}) expect_laws(convex_hull(cloud->points()), size);
       ASSERT_FALSE(HasFatalFailure());
     }
   }
@@ -136,7 +136,7 @@ Steps greatest_steps(const Hierarchy& h, unsigned seed) {
 void expect_growth(const char* family, unsigned n) {
   SCOPED_TRACE(std::string(family) + " " + std::to_string(n));
   const Case input = families::find_family(family)->make(1, n);
-  const Polytope p = convex_hull(common_lattice(input.a.points, input.b.points).b);
+  const Polytope p = convex_hull(place(input.a.points, input.b.points).b.points());
   const Hierarchy h(p);
   const std::size_t vertices = p.vertices.size(), doublings = std::bit_width(vertices);
   const Steps steps = greatest_steps(h, n);

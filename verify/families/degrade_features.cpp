@@ -9,7 +9,7 @@ namespace fathom::families {
 
 namespace {
 
-constexpr std::size_t window = 24;  // so many features of a body are looked at, since pairs of them are compared
+constexpr std::size_t window = 24;  // at most this many features of a body are searched, since pairs of them are compared
 
 const Point pole{0, 0, 1}, upright{0, 1, 0};
 
@@ -44,7 +44,7 @@ struct Turn {
   Point from, to;
 };
 
-/// The direction that is closest to its target; nothing if no target is in reach.
+/// Returns the direction that is closest to its target, or nullopt if no target is in reach.
 template <class Target>
 std::optional<Turn> smallest_turn(const std::vector<Point>& directions, Target target) {
   std::optional<Turn> best;

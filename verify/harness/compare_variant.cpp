@@ -38,7 +38,7 @@ class Comparison {
     if (original.judgement) allow(tolerance, original.judgement->depth_squared);
   }
 
-  /// What differs; empty: nothing beyond the tolerance.
+  /// What differs; empty if nothing differs by more than the tolerance.
   [[nodiscard]] std::string difference() const {
     if (!original_.reply || !original_.judgement || original_.verdict == Verdict::nan)
       return fmt::format("the case itself ends in {}, {} of it does not", name(original_.verdict), of_variant());

@@ -155,7 +155,7 @@ Outcome Examiner::ask(const Case& seen) {
   }
 }
 
-/// Whether the process did it before it read anything of the case; then it is told.
+/// Returns whether the process did it before it read anything of the case, and reports it then.
 bool Examiner::is_nobodys(const Fault& fault) {
   const bool ended = fault.verdict == Verdict::crash || fault.verdict == Verdict::silent;
   if (!fault.unread || (!ended && !fault.after)) {
@@ -173,7 +173,7 @@ void Examiner::tell(const Fault& fault, const char* when) {
     settings_.unattributed({fault.after, when + fault.seen + (fault.verdict == Verdict::garbage ? "" : fault.words)});
 }
 
-/// Nothing if the case was answered: then the outcome is judged.
+/// Returns nullopt if the case was answered: then the outcome is judged.
 std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome) {
   const std::string message = run_message(std::to_string(++tickets_), seen, info_.precision, info_.wants_faces);
   const Clock::time_point begin = Clock::now();

@@ -125,7 +125,7 @@ Unattributed unattributed(const Json& json) {
   return unattributed;
 }
 
-/// Nothing if `line` is not what `read` reads.
+/// Returns nullopt if `line` is not what `read` reads.
 template <class Line>
 std::optional<Line> read_line(std::string_view line, Line (*read)(const Json&)) {
   try {

@@ -118,7 +118,7 @@ Spawned spawn(const std::string& command) {
   const pid_t id = ::fork();
   if (id < 0) refuse("cannot start a process");
   if (id == 0) become(words, input.reading(), output.writing(), errors.writing(), parent);
-  ::setpgid(id, id);  // whoever of the two comes first
+  ::setpgid(id, id);  // parent and child both call it: either may come first
   return {id, input.take_unblocked(1), output.take_unblocked(0), errors.take_unblocked(0), input.take(0)};
 }
 

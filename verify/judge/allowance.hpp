@@ -18,8 +18,8 @@ struct Slack {
   mpq_class gap;        ///< how much (b - a) misses the translation
 };
 
-/// Of an answer each of whose numbers (depth, unit direction, witness points) is off by no more than `ulps` ulps, or half of one if that
-/// is more: correct rounding to nearest.
+/// Returns the slack of an answer whose numbers (depth, unit direction, witness points) are each off by at most `ulps` ulps, or by half an
+/// ulp, as after correct rounding, if that is more.
 Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, unsigned long ulps);
 
 /// The length that a residual may have: max(relative * depth, fixed). Lengths come as rationals d, or as signed squares s: of sqrt(s),
@@ -27,14 +27,14 @@ Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, Precisi
 class Allowance {
  public:
   Allowance() = default;
-  /// What is negative counts as 0.
+  /// Negative values count as 0.
   Allowance(const mpq_class& relative, const mpq_class& depth_squared, const mpq_class& fixed);
 
-  /// d - length is more; length - d is more; either of them.
+  /// Whether d - length, length - d, or either of them exceeds the allowance.
   [[nodiscard]] bool above(const mpq_class& d, const mpq_class& length) const;
   [[nodiscard]] bool below(const mpq_class& d, const mpq_class& length) const;
   [[nodiscard]] bool off(const mpq_class& d, const mpq_class& length) const { return above(d, length) || below(d, length); }
-  /// A length that is no more; given by its square.
+  /// Whether a length, given by its square, is within the allowance.
   [[nodiscard]] bool negligible(const Surd& squared) const;
   [[nodiscard]] bool negligible(const mpq_class& squared) const { return squared <= squared_; }
   [[nodiscard]] const mpq_class& squared() const { return squared_; }
@@ -43,7 +43,7 @@ class Allowance {
   mpq_class fixed_, proportional_, squared_;  ///< proportional_ = (relative * depth)^2; squared_ is the square of the larger one
 };
 
-/// The tolerance alone, which classifications are judged by; and, residual by residual, the tolerance or the slack, whichever is larger.
+/// `classification` is the tolerance alone; for each residual it is the tolerance or the slack, whichever is larger.
 struct Allowances {
   Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance);
 
@@ -56,7 +56,7 @@ mpq_class ulp_at_root(const mpq_class& squared, Precision precision);
 /// 2^-53 or 2^-24.
 mpq_class unit_roundoff(Precision precision);
 
-/// The best class that a depth of d is in which is within the tolerance; u_r is u R.
+/// Returns the best class of a depth d that is within the tolerance; u_r is u R.
 Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision);
 
 }  // namespace fathom

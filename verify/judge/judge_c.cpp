@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C interface: plain structs in, plain structs out, and no exception past this file.
+// The C interface: plain structs in and out; no exception leaves this file.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

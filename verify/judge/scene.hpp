@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two bodies, and the exact questions that a judge asks about them.                       [AGHRS, section 3; proofs/judge.md]
+// The two bodies, and the exact quantities that a judge needs of them.                       [AGHRS, section 3; proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -34,7 +34,7 @@ class Scene {
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
   /// h(u) / |u|, as a signed square. The direction is not zero.
   [[nodiscard]] mpq_class price(const Vector& u) const;
-  /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are so already.
+  /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are disjoint already.
   [[nodiscard]] mpq_class travel(const Vector& u);
 
  private:

@@ -12,7 +12,7 @@ namespace fathom {
 /// Which of several reasons a finding has.
 struct Remarks {
   bool tolerated = false;                                  ///< the classification is wrong, within the tolerance
-  bool depth_sign = false, direction_sign = false;         ///< wrong, and mended in the claim
+  bool depth_sign = false, direction_sign = false;         ///< wrong, and corrected in the claim
   bool witness_a = false, witness_b = false, gap = false;  ///< off
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the subject saw, and the exact answer to that.
+// The points that the subject saw, and the exact answer for them.
 #include <cmath>
 #include <stdexcept>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two bodies, a polytope Q inside P = B (+) (-A) that a certificate of their depth has left, and a direction.
+// Input   two bodies, a polytope Q inside P = B (+) (-A) from a certificate of their depth, and a direction.
 // Output  where the ray from O leaves P: no hulls are needed. Its twin is directional_depth.                      [proofs/judge.md]
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace fathom {
 
-/// The greatest f with f u in P, in units of the lattice: exact. Nothing after `patience` support queries; rays through edges and corners
-/// alone could need many. u is not zero.
+/// Returns the greatest f with f u in P, in units of the lattice: exact. Returns nullopt after `patience` support queries; only rays
+/// through edges and corners may need many. u is not zero.
 std::optional<mpq_class> way_out(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
 
 }  // namespace fathom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the searches of a study share: the bodies with their diagrams, and the list that coincidences go to.
+// What the searches of a study share: the bodies with their diagrams, and the list of coincidences.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class Findings {
     if (all.listed.size() < most_) all.listed.push_back(std::move(involved));
   }
 
-  /// Every x of one group with every y of another; involved(x, y) describes a pair.
+  /// Adds every x of one group with every y of another; involved(x, y) describes a pair.
   template <class F>
   void add_pairs(Coincidence kind, Ids xs, Ids ys, F involved) {
     Coincidences& all = at(kind);
@@ -51,7 +51,7 @@ class Findings {
     }
   }
 
-  /// Every two of one group.
+  /// Adds every two of one group.
   template <class F>
   void add_pairs(Coincidence kind, Ids xs, F involved) {
     Coincidences& all = at(kind);
@@ -71,10 +71,10 @@ class Findings {
   std::size_t most_;
 };
 
-/// The kinds that are seen in space.
+/// Finds the kinds that are seen in space.
 void find_parallel_edges(const Subject& a, const Subject& b, Findings& findings);
 void find_common_normals(const Subject& a, const Subject& b, Findings& findings);
-/// The kinds that are seen on the sphere. The first reports its progress.
+/// Finds the kinds that are seen on the sphere. The first reports its progress.
 void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings);
 void find_equator_hits(const Subject& a, const Subject& b, Findings& findings);
 void find_verticals(const Subject& a, const Subject& b, Findings& findings);

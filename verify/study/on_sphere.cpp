@@ -71,8 +71,7 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, bo
 }  // namespace
 
 void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings) {
-  PredicateCounts uncounted;
-  const UnperturbedKernel kernel(uncounted);
+  const UnperturbedKernel kernel(context.counters.predicates);
   const double all = static_cast<double>(a.diagram.nodes.size() + b.diagram.nodes.size());
   std::size_t done = 0;
   for (const bool node_of_a : {true, false}) {

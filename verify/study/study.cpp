@@ -7,6 +7,7 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/predicates/perturbation.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -77,11 +78,12 @@ void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, co
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   const DefaultFloatEnvironment environment;
   Context context(options.monitor);
+  return study(context, a, b, options);
+}
+
+Study study(Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   Study result;
-  Options depth_options;
-  depth_options.method = Method::exact;
-  depth_options.monitor = options.monitor;
-  result.depth = penetration_depth(a, b, depth_options);
+  result.depth = penetration_depth(a, b, {.method = Method::exact, .monitor = options.monitor});
   context.report("hulls");
   const PlacedPair placed = place(a, b);
   Bodies bodies{placed.a.points(), placed.b.points()};
@@ -105,10 +107,11 @@ Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptio
   return result;
 }
 
-std::string monomial_name(std::uint64_t packed, const Perturbation& perturbation) {
+std::string monomial_name(std::uint64_t packed) {
   constexpr std::array<std::string_view, infinitesimals> names{"E11", "E12", "E13", "E21", "E22", "E23",
                                                                "E31", "E32", "E33", "a",   "b",   "c"};
   const Monomial monomial = Monomial::unpacked(packed);
+  const Perturbation perturbation;
   std::string result;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const unsigned exponent = monomial.exponent(perturbation.rank[i]);

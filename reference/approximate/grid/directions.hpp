@@ -17,7 +17,7 @@ namespace fathom {
 /// to the plane whose normal is v.
 bool covers(const Vector& p, const Vector& v, const mpq_class& delta);
 
-/// The least delta that is taken: smaller ones would need more directions than any run can try.
+/// The least delta that is accepted: smaller ones would need more directions than any run can try.
 inline const mpq_class least_delta(1, 1'000'000'000);
 
 /// Every v other than 0 lies in the cone of a cell, whose centre covers it.

@@ -13,11 +13,15 @@
 #include <CGAL/boost_mp.h>
 #include <CGAL/gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <fathom/cgal.hpp>
 #include <iostream>
 #include <limits>
 #include <list>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -60,7 +64,7 @@ void expect_right(const typename K::FT& size, std::string_view kernel) {
 template <class K>
 void expect_same_number(const mpq_class& q, std::string_view kernel) {
   using FT = typename K::FT;
-  expect(fathom::exact_rational(fathom::to_number<FT>(q)) == q, kernel);
+  expect(fathom::exact_value(fathom::to_number<FT>(q)) == q, kernel);
   const fathom::Point p{q, 0, mpq_class(-q)};
   expect(fathom::exact_point(fathom::to_point_3<K>(p)) == p, kernel);
 }
@@ -81,47 +85,79 @@ void kernels() {
   expect_same_number<CGAL::Simple_cartesian<CGAL::Gmpq>>(third, "to Gmpq");
   expect_same_number<CGAL::Simple_cartesian<mpq_class>>(third, "to mpq_class");
   expect_same_number<CGAL::Simple_cartesian<boost::multiprecision::mpq_rational>>(third, "to mpq_rational");
-  expect(fathom::exact_rational(CGAL::MP_Float(-0x1.8p-200)) == mpq_class("-0x3") / (mpq_class(1) << 201), "a small MP_Float");
-  expect(fathom::exact_rational(CGAL::MP_Float(0x1.8p200)) == (mpq_class(3) << 199), "a large MP_Float");
-  expect(fathom::exact_rational(Epeck::FT(1) / 3 * 3) == 1, "the exact value of a lazy number");
-  expect(fathom::exact_rational(0.1) == mpq_class("3602879701896397/36028797018963968"), "the exact value of a double");
+  expect(fathom::exact_value(CGAL::MP_Float(-0x1.8p-200)) == mpq_class("-0x3") / (mpq_class(1) << 201), "a small MP_Float");
+  expect(fathom::exact_value(CGAL::MP_Float(0x1.8p200)) == (mpq_class(3) << 199), "a large MP_Float");
+  expect(fathom::exact_value(Epeck::FT(1) / 3 * 3) == 1, "the exact value of a lazy number");
+  expect(fathom::exact_value(0.1) == mpq_class("3602879701896397/36028797018963968"), "the exact value of a double");
 }
 
-void meshes() {
-  const auto p = tetrahedron<Epick>(1.5);
+/// Bodies of every kind, each the same tetrahedron.
+struct Kinds {
+  std::vector<fathom::Point> points;
+  std::vector<Epick::Point_3> range;
+  std::list<Epeck::Point_3> list;
+  std::array<CGAL::Simple_cartesian<mpq_class>::Point_3, 4> array;
   CGAL::Surface_mesh<Epick::Point_3> mesh;
-  const auto removed = mesh.add_vertex(Epick::Point_3(100, 100, 100));
-  for (const Epick::Point_3& corner : p) mesh.add_vertex(corner);
-  mesh.remove_vertex(removed);
   CGAL::Polyhedron_3<Epeck> polyhedron;
-  const auto q = tetrahedron<Epeck>(1.5);
-  polyhedron.make_tetrahedron(q[0], q[1], q[2], q[3]);
-  const std::list<Epeck::Point_3> list(q.begin(), q.end());
-  const std::array<Epick::Point_3, 4> array{p[0], p[1], p[2], p[3]};
 
-  const mpq_class expected(3, 4);
-  expect(fathom::penetration_depth(mesh, cube).squared() == expected, "a mesh and points: a removed vertex does not count");
-  expect(fathom::penetration_depth(cube, mesh).squared() == expected, "points and a mesh");
-  expect(fathom::penetration_depth(polyhedron, cube).squared() == expected, "a polyhedron and points");
-  expect(fathom::penetration_depth(list, cube).squared() == expected, "a list and points");
-  expect(fathom::penetration_depth(std::span<const fathom::Point>(cube), array).squared() == expected, "a span and an array");
-  const mpq_class itself = fathom::penetration_depth(mesh, mesh).squared();
-  expect(itself == fathom::penetration_depth(polyhedron, mesh).squared(), "a polyhedron and a mesh of other kernels");
-  expect(itself == fathom::penetration_depth(p, list).squared(), "ranges of two kernels");
+  explicit Kinds(double size) : range(tetrahedron<Epick>(size)) {
+    const auto removed = mesh.add_vertex(Epick::Point_3(100, 100, 100));
+    for (const Epick::Point_3& p : range) mesh.add_vertex(p);
+    mesh.remove_vertex(removed);  // what is removed does not count
+    const auto exact = tetrahedron<Epeck>(size);
+    list.assign(exact.begin(), exact.end());
+    polyhedron.make_tetrahedron(exact[0], exact[1], exact[2], exact[3]);
+    std::ranges::copy(tetrahedron<CGAL::Simple_cartesian<mpq_class>>(mpq_class(size)), array.begin());
+    points = fathom::exact_points(mesh);
+  }
+
+  template <class F>
+  void for_each(F f) const {
+    f(points, "points");
+    f(std::span<const fathom::Point>(points), "a span of points");
+    f(range, "a range");
+    f(list, "a list");
+    f(array, "an array");
+    f(mesh, "a mesh");
+    f(polyhedron, "a polyhedron");
+  }
+};
+
+void pairs() {
+  const Kinds one(1.5), other(1);
+  const mpq_class squared = fathom::penetration_depth(one.points, other.points).squared();
+  expect(squared > 0, "the tetrahedra penetrate");
+  one.for_each([&](const auto& a, const std::string& kind_of_a) {
+    other.for_each([&](const auto& b, const std::string& kind_of_b) {
+      const fathom::Depth depth = fathom::penetration_depth(a, b);
+      const fathom::Depth expected = fathom::penetration_depth(fathom::exact_points(a), fathom::exact_points(b));  // with the same indices
+      expect(depth.squared() == squared && depth.optima() == expected.optima(), kind_of_a + " and " + kind_of_b);
+    });
+  });
   fathom::Options naive;
   naive.method = fathom::Method::naive;
-  expect(fathom::penetration_depth(mesh, polyhedron, naive).method == fathom::Method::naive, "options are passed on");
+  expect(fathom::penetration_depth(one.mesh, other.polyhedron, naive).method == fathom::Method::naive, "options are passed on");
 }
 
 void not_finite() {
+  const Kinds good(1);
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    bool thrown = false;
-    try {
-      (void)fathom::penetration_depth(std::vector<Epick::Point_3>{Epick::Point_3(x, 0, 0)}, cube);
-    } catch (const std::invalid_argument&) {
-      thrown = true;
-    }
-    expect(thrown, "a coordinate that is not finite throws");
+    Kinds bad(1);
+    const Epick::Point_3 p(x, 0, 0);
+    bad.range[1] = p;
+    bad.mesh.add_vertex(p);
+    const auto throws = [](const auto& a, const auto& b) {
+      try {
+        (void)fathom::penetration_depth(a, b);
+      } catch (const std::invalid_argument&) {
+        return true;
+      }
+      return false;
+    };
+    good.for_each([&](const auto& b, const std::string& kind) {
+      expect(throws(bad.range, b) && throws(b, bad.range), "a range that is not finite throws with " + kind);
+      expect(throws(bad.mesh, b) && throws(b, bad.mesh), "a mesh that is not finite throws with " + kind);
+    });
   }
 }
 
@@ -131,7 +167,7 @@ static_assert(!fathom::CgalBody<std::vector<fathom::Point>> && !fathom::CgalBody
 
 int main() {
   kernels();
-  meshes();
+  pairs();
   not_finite();
   if (failures == 0) std::cout << "every kernel agrees\n";
   return failures;

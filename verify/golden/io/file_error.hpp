@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What goes wrong with files of a release, by whose fault it is.
+// Errors with the files of a release: the system's, and the user's.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ struct FileError : std::runtime_error {
   FileError(const std::string& action, const std::filesystem::path& path, int code);
 };
 
-/// The folder holds something else than the user seems to think: the shards of another seed, files of his own.
+/// The folder holds something else than the release: shards of another seed, or other files.
 struct FolderError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,13 +10,13 @@ namespace fathom::golden {
 
 class InputFile {
  public:
-  /// Throws FileError where there is no regular file that can be read.
+  /// Throws FileError if there is no regular file that can be read.
   explicit InputFile(std::filesystem::path path);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// The next bytes, empty at the end. They stay until the next call. Throws FileError.
+  /// Returns the next bytes, valid until the next call; none at the end. Throws FileError.
   std::string_view read();
 
  private:
@@ -25,7 +25,7 @@ class InputFile {
   std::string block_;
 };
 
-/// The whole of a small file. Throws FileError, also where it is larger than `most` bytes.
+/// Returns the content of a small file. Throws FileError, also if it is larger than `most` bytes.
 std::string read_small_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
 
 }  // namespace fathom::golden

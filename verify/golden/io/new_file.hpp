@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that appears whole or not at all. It is written under a hidden name, brought to the disk, and renamed.
+// A file that appears whole or not at all. It is written under a hidden name, synced to disk, and renamed.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace fathom::golden {
 
-/// How hidden names begin and end: ".new-" name. A killed process leaves them behind; they are written over by the next one.
+/// How hidden names begin and end: ".new-" name. A killed process leaves such files behind; the next one overwrites them.
 inline constexpr std::string_view hidden_prefix = ".new-";
 
 class NewFile {
  public:
-  /// Throws FileError, also where another living process is writing the same file.
+  /// Throws FileError, also if another living process is writing the same file.
   NewFile(std::filesystem::path folder, std::string name);
   /// Removes the hidden file unless it was committed.
   ~NewFile();
@@ -22,9 +22,9 @@ class NewFile {
 
   /// Throws FileError.
   void write(std::string_view bytes);
-  /// Brings all bytes to the disk. Throws FileError.
+  /// Syncs all bytes to disk. Throws FileError.
   void sync();
-  /// Gives the file its name. sync() comes first. Throws FileError.
+  /// Gives the file its name. Call sync() first. Throws FileError.
   void commit();
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -36,10 +36,10 @@ class NewFile {
   bool committed_ = false;
 };
 
-/// Brings the names in a folder to the disk. Throws FileError.
+/// Syncs the names in a folder to disk. Throws FileError.
 void sync_folder(const std::filesystem::path& folder);
 
-/// A small file with this content, whole or not at all. Nothing is done if it has the content already.
+/// Writes a small file, whole or not at all. Does nothing if it has this content already.
 void put_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
 
 }  // namespace fathom::golden

@@ -21,7 +21,7 @@ class Sha256 {
  public:
   Sha256();
   void add(std::string_view bytes);
-  /// Of all bytes so far; to be called once.
+  /// Returns the digest of all bytes so far. Call it once.
   Digest digest();
 
  private:
@@ -33,10 +33,10 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-/// Of a file. Throws FileError where it cannot be read.
+/// Returns the digest of a file. Throws FileError if it cannot be read.
 Digest digest_of_file(const std::filesystem::path& path);
 
-/// Of a text.
+/// Returns the digest of a text.
 Digest digest_of(std::string_view text);
 
 }  // namespace fathom::golden

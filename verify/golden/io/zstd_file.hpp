@@ -17,7 +17,7 @@ namespace fathom::golden {
 
 inline constexpr int compression_level = 6;
 
-/// "1.5.4": of the library that this program runs with.
+/// Returns the version of the library that this program runs with: "1.5.4".
 std::string zstd_version();
 
 class ZstdWriter {
@@ -26,12 +26,12 @@ class ZstdWriter {
   ZstdWriter(const std::filesystem::path& folder, std::string name);
   ~ZstdWriter();
   void write(std::string_view content);
-  /// Ends the frame and brings it to the disk; commit() gives it its name.
+  /// Ends the frame and syncs it to disk; commit() gives it its name.
   void finish();
   void commit() { file_.commit(); }
 
   [[nodiscard]] const std::string& name() const { return file_.name(); }
-  /// Of the file, and of the content. After finish(), once each.
+  /// Digests of the file and of its content. Call each once, after finish().
   Digest of_file() { return file_sum_.digest(); }
   Digest of_content() { return content_sum_.digest(); }
 
@@ -43,18 +43,19 @@ class ZstdWriter {
   Sha256 file_sum_, content_sum_;
 };
 
-/// Hands out the content line by line. Whatever a file holds, memory is bounded by its longest line, and that by a limit.
+/// Reads the content line by line. Memory is bounded by the longest line, and its length by a limit.
 class ZstdReader {
  public:
   explicit ZstdReader(const std::filesystem::path& path);
   ~ZstdReader();
 
-  /// The next line without its line feed, until the next call; nothing at the end. Throws FileError, with a sentence that follows the
-  /// file's name, where the frame is cut off or damaged, is followed by anything, is no frame, or where the last line has no line feed.
+  /// Returns the next line without its line feed, valid until the next call, or nullopt at the end. Throws FileError, with a sentence that
+  /// follows the file's name, if there is no frame, if it is cut off, damaged or followed by anything, or if the last line has no line
+  /// feed.
   std::optional<std::string_view> line();
-  /// The number of the line that was handed out last, from 1.
+  /// The number of the line that was returned last, from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// Of all content. After the end.
+  /// The digest of all content. Call it after the end.
   Digest of_content() { return content_sum_.digest(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flags are decided from: the facts of a record, and the hulls and measures of its bodies.
+// The facts of a record with the hulls and measures of its bodies, from which flags are decided.
 #pragma once
 
 #include <vector>

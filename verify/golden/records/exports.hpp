@@ -14,12 +14,12 @@ std::string csv_header();
 std::string include_head();
 std::string include_tail();
 
-/// What stands for one record in the two files, each with a line feed; both empty when its points are not all binary64.
+/// One record in the two files, each with a line feed; both empty unless all of its points are binary64.
 struct Exports {
   std::string csv_row, include_entry;
 };
 
-/// Throws std::invalid_argument when `line` is no record.
+/// Throws std::invalid_argument if `line` is no record.
 Exports exports_of(std::string_view line);
 
 }  // namespace fathom::golden

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces of bodies by their definition: exact integers, one pass over all points, no hull of a body and no filter. The second opinion that
-// a record's contacts and witnesses are proved by.
+// Faces of bodies by their definition: exact integers, one pass over all points, no hull of a body and no filter. Contacts and witnesses of
+// records are proved by them, independently of the answer.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ Integers integers_of(std::span<const Point> a, std::span<const Point> b);
 /// The face of a body in a direction.
 struct SupportingFace {
   mpz_class height;                    ///< max <n,p>
-  std::vector<std::uint32_t> corners;  ///< its extreme points, ascending, of equal points the lowest index
+  std::vector<std::uint32_t> corners;  ///< indices of its extreme points, ascending; of equal points the lowest
   std::vector<Vector> cycle;           ///< their positions: one, two, or a convex polygon in cyclic order
 };
 

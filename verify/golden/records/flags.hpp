@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is remarkable about a record, as words. NOTES.md says what each means; every one is decided exactly.
+// Flags: words for what is special about a record. NOTES.md says what each means; all are decided exactly.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace fathom::golden {
 
-/// All words, in the order in which a record lists them.
+/// Returns all flags, in the order in which a record lists them.
 std::vector<std::string_view> flag_names();
 
-/// Those that hold. Everything in `facts` but the flags must be set.
+/// Returns the flags that hold. Everything in `facts` but the flags must be set.
 std::vector<std::string_view> flags_of(const Facts& facts);
 
 }  // namespace fathom::golden

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing JSON by appending: nothing in a record needs more, and building an object first would take longer than finding the answer.
+// Writes JSON by appending: building an object first would take longer than finding the answer.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,7 +13,7 @@
 
 namespace fathom::golden {
 
-/// Appends values to a text. Commas are put before whatever follows another value; keys and names hold no character to escape.
+/// Appends values to a text, with commas where needed. Keys and texts must not need escapes.
 class JsonText {
  public:
   JsonText& open(char bracket);
@@ -22,7 +22,7 @@ class JsonText {
   JsonText& text(std::string_view plain);
   JsonText& number(std::uint64_t n);
   JsonText& null();
-  /// As texts: exact numbers.
+  /// Exact numbers, as texts.
   JsonText& exact(const mpz_class& n);
   JsonText& exact(const mpq_class& q);
   JsonText& exact(const Vector& v) { return three(v.x, v.y, v.z); }

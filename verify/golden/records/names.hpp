@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that stand for values in a record, beside those of every answer.
+// Names of values that only records have.
 #pragma once
 
 #include <string_view>

@@ -40,13 +40,14 @@ std::string_view name_of(Source source);
 /// With ".b64" or ".b32" after it for rounded points.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
-/// The points, with the recipe's id. Throws std::invalid_argument when there is nothing of that name.
+/// Returns the points, with the recipe's id. Throws std::invalid_argument if nothing has that name.
 Case base_case(const Recipe& recipe);
 
-/// The points rounded, with the id for that form. Nothing where a coordinate overflows, or all points of a body become one that were not.
+/// Returns the points rounded, with the id for that form. Returns nullopt if a coordinate overflows, or if the points of a body all become
+/// equal that were not.
 std::optional<Case> rounded_case(const Case& base, Form form);
 
-/// Whether every coordinate is a number of that format.
+/// Returns whether every coordinate is a number of that format.
 bool in_format(const Case& points, Form format);
 
 }  // namespace fathom::golden

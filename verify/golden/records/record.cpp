@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The expanding polytope answers and proves in one go; where it gives up, the exact method answers and the proof is found afterwards.
-// Either way the checker, which shares nothing with them, has the last word.
+// The expanding polytope finds answer and proof in one run; if it gives up, the exact method answers and the proof is found afterwards. In
+// both cases the checker, which shares nothing with them, must accept.
 #include "verify/golden/records/record.hpp"
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a recipe.
-// Output  one to three records: the base case as it is, and as a program sees it that rounds coordinates to binary64 or to binary32.
+// Output  one to three records: the base case as it is, and as programs see it that round coordinates to binary64 or to binary32.
 //         Each is one line of JSON with the truth about exactly the points in it, and the certificate that proves it.
 #pragma once
 
@@ -19,12 +19,12 @@ struct Record {
   bool in_binary64 = false, in_binary32 = false;  ///< whether every coordinate is one of that format
 };
 
-/// The records of a base case, the exact one first, then ".b64" where rounding to binary64 moves a point, then ".b32" where rounding to
-/// binary32 yields yet other points. No rounded record where a coordinate would overflow, or the points of a body all become one point
-/// that were not. Throws std::logic_error if the certificate is not accepted or proves anything else than the record says, and Interrupted.
+/// Returns the records of a base case: the exact one, then ".b64" if rounding to binary64 moves a point, then ".b32" if rounding to
+/// binary32 yields yet other points. Omits a rounded record if rounded_case returns nullopt. Throws std::logic_error if the certificate is
+/// not accepted or proves anything else than the record says, and Interrupted.
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr);
 
-/// The record of the base case in one form.
+/// Returns the record of the base case in one form.
 Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a record says, as exact values. Its text is made from these in one way only.
+// Everything that a record says, as exact values. Serialization is canonical: equal facts give equal bytes.
 #pragma once
 
 #include <gmpxx.h>
@@ -27,10 +27,10 @@ struct Facts {
   std::vector<std::string_view> flags;  ///< in the order of flags.hpp
 };
 
-/// The part that needs no answer.
+/// Returns the part that needs no answer.
 Facts facts_of_points(const Recipe& recipe, Form form, const Case& points);
 
-/// What a record says of these points: `answer` is one of penetration_depth. Throws Interrupted.
+/// Returns what a record says of these points; `answer` is that of penetration_depth. Throws Interrupted.
 Facts facts_of_answer(const Recipe& recipe, Form form, const Case& points, Depth answer, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -8,7 +8,7 @@
 
 namespace fathom::golden {
 
-/// The record's line, without a line feed.
+/// Returns the record's line, without a line feed.
 std::string line_of(const Facts& facts);
 
 }  // namespace fathom::golden

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The order of a shard's records: recipe by recipe as planned, of each the exact record, then the rounded ones. So no id occurs twice and
-// none is missing, which is seen without remembering them.
+// none is missing. Checked in O(1) memory.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace fathom::golden {
 
-/// The ids of all records of a recipe, in their order. Makes the points, answers nothing.
+/// Returns the ids of all records of a recipe, in their order. Makes the points, but no answers.
 std::vector<std::string> ids_of(const Recipe& recipe);
 
 class RecordOrder {
@@ -20,13 +20,13 @@ class RecordOrder {
   /// `recipes` must outlive this.
   explicit RecordOrder(const std::vector<Recipe>& recipes) : recipes_(&recipes) {}
 
-  /// What is wrong with `id` as the next one, or nothing. If it is the first of its recipe, `ids` is ids_of(recipe).
+  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe, `ids` must be ids_of(recipe).
   std::optional<std::string> next(std::string_view id, const std::vector<std::string>& ids);
-  /// What is missing at the end, or nothing.
+  /// Returns what is missing at the end, or nullopt.
   [[nodiscard]] std::optional<std::string> at_end() const;
 
  private:
-  /// The id that has to come next; empty after the last one.
+  /// Returns the id that has to come next, or "" after the last one.
   [[nodiscard]] std::string expected() const;
 
   const std::vector<Recipe>* recipes_;

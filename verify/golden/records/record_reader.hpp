@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a record's line that cannot be computed from others: they are read, and nothing is believed yet.
+// Reads the parts of a record's line that cannot be computed from others. Nothing is checked yet.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct Claimed {
 /// Throws NotARecord.
 Claimed read_record(std::string_view line);
 
-/// Where the two lines first say different things, as one sentence: "expected.depth.f64.rn: expected .., found ..".
+/// Returns where the two lines first differ, as one sentence: "expected.depth.f64.rn: expected .., found ..".
 std::string first_difference(std::string_view expected, std::string_view found);
 
 }  // namespace fathom::golden

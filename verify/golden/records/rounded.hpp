@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact lengths, unit vectors and translations as every program would best see them: correctly rounded, in every mode.  [proofs/number.md]
+// Lengths, unit vectors and translations, correctly rounded in every mode.  [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>

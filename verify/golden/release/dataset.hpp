@@ -26,7 +26,7 @@ std::size_t records_in(const Dataset& dataset);
 /// JSON, schemas/dataset.schema.json; ends with a line feed.
 std::string dataset_text(const Dataset& dataset);
 
-/// Nothing unless `text` is, byte for byte, what dataset_text makes of it.
+/// Returns nullopt unless `text` is, byte for byte, what dataset_text makes of it.
 std::optional<Dataset> parse_dataset(std::string_view text);
 
 }  // namespace fathom::golden

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages that go with every release, part of the program: embedded.cmake puts them there.
+// The pages of every release, which embedded.cmake compiles into the program.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a level, a seed, a folder.
-// Output  the release in that folder, or the part of its shards that was asked for. Every shard that lies there whole is kept, so a run
+// Output  the release in that folder, or the requested part of its shards. Complete shards in it are kept, so a run
 //         that was interrupted or killed goes on where it stopped. The bytes do not depend on the number of threads or processes.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace fathom::golden {
 
-/// How far the work is, in base cases.
+/// Progress, in base cases.
 struct Done {
   std::size_t recipes = 0, of = 0;
   std::string shard;  ///< the one being written
@@ -33,16 +33,16 @@ struct GenerateOptions {
 
 class Generation {
  public:
-  /// Looks into the folder, and makes it if need be. Throws FolderError where it holds anything else than this release, FileError.
+  /// Reads the folder, or makes it. Throws FolderError if it holds anything else than this release, FileError.
   explicit Generation(GenerateOptions options);
 
   [[nodiscard]] const std::vector<ShardPlan>& shards() const { return shards_; }
-  /// The numbers of the shards that are absent or damaged, ascending. Reads what is there. Throws as the constructor does.
+  /// Returns the numbers of the shards that are absent or damaged, ascending. Reads the files. Throws as the constructor does.
   [[nodiscard]] std::vector<std::size_t> unfinished() const;
-  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record does not hold against its proof. The
-  /// shards that were finished before stay, of the others nothing.
+  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record does not hold against its proof. Shards
+  /// that were finished before stay; of the others nothing does.
   void make(std::span<const std::size_t> numbers) const;
-  /// Writes the pages that complete the release. Throws FolderError where a shard is missing, FileError.
+  /// Writes the pages that complete the release. Throws FolderError if a shard is missing, FileError.
   void close() const;
 
  private:

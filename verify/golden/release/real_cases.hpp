@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pairs of tests/data/real_cases.jsonl, part of the program.
+// The pairs of tests/data/real_cases.jsonl, compiled into the program.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ namespace fathom::golden {
 /// Pairs that made libraries fail, from their issue trackers and test suites, as binary64. Ids without their common prefix "real::".
 std::span<const Case> real_cases();
 
-/// Null when there is none of that name.
+/// Returns nullptr if none has that name.
 const Case* find_real_case(std::string_view name);
 
-/// The file.
+/// The text of the file.
 std::string_view real_cases_text();
 
 }  // namespace fathom::golden

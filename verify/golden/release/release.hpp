@@ -20,13 +20,13 @@ std::vector<std::pair<std::string, std::string_view>> fixed_pages();
 /// The names of all files of a complete release with these shards, SHA256SUMS too.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 
-/// Makes the folder if need be. Throws FolderError where it holds anything but files of this release, finished or not; FileError.
+/// Makes the folder if it is missing. Throws FolderError if it holds anything but files of this release, finished or not; FileError.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<ShardPlan>& shards);
 
-/// Removes dataset.json and SHA256SUMS, so that a folder that is being worked on does not pass for complete. Throws FileError.
+/// Removes dataset.json and SHA256SUMS, so that an unfinished folder does not look complete. Throws FileError.
 void open_release(const std::filesystem::path& folder);
 
-/// Writes the fixed pages, dataset.json and, last, SHA256SUMS. All shards have to be there. Throws FileError.
+/// Writes the fixed pages, dataset.json and, last, SHA256SUMS. All shards must be there. Throws FileError.
 void close_release(const std::filesystem::path& folder, Level level, std::uint64_t seed, const std::vector<ShardPlan>& shards);
 
 }  // namespace fathom::golden

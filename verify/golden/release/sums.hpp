@@ -19,7 +19,7 @@ struct Sum {
 /// The page. The order of `sums` does not matter.
 std::string sums_text(std::vector<Sum> sums);
 
-/// Nothing unless `text` is what sums_text makes of it, without a name twice.
+/// Returns nullopt unless `text` is what sums_text makes of it, and no name occurs twice.
 std::optional<std::vector<Sum>> parse_sums(std::string_view text);
 
 }  // namespace fathom::golden

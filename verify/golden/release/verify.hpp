@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   the folder of a release, not believed.
+// Input   the folder of a release, not trusted.
 // Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked.
 #pragma once
 
@@ -25,10 +25,10 @@ struct Verified {
   std::string version;
   std::uint64_t seed = 0;
   std::size_t shards = 0, records = 0;
-  std::vector<Refusal> refusals;  ///< none: the release is accepted. Names, sums and pages: all that are wrong; then the first record
+  std::vector<Refusal> refusals;  ///< empty if accepted; otherwise every bad name, checksum and page, then the first bad record
 };
 
-/// Throws FileError where the folder itself cannot be read, Interrupted.
+/// Throws FileError if the folder itself cannot be read, Interrupted.
 Verified verify(const std::filesystem::path& folder, const VerifyOptions& options = {});
 
 }  // namespace fathom::golden

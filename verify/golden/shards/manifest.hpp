@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a shard consists of: the page golden-L0-0000.json beside it, and its entry in dataset.json. A shard is there when its page is,
-// and the page is written last.
+// Manifests: the files of a shard, listed in the page golden-L0-0000.json beside it and in dataset.json. The page is written last, so a
+// shard is complete if its page is there.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline constexpr std::string_view manifest_suffix = ".json";
 
 struct ShardFile {
   std::string name;
-  Digest file;     ///< as it lies there
+  Digest file;     ///< as stored
   Digest content;  ///< decompressed: the same for every version of libzstd
   friend bool operator==(const ShardFile&, const ShardFile&) = default;
 };
@@ -37,19 +37,19 @@ struct Manifest {
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// JSON, schemas/golden_shard.schema.json; ends with a line feed.
+/// JSON, schemas/shard.schema.json; ends with a line feed.
 std::string manifest_text(const Manifest& manifest);
 
-/// Nothing unless `text` is, byte for byte, what manifest_text makes of it.
+/// Returns nullopt unless `text` is, byte for byte, what manifest_text makes of it.
 std::optional<Manifest> parse_manifest(std::string_view text);
 
-/// What keeps `manifest` from being about the shard of the plan, made from `seed` by this version: a sentence, or nothing.
+/// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a sentence, or nullopt.
 std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan& shard, std::uint64_t seed);
 
 enum class ShardState { absent, damaged, finished };
 
-/// Whether the shard lies in the folder with its page, and the files are those that the page describes. Throws FolderError where the page
-/// is about another seed or version, FileError.
+/// Returns whether the shard is in the folder with its page, and its files are those that the page describes. Throws FolderError if the
+/// page is about another seed or version, FileError.
 ShardState state_of(const std::filesystem::path& folder, const ShardPlan& shard, std::uint64_t seed);
 
 }  // namespace fathom::golden

@@ -10,7 +10,7 @@ namespace fathom::golden {
 
 nlohmann::ordered_json manifest_json(const Manifest& manifest);
 
-/// Throws std::exception where a field is missing or of another kind; does not see fields beyond ours.
+/// Throws std::exception if a field is missing or of another kind; ignores unknown fields.
 Manifest manifest_of(const nlohmann::ordered_json& json);
 
 }  // namespace fathom::golden

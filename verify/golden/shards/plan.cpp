@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families take turns, so that every file has some of each and all files take about as long.
+// Families take turns, so that every file has cases of each and all files take about equally long.
 #include "verify/golden/shards/plan.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr unsigned least_size = 4;
 struct Share {
   unsigned each;           ///< cases of each family
   unsigned most;           ///< the largest size but for a few cases
-  unsigned one_in_larger;  ///< one case in so many is up to five times as large; 0: none
+  unsigned one_in_larger;  ///< one case in this many is up to five times as large; 0 for none
 };
 
 constexpr Share share_of(Level level) {
@@ -80,7 +80,7 @@ unsigned size_of(const Share& share, std::uint64_t seed) {
   return static_cast<unsigned>(random.between(least_size, most));
 }
 
-/// Case number `index` of a family, counted through all levels; nothing when its share is used up.
+/// Returns case number `index` of a family, counted through all levels, or nullopt if its share is used up.
 std::optional<Recipe> recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsigned index) {
   Recipe result{Source::family, std::string(habit.family->name), habit.family->usual_size, seed * seeds_of_a_release + index};
   if (!habit.seeded) {

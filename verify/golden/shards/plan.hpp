@@ -12,7 +12,8 @@
 
 namespace fathom::golden {
 
-/// Nested: a level's cases are among those of the next. To judge a fast library L0 takes about a second, L1 ten seconds, L2 minutes.
+/// Nested: a level's cases are among those of the next. Judging a fast library takes about a second for L0, ten seconds for L1, minutes for
+/// L2.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
@@ -30,7 +31,7 @@ struct ShardPlan {
   std::vector<Recipe> recipes;
 };
 
-/// Changes whenever the same level and seed stand for other records than before.
+/// Must change whenever the same level and seed yield other records than before.
 inline constexpr std::string_view data_version = "1.0.0";
 
 /// All shards of a level: first those of the levels below it, unchanged. No recipe occurs twice.

@@ -14,23 +14,23 @@
 
 namespace fathom::golden {
 
-/// A record with its rows in the exports, each empty where it has none.
+/// A record with its rows in the exports, each empty if it has none.
 struct Entry {
   Record record;
   std::string csv, include;
 };
 
-/// The records of a recipe with their exports. Exceptions as records_of.
+/// Returns the records of a recipe with their exports. Throws as records_of.
 std::vector<Entry> entries_of(const Recipe& recipe, Monitor* monitor);
 
 class ShardWriter {
  public:
-  /// Removes the shard's old page, if there is one: from here on the shard is unfinished. Throws FileError, here and below.
+  /// Removes the shard's old page, if there is one: from then on the shard is unfinished. Throws FileError, here and below.
   ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed);
 
   void add(const Entry& entry);
 
-  /// Everything to the disk, then the names, then the page. Until the page is there, nothing of the shard counts.
+  /// Syncs all files to disk, then renames them, then writes the page. Until the page is there, the shard is unfinished.
   void finish();
 
  private:

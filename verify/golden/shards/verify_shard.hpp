@@ -18,10 +18,10 @@ struct Refusal {
   std::string reason;
 };
 
-/// The first thing that keeps the shard from being accepted, in the order of the records; nothing if every record is proved and stands
-/// where the plan says, the certificates and both exports belong to exactly these records, and counts and sums are those of the page.
-/// Memory is bounded by a few dozen records for each thread. `monitor`, which may be null, is asked from all threads whether to stop; `proved`,
-/// which may be empty, is called after each record from one thread at a time. Throws Interrupted.
+/// Returns the first fault, in the order of the records, or nullopt if every record is proved and stands where the plan says, the
+/// certificates and both exports belong to exactly these records, and counts and sums are those of the page. Memory is bounded by a few
+/// dozen records for each thread. `monitor`, which may be null, stops all threads; `proved`, which may be empty, is called after each
+/// record from one thread at a time. Throws Interrupted.
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
                                         Monitor* monitor, const std::function<void()>& proved);
 

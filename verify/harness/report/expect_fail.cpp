@@ -35,7 +35,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// Nothing if a '%' is not followed by two digits, or a character stands there that must be escaped.
+/// Returns nullopt if a '%' is not followed by two digits, or if a character is there that must be escaped.
 std::optional<std::string> unescaped(std::string_view text) {
   if (text == "%") return "";
   std::string result;
@@ -57,7 +57,7 @@ std::string key_of(std::string_view id, std::string_view variant) {
   return variant.empty() ? escaped(id) : fmt::format("{}~{}", escaped(id), escaped(variant));
 }
 
-/// Whatever way a user escaped it, as we do; nothing if it is no key.
+/// Returns the key in canonical escaping, however a user escaped it, or nullopt if it is no key.
 std::optional<std::string> canonical_key(std::string_view text) {
   const std::size_t tilde = text.find('~');
   const auto id = unescaped(text.substr(0, tilde));

@@ -58,7 +58,7 @@ class ExpectedFailures {
     std::size_t line;
     [[nodiscard]] std::string text() const;  ///< as `failure_line` writes it
   };
-  /// What a line says; nothing if it is blank or a comment. Throws InputError.
+  /// Returns what a line says, or nullopt if it is blank or a comment. Throws InputError.
   static std::optional<Entry> entry_in(std::string_view words, const std::string& name, std::size_t line);
   /// What is left of one id when entries and outcomes that agree are struck out.
   void settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got, Check& result) const;

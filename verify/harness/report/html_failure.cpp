@@ -146,7 +146,7 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
   return result;
 }
 
-/// Solves the pair again. A page without one picture is better than none: nothing when that fails.
+/// Solves the pair again. Returns nullopt if that fails: a page without one picture is better than none.
 std::optional<Truth> truth_of(const Case& seen) {
   try {
     return truth_about(seen.a.points, seen.b.points);

@@ -14,7 +14,7 @@ mpz_class nearest_integer(const mpq_class& value);
 /// `value` to the nearest multiple of 2^exponent.
 mpq_class to_multiple(const mpq_class& value, long exponent);
 
-/// `value`, a binary fraction, to the nearest number with so many significant bits; at least 1.
+/// Rounds `value`, a binary fraction, to the nearest number with that many significant bits, at least 1.
 mpq_class to_bits(const mpq_class& value, long bits);
 
 /// Simpler numbers to try in place of `value`, the simplest first; each costs less than `value`, or the same without its sign.

@@ -149,7 +149,7 @@ std::string conventions_text(const Conventions& conventions) {
 /// For a library without a program here.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   std::string text = heading(info, pair, outcome, "link fathom::judge and GoogleTest's main");
-  text += "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/verify/judge/judge.hpp>\n\n";
+  text += "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/judge.hpp>\n\n";
   text += "TEST(Depth, IsRight) {\n";
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
     text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method `certificate` against the pipeline, field by field; and how often it closes, per family, with the sizes of its proofs.
-#include "reference/depth/certified_depth.hpp"
+// The methods against each other, field by field; and how often the expansion closes, per family, with the sizes of its proofs.
+#include "reference/solve/methods.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "reference/certificate/certificate.hpp"
+#include "fathom/certificate.hpp"
+#include "fathom/depth.hpp"
+#include "tests/support/exact_depth.hpp"
+#include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 
 namespace fathom {
 namespace {
 
-Options certificate_method() {
-  Options options;
-  options.method = Method::certificate;
-  return options;
-}
+bool has_proof(const Depth& depth) { return depth.penetration() && depth.penetration()->inner; }
 
 void expect_same(const Depth& x, const Depth& y) {
   EXPECT_EQ(x.status(), y.status());
@@ -25,13 +24,17 @@ void expect_same(const Depth& x, const Depth& y) {
   EXPECT_EQ(x.optima(), y.optima());
   EXPECT_EQ(x.direction(), y.direction());
   EXPECT_EQ(x.translation(), y.translation());
-  EXPECT_EQ(x.contact(), y.contact());
   EXPECT_EQ(x.witness(), y.witness());
   EXPECT_EQ(x.flat_a, y.flat_a);
   EXPECT_EQ(x.flat_b, y.flat_b);
+  ASSERT_EQ(!x.distance(), !y.distance());
+  if (!x.distance()) return;
+  EXPECT_EQ(x.distance()->squared, y.distance()->squared);
+  EXPECT_EQ(x.distance()->translation, y.distance()->translation);
+  EXPECT_EQ(x.distance()->witness, y.distance()->witness);
 }
 
-TEST(CertifiedDepth, IsTheAnswerOfThePipeline) {
+TEST(Methods, AgreeInEveryField) {
   std::vector<Case> cases;
   for (const unsigned size : {7U, 16U, 40U})
     for (const families::Family& family : families::families()) cases.push_back(family.make(size, size));
@@ -39,34 +42,47 @@ TEST(CertifiedDepth, IsTheAnswerOfThePipeline) {
   std::size_t closed = 0;
   for (const Case& input : cases) {
     SCOPED_TRACE(input.id);
-    const Depth exact = penetration_depth(input.a.points, input.b.points);
-    Options options = certificate_method();
-    options.validate = true;
-    const Depth certified = penetration_depth(input.a.points, input.b.points, options);
-    expect_same(certified, exact);
-    EXPECT_EQ(certified.inner.has_value(), certified.method == Method::certificate);
-    EXPECT_FALSE(exact.inner.has_value());
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     EXPECT_EQ(exact.method, Method::exact);
-    closed += certified.inner ? 1U : 0U;
+    EXPECT_FALSE(has_proof(exact));
+    const Depth automatic = penetration_depth(input.a.points, input.b.points, {.validate = true});
+    expect_same(automatic, exact);
+    EXPECT_EQ(has_proof(automatic), automatic.method == Method::certificate);
+    EXPECT_TRUE(has_proof(automatic) || automatic.method == Method::exact);
+    closed += has_proof(automatic) ? 1U : 0U;
+    const Depth naive = penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
+    expect_same(naive, exact);
+    EXPECT_EQ(naive.method, Method::naive);
+    EXPECT_EQ(naive.extreme_a, exact.extreme_a);
+    EXPECT_EQ(naive.extreme_b, exact.extreme_b);
   }
   EXPECT_GT(closed, 120U);
 }
 
-TEST(CertifiedDepth, LeavesTheRestToThePipeline) {
+TEST(Methods, AutomaticIsExactPastItsBudgetAndCertificateGoesOn) {
   const Case input = families::find_family("crossed_patch")->make(1, 16);
-  Options options = certificate_method();
-  options.expansion_budget = 3;
-  const Depth depth = penetration_depth(input.a.points, input.b.points, options);
-  EXPECT_EQ(depth.method, Method::exact);
-  EXPECT_GT(depth.extreme_a, 0U) << "hulls were taken";
-  expect_same(depth, penetration_depth(input.a.points, input.b.points));
+  const Depth exact = testing::exact_depth(input.a.points, input.b.points);
+  const Depth automatic = penetration_depth(input.a.points, input.b.points, {.expansion_budget = 3});
+  EXPECT_EQ(automatic.method, Method::exact);
+  EXPECT_GT(automatic.extreme_a, 0U) << "hulls were taken";
+  expect_same(automatic, exact);
+  const Depth certified = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate, .expansion_budget = 3});
+  EXPECT_EQ(certified.method, Method::certificate);
+  expect_same(certified, exact);
 }
 
-TEST(CertifiedDepth, CanBeStopped) {
+TEST(Methods, AutomaticIsExactWhereAnEngineIsAskedFor) {
   const Case input = families::find_family("random_sphere")->make(1, 20);
-  Options options = certificate_method();
-  options.progress = [](const std::string&, double) { return false; };
-  EXPECT_THROW(penetration_depth(input.a.points, input.b.points, options), Interrupted);
+  EXPECT_EQ(penetration_depth(input.a.points, input.b.points).method, Method::certificate);
+  EXPECT_EQ(penetration_depth(input.a.points, input.b.points, {.closest_lines = ClosestLines::naive}).method, Method::exact);
+}
+
+TEST(Methods, AllCanBeStopped) {
+  const Case input = families::find_family("random_sphere")->make(1, 20);
+  for (const Method method : {Method::automatic, Method::exact, Method::naive, Method::certificate}) {
+    testing::Recorder impatient(0);
+    EXPECT_THROW(penetration_depth(input.a.points, input.b.points, {.method = method, .monitor = &impatient}), Interrupted) << name(method);
+  }
 }
 
 // Bits of the numbers beside the points: the directions and the claimed depth.
@@ -77,7 +93,7 @@ std::size_t bits_of(const Certificate& certificate) {
   return bits;
 }
 
-TEST(CertifiedDepth, ClosesWithinItsBudgetAlmostAlways) {
+TEST(Methods, TheExpansionClosesWithinItsBudgetAlmostAlways) {
   std::printf("size 30: closed within the budget of those that penetrate; the greatest numbers\n%-34s %8s %8s %8s %8s %8s\n", "family",
               "closed", "points", "facets", "bits", "bytes");
   std::size_t all = 0, closed = 0;
@@ -85,11 +101,11 @@ TEST(CertifiedDepth, ClosesWithinItsBudgetAlmostAlways) {
     std::size_t here = 0, within = 0, points = 0, facets = 0, bits = 0, bytes = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Case input = family.make(seed, 30);
-      const Depth depth = penetration_depth(input.a.points, input.b.points, certificate_method());
+      const Depth depth = penetration_depth(input.a.points, input.b.points);
       if (depth.status() != Status::penetrating) continue;
       const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
       ++here;
-      within += depth.inner ? 1U : 0U;
+      within += has_proof(depth) ? 1U : 0U;
       points = std::max<std::size_t>(points, depth.counters.expansions);
       facets = std::max(facets, certificate.inner.facets.size());
       bits = std::max(bits, bits_of(certificate));

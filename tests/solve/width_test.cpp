@@ -14,7 +14,7 @@ namespace {
 TEST(Width, EqualsCgalsCalipers) {
   std::size_t solids = 0;
   for (const Case& input : testing::cases_of_all_families(2, 14)) {
-    const Depth depth = width(input.a.points);
+    const Depth depth = width(input.a.points, {.method = Method::exact});
     const Report report = testing::check(depth, input.a.points, input.a.points);
     EXPECT_TRUE(report.ok()) << input.id << "\n" << testing::text(report);
     if (depth.flat_a) {
@@ -34,10 +34,8 @@ TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
     for (const unsigned size : {100U, 400U}) {
       const Case input = families::find_family(name)->make(1, size);
       const mpq_class calipers = oracles::width_oracle(input.a.points).squared;
-      EXPECT_EQ(width(input.a.points).squared(), calipers) << input.id;
-      Options options;
-      options.method = Method::certificate;
-      EXPECT_EQ(width(input.a.points, options).squared(), calipers) << input.id;
+      for (const Method method : {Method::exact, Method::automatic})
+        EXPECT_EQ(width(input.a.points, {.method = method}).squared(), calipers) << input.id;
     }
   }
 }
@@ -45,7 +43,7 @@ TEST(Width, EqualsCgalsCalipersUpTo400Vertices) {
 // The optima of a body against itself come in opposite pairs, with the faces exchanged.
 TEST(Width, OptimaComeInOppositePairs) {
   for (const Case& input : testing::cases_of_all_families(1, 14)) {
-    const Depth depth = width(input.a.points);
+    const Depth depth = width(input.a.points, {.method = Method::exact});
     const std::size_t n = depth.optima().size();
     for (std::size_t i = 0; i < n; ++i) {
       EXPECT_EQ(depth.optima()[i].direction, -depth.optima()[n - 1 - i].direction) << input.id;

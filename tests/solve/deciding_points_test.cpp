@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies whose denominators share little. The oracle is the same pair times a common denominator: integers, for which there is a slim lattice.
-#include "reference/depth/deciding_points.hpp"
+#include "reference/solve/deciding_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/certificate/certificate.hpp"
+#include "fathom/certificate.hpp"
 #include "reference/files/body.hpp"
 #include "reference/polytope/placed_pair.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/check/check.hpp"
 
 namespace fathom {
@@ -64,20 +65,12 @@ Points times(const Points& points, const mpq_class& factor) {
 
 Point times(const Point& p, const mpq_class& factor) { return times(Points{p}, factor).front(); }
 
-Options with(Method method) {
-  Options options;
-  options.method = method;
-  options.validate = true;
-  return options;
-}
-
 void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor) {
   EXPECT_EQ(depth.status(), large.status());
   EXPECT_EQ(depth.squared() * factor * factor, large.squared());
   EXPECT_EQ(depth.flat_a, large.flat_a);
   EXPECT_EQ(depth.flat_b, large.flat_b);
   EXPECT_EQ(times(depth.translation(), factor), large.translation());
-  EXPECT_EQ(depth.contact(), large.contact());
   ASSERT_EQ(depth.optima().size(), large.optima().size());
   for (std::size_t i = 0; i < depth.optima().size(); ++i) {
     EXPECT_EQ(depth.optima()[i].direction, large.optima()[i].direction);
@@ -89,7 +82,7 @@ void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor
     EXPECT_EQ(times(depth.witness()->a, factor), large.witness()->a);
     EXPECT_EQ(times(depth.witness()->b, factor), large.witness()->b);
   }
-  ASSERT_EQ(depth.distance().has_value(), large.distance().has_value());
+  ASSERT_EQ(!depth.distance(), !large.distance());
   if (!depth.distance()) return;
   EXPECT_EQ(depth.distance()->squared * factor * factor, large.distance()->squared);
   EXPECT_EQ(depth.distance()->direction, large.distance()->direction);
@@ -98,14 +91,12 @@ void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor
 
 /// By every method, against integers; with the proof.
 void expect_right(const Points& a, const Points& b, Status status) {
-  ASSERT_FALSE(slim_lattice(a, b));
-  const mpz_class factor = common_lattice(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
-  Options plain;
-  plain.method = Method::certificate;
-  const Depth large = penetration_depth(times(a, factor), times(b, factor), plain);
+  ASSERT_FALSE(place_if_slim(a, b));
+  const mpz_class factor = place(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
+  const Depth large = penetration_depth(times(a, factor), times(b, factor));
   EXPECT_EQ(large.status(), status);
-  for (const Method method : {Method::exact, Method::certificate, Method::naive}) {
-    const Depth depth = penetration_depth(a, b, with(method));
+  for (const Method method : {Method::automatic, Method::exact, Method::certificate, Method::naive}) {
+    const Depth depth = penetration_depth(a, b, {.method = method, .validate = true});
     expect_same(depth, large, factor);
     const fathom_check::Verdict verdict = fathom_check::verify(certificate_text(make_certificate(a, b, depth)));
     EXPECT_TRUE(verdict.accepted()) << verdict.reason;
@@ -160,7 +151,7 @@ TEST(DecidingPoints, WhatTheGridDoesNotShowIsFoundAllTheSame) {
 TEST(DecidingPoints, MostPointsNeverMeetTheOthersDenominators) {
   Unlike some(10);
   const Points a = some.sphere(1000, 0), b = some.sphere(1000, 1.3);
-  const Counters counters = penetration_depth(a, b).counters;
+  const Counters counters = testing::exact_depth(a, b).counters;
   EXPECT_GT(counters.vertices_a + counters.vertices_b, 8U);
   EXPECT_LT(counters.vertices_a + counters.vertices_b, 200U);  // of 2000
 }
@@ -172,14 +163,14 @@ TEST(DecidingPoints, DenominatorsThatRepeatAreNoReason) {
     for (mpq_class* c : {&a.back().x, &a.back().y}) c->canonicalize();
   }
   b = a;
-  EXPECT_TRUE(slim_lattice(a, b));
+  EXPECT_TRUE(place_if_slim(a, b));
 }
 
 TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
   Unlike some(11);
   const Points a = some.sphere(9000, 0);
   try {
-    static_cast<void>(common_lattice(a, a));
+    static_cast<void>(place(a, a));
     FAIL() << "no refusal";
   } catch (const InputError& error) {
     EXPECT_STREQ(

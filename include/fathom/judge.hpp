@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies, and what an implementation of penetration depth answered about them.
+// Output  whether the answer is right, and if not, how wrong it is, by exact comparison. VERDICTS.md defines every verdict and number.
+// C programs include fathom/judge.h.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "fathom/point.hpp"
+
+namespace fathom {
+
+// ---- the answer under test ----
+
+/// The type that the implementation computes in, and to which the points are rounded before it sees them.
+enum class Precision { binary32, binary64 };
+
+/// "binary32", "binary64".
+constexpr std::string_view name(Precision precision) { return precision == Precision::binary32 ? "binary32" : "binary64"; }
+
+/// What an implementation declares of itself. Judging never guesses these.
+struct Conventions {
+  enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
+  enum class Sign { positive, negative };
+  enum class Body { a, b };
+  Touching touching = Touching::either;
+  Sign depth = Sign::positive;  ///< of the depth of bodies that overlap
+  Body moves = Body::a;         ///< the body that |depth| * direction moves apart
+  bool unit = true;             ///< whether directions are promised to have length 1
+};
+
+/// x, y, z.
+using Triple = std::array<double, 3>;
+
+/// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32 numbers are given as their equal doubles.
+struct Reply {
+  bool overlap = false;
+  // Read only if overlap:
+  std::optional<double> depth;
+  std::optional<Triple> direction;
+  std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation that moves A apart
+};
+
+/// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
+/// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Negative values count as 0.
+/// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
+struct Tolerance {
+  mpq_class relative{1, 1000};
+  mpq_class absolute{1, 1'000'000};
+  unsigned long ulps = 0;
+};
+
+// ---- the verdict ----
+
+/// In order of rank: if several hold of one answer, the first is the verdict. The last two are passes.
+enum class Verdict {
+  // There is no answer that could be judged. `judge` never returns these; programs that run implementations do.
+  crash,     ///< the program ended by a signal, or with a failure, while it held the case
+  time_out,  ///< no answer in the time that was given
+  silent,    ///< the program ended well, or closed its output, without an answer
+  garbage,   ///< its output is no reply to the case
+  failed,    ///< it says itself that it could not answer: an exception, an error code
+  // The answer is wrong.
+  nan,               ///< a number that it needs is NaN or infinite
+  false_separation,  ///< the bodies overlap by more than the tolerance, and it says that they do not
+  false_overlap,     ///< the bodies are apart by more than the tolerance, and it says that they overlap
+  not_a_direction,   ///< the direction is zero, or not of unit length where that was promised
+  wrong_sign,        ///< right but for a sign: of the depth, or of the direction
+  too_deep,          ///< the depth is larger than the penetration depth
+  too_shallow,       ///< the depth is smaller than the penetration depth
+  not_separating,    ///< the bodies still overlap after the translation that it gives
+  inconsistent,      ///< the depth is not that of its own direction
+  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation
+  not_invariant,     ///< a case that is the same but for a symmetry is answered differently; `judge` never returns it
+  // Not judged.
+  unsupported,  ///< the program declined the case; `judge` never returns it
+  // Passes.
+  touching_by_convention,  ///< the bodies touch, and it counts that as it declared
+  pass
+};
+
+/// "too-deep": lower case, hyphens.
+std::string_view name(Verdict verdict);
+/// The inverse of `name`; nullopt for other words.
+std::optional<Verdict> verdict_named(std::string_view name);
+
+/// Whether it is pass or touching_by_convention.
+constexpr bool passes(Verdict verdict) { return verdict >= Verdict::touching_by_convention; }
+/// Whether it is neither a pass nor `unsupported`.
+constexpr bool fails(Verdict verdict) { return verdict < Verdict::unsupported; }
+
+/// The best class that a right depth is in; u_r_16 is within 16 u R, the unit roundoff times the largest coordinate.
+enum class Accuracy { correctly_rounded, ulps_4, u_r_16, millionth, tolerance };
+/// "correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance".
+std::string_view name(Accuracy accuracy);
+
+struct Judgement {
+  Verdict verdict = Verdict::garbage;
+  std::vector<Verdict> findings;     ///< everything that is wrong with the answer, in order of rank
+  std::optional<Accuracy> accuracy;  ///< of a pass with a depth
+
+  Status status = Status::disjoint;  ///< the truth
+  mpq_class depth_squared;           ///< the truth; 0 unless penetrating
+  mpq_class distance_squared;        ///< the truth; 0 unless disjoint
+
+  // Residuals are those of the claim as it stands, conventions undone, whatever the verdict; infinite beyond binary64.
+  // Of a claimed depth, correctly rounded to nearest: how much it is too deep, or if negative, too shallow.
+  std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of depth 0
+  // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart.
+  std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
+  std::optional<mpq_class> travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
+  std::optional<double> inconsistency;      ///< the claimed depth less the price
+  std::optional<double> overlap_left;       ///< travel less the claimed depth, if that is positive
+  // Of witness points: squared distances from their bodies, exact, and the length of (b - a) - translation, rounded;
+  // if no direction is claimed, | |b - a| - depth |.
+  std::optional<mpq_class> witness_a_squared, witness_b_squared;
+  std::optional<double> witness_gap;
+
+  std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
+};
+
+// ---- judging ----
+
+/// Judges the reply about two bodies with coordinates in binary64; they are rounded to the precision first. Any numbers in `reply` are
+/// judged. Throws std::invalid_argument if a body is empty, or a coordinate is not finite or overflows the precision.
+Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions = {},
+                Precision precision = Precision::binary64, const Tolerance& tolerance = {});
+
+/// Two bodies as the implementation saw them, and the exact answer.
+struct Truth {
+  std::vector<Point> a, b;
+  Depth depth;
+};
+
+/// Returns the points rounded to nearest, which is what an implementation of this precision sees; nullopt if a coordinate overflows.
+std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision);
+
+/// Returns the truth about two bodies, to judge several replies by. Throws as penetration_depth does.
+Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options = {});
+
+/// Judges the reply by a truth that is known.
+Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
+                const Tolerance& tolerance = {});
+
+}  // namespace fathom
