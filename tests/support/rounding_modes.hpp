@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The rounding modes, for tests of what holds in each of them.
 #pragma once
 
 #include <cfenv>
