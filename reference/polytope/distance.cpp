@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/position_search.hpp"
 
 namespace fathom {
@@ -73,9 +74,7 @@ Foot reduce(std::vector<Corner>& corners) {
 std::vector<Weight> marginal(const std::vector<Corner>& corners, const Foot& z, std::uint32_t Difference::*side) {
   std::map<std::uint32_t, mpq_class> sums;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    mpq_class weight(z.weights[i], z.denominator);
-    weight.canonicalize();
-    sums[corners[i].ids.*side] += weight;
+    sums[corners[i].ids.*side] += ratio(z.weights[i], z.denominator);
   }
   std::vector<Weight> weights;
   for (const auto& [index, weight] : sums) weights.push_back({index, weight});
@@ -134,8 +133,7 @@ Report validate(const NearestPoints& answer, std::span<const Vector> a, std::spa
   report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
   report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
   if (!in_a || !in_b) return report;
-  mpq_class factor(answer.height, dot(n, n));
-  factor.canonicalize();
+  const mpq_class factor = ratio(answer.height, dot(n, n));
   const std::array<mpq_class, 3> z{factor * n.x, factor * n.y, factor * n.z};
   for (std::size_t i = 0; i < 3; ++i) report.expect((*in_b)[i] - (*in_a)[i] == z[i], "the weighted points do not differ by the foot of O");
   return report;
