@@ -59,9 +59,7 @@ using Points = std::vector<Point>;
 
 void add(const std::string& name, const Case& input, unsigned commands) {
   const auto depth = [](Method method) {
-    return [method](const Points& a, const Points& b) {
-      benchmark::DoNotOptimize(penetration_depth(a, b, {.method = method}));
-    };
+    return [method](const Points& a, const Points& b) { benchmark::DoNotOptimize(penetration_depth(a, b, {.method = method})); };
   };
   if (commands & by_default) add_work(name + "/automatic", input, depth(Method::automatic));
   if (commands & exactly) add_work(name + "/exact", input, depth(Method::exact));
