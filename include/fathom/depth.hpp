@@ -107,9 +107,9 @@ struct Options {
   Method method = Method::automatic;
   /// Method automatic: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
   /// twice the number of all points, but at most 20,000. Exhausting this budget costs about one exact run.
-  std::optional<std::size_t> expansion_budget;
+  std::optional<std::size_t> expansion_budget = std::nullopt;
   /// The engine of the exact method, cutting if not set. If set, automatic is exact.
-  std::optional<ClosestLines> closest_lines;
+  std::optional<ClosestLines> closest_lines = std::nullopt;
   /// Of the closest lines' random order. Results do not depend on it, only counters do.
   std::uint64_t seed = 1;
   /// Hears of progress and may stop the work; may be null.
