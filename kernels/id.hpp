@@ -3,8 +3,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
-#include <ranges>
+#include <utility>
 #include <vector>
 
 namespace fathom {
@@ -29,10 +30,30 @@ struct Id {
 
 /// The ids 0, 1, ..., count - 1.
 template <class I>
-auto ids_below(std::size_t count) {
-  return std::views::iota(std::uint32_t{0}, static_cast<std::uint32_t>(count)) |
-         std::views::transform([](std::uint32_t i) { return I(i); });
-}
+class IdsBelow {
+ public:
+  explicit constexpr IdsBelow(std::size_t count) : end_{I(static_cast<std::uint32_t>(count))} {}
+
+  struct Iterator {
+    using value_type = I;
+    using difference_type = std::ptrdiff_t;
+
+    I id{};
+
+    constexpr I operator*() const { return id; }
+    constexpr Iterator& operator++() {
+      id = id.next();
+      return *this;
+    }
+    constexpr Iterator operator++(int) { return std::exchange(*this, Iterator{id.next()}); }
+    bool operator==(const Iterator&) const = default;
+  };
+  [[nodiscard]] constexpr Iterator begin() const { return {I(0)}; }
+  [[nodiscard]] constexpr Iterator end() const { return end_; }
+
+ private:
+  Iterator end_;
+};
 
 /// A vector that is indexed by ids of type I alone.
 template <class I, class T>
@@ -43,7 +64,7 @@ struct IdVector : std::vector<T> {
   decltype(auto) operator[](I id) const { return std::vector<T>::operator[](id.value); }
 
   /// The ids of all elements, ascending.
-  [[nodiscard]] auto ids() const { return ids_below<I>(this->size()); }
+  [[nodiscard]] IdsBelow<I> ids() const { return IdsBelow<I>(this->size()); }
 };
 
 }  // namespace fathom

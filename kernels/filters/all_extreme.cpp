@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A direction u of doubles is an exact direction, so it proves that p is extreme if <u,p> is greater than <u,q> for every other q by more
-// than twice the error of the computed values.
-//
-// The error. Each coordinate axis is scaled by a power of two so that images lie in [-1, 1], and |u_i| <= 1. An image errs by 3 * 2^-52 at
-// most: numerator and denominator are truncated, and their quotient is rounded.
-//   images      |<u,p'> - <u,p>| <= 3 * 3 * 2^-52
-//   arithmetic  each operation errs by 2^-52 of its result at most, whatever the rounding mode; results below 1, 1, 1 (products), 2 and 3
-//               (sums):  8 * 2^-52
-// What underflows, to 0 even, adds less than 2^-100, and |u_i| may pass 1 by 2^-51. Together less than 2^-47, for both values than 2^-46.
+// than twice the error of the computed values.                                                [proofs/kernels.md, "Error bounds"]
 //
 // The search. In the metric in which the points spread alike in all directions, the way from their centre to p is a good guess for u.
 // While some q is farther, u is turned towards p - q.
@@ -19,12 +12,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "kernels/filters/error_bounds.hpp"
+
 namespace fathom {
 namespace {
 
 using Triple = std::array<double, 3>;
 
-constexpr double error_of_both = 0x1p-46, least_size = 0x1p-900;
+constexpr double least_size = 0x1p-900;
 constexpr double almost_nothing = 0x1p-50;  // keeps the metric of flat sets finite
 constexpr std::size_t leaf_size = 24;
 constexpr int turns = 20;
@@ -170,7 +165,7 @@ bool seen_extreme(const Image& self, const Boxes& boxes, Triple u, const Metric&
     for (double& c : u) c *= 1 / size;
     const double value = product(u, self.at);
     if (!std::isfinite(value)) return false;
-    const Image* farther = boxes.farthest_but(self, u, value - error_of_both);
+    const Image* farther = boxes.farthest_but(self, u, value - error_bound::difference_of_heights);
     if (farther == nullptr) return true;
     const Triple away = minus(self.at, farther->at), turned = metric.times(away);
     const double lack = -product(u, away) / product(away, turned);

@@ -4,41 +4,31 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/filters/line_error.hpp"
+#include "kernels/filters/error_bounds.hpp"
 
 namespace fathom {
 namespace {
 
-using line_error::unit;
+using error_bound::unit;
 
 struct Crossing {
   double height, squared_length;
 };
 
-struct Three {
-  double x, y, z;
-};
-
-Crossing crossing(const Three& s, const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
-  const double wx = a.dy[i] * b.dz[j] - a.dz[i] * b.dy[j];
-  const double wy = a.dz[i] * b.dx[j] - a.dx[i] * b.dz[j];
-  const double wz = a.dx[i] * b.dy[j] - a.dy[i] * b.dx[j];
-  return {s.x * wx + s.y * wy + s.z * wz, wx * wx + wy * wy + wz * wz};
-}
-
-Three difference(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
-  return {b.px[j] - a.px[i], b.py[j] - a.py[i], b.pz[j] - a.pz[i]};
+Crossing crossing(const Vec3<double>& s, const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  const Vec3<double> w = cross(a.direction(i), b.direction(j));
+  return {dot(s, w), dot(w, w)};
 }
 
 // The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from above, W - S the length from below.
 CornerVerdict verdict(const Crossing& c, const LineBound& bound) {
-  const double low = c.height - line_error::height;
-  if (low > 0 && low * low - bound.above * (1 + 16 * unit) * (c.squared_length + line_error::squared_length) > 0) {
+  const double low = c.height - error_bound::height_over_line;
+  if (low > 0 && low * low - bound.above * (1 + 16 * unit) * (c.squared_length + error_bound::squared_length) > 0) {
     return CornerVerdict::beyond;
   }
-  const double high = c.height + line_error::height;
+  const double high = c.height + error_bound::height_over_line;
   if (high <= 0) return CornerVerdict::within;
-  const double shortest = c.squared_length - line_error::squared_length;
+  const double shortest = c.squared_length - error_bound::squared_length;
   if (shortest > 0 && bound.below * (1 - 16 * unit) * shortest - high * high > 0) return CornerVerdict::within;
   return CornerVerdict::unsure;
 }
@@ -54,7 +44,7 @@ LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, l
 }
 
 CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block, const LineBound& bound) {
-  const Three s = difference(rows, block.rows.middle, columns, block.columns.middle);
+  const Vec3<double> s = columns.point(block.columns.middle) - rows.point(block.rows.middle);
   CornerVerdict worst = CornerVerdict::beyond;
   for (const std::size_t i : {block.rows.first, block.rows.last}) {
     for (const std::size_t j : {block.columns.first, block.columns.last}) {
@@ -67,7 +57,7 @@ CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, 
 }
 
 double estimated_squared_distance(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
-  const Crossing c = crossing(difference(a, i, b, j), a, i, b, j);
+  const Crossing c = crossing(b.point(j) - a.point(i), a, i, b, j);
   return c.height * c.height / c.squared_length;
 }
 

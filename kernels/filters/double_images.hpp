@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directions in binary64, and the signs that these settle: for searches that ask one node or one arc about many arcs and read the images
-// of these from one array.                                                                       [proofs/kernels.md, "Plain doubles"]
+// The images of exact numbers in binary64, for all filters; and the signs that images of directions settle, for searches that ask one node
+// or one arc about many arcs.                                                                    [proofs/kernels.md, "Plain doubles"]
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "kernels/filters/error_bounds.hpp"
@@ -11,11 +13,20 @@
 
 namespace fathom {
 
+/// c * 2^-exponent, truncated to 53 bits; 0 below 2^-500, so that no product of two images underflows.
+double image(const mpz_class& c, long exponent);
+Vec3<double> image(const Vector& v, long exponent);
+/// With the exponent for which the largest component lies in [1/2, 1]. v is not zero. The image of -v is the negative.
+Vec3<double> direction_image(const Vector& v);
+
+/// The lower ends: each within 2^-53 of what the box encloses, if that is in [-1, 1].
+inline Vec3<double> image(const Vec3<DoubleInterval>& box) { return {box.x.low, box.y.low, box.z.low}; }
+
 /// A direction in binary64: each component within 2^-53 of that of the exact one after scaling, hence in [-1, 1].
-inline Vec3<double> image(const Direction& d) {
-  const Vec3<DoubleInterval>& e = d.enclosure();
-  return {e.x.low, e.y.low, e.z.low};
-}
+inline Vec3<double> image(const Direction& d) { return image(d.enclosure()); }
+
+/// The largest component in absolute value.
+inline double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 /// The sign of a number of which `value` errs by `error` at most; nullopt if unsure.
 inline std::optional<Sign> sure_sign(double value, double error) {

@@ -10,15 +10,10 @@
 namespace fathom {
 namespace {
 
-using line_error::unit;
+using error_bound::unit;
 using taylor::combination;
 using taylor::operator*;
-using Three = std::array<double, 3>;
 using Six = std::array<double, 6>;
-
-double dot3(const Three& a, const Three& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Three cross3(const Three& a, const Three& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
 double dot6(const Six& a, const Six& b) {
   double sum = 0;
@@ -30,28 +25,24 @@ double dot6(const Six& a, const Six& b) {
 class Normaliser {
  public:
   Normaliser(const LineImages& lines, std::size_t middle)
-      : lines_(lines), c_{lines.dx[middle], lines.dy[middle], lines.dz[middle]}, o_{point(middle)}, cc_(dot3(c_, c_)) {}
+      : lines_(lines), c_(lines.direction(middle)), o_(lines.point(middle)), cc_(dot(c_, c_)) {}
 
   // Whether line i has a tuple; `error` bounds each coordinate's distance from a true one.
   bool tuple(std::size_t i, Six& result, double& error) const {
-    const Three d{lines_.dx[i], lines_.dy[i], lines_.dz[i]}, p = point(i);
-    const double along = dot3(d, c_);
+    const Vec3<double> d = lines_.direction(i), p = lines_.point(i);
+    const double along = dot(d, c_);
     if (!(along > cc_ / 4)) return false;
     const double scale = cc_ / along;
-    const double t = ((p[0] - o_[0]) * c_[0] + (p[1] - o_[1]) * c_[1] + (p[2] - o_[2]) * c_[2]) / cc_;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result[k] = d[k] * scale;
-      result[k + 3] = p[k] - t * result[k];
-    }
+    const double t = dot(p - o_, c_) / cc_;
+    const Vec3<double> turned{d.x * scale, d.y * scale, d.z * scale};
+    result = {turned.x, turned.y, turned.z, p.x - t * turned.x, p.y - t * turned.y, p.z - t * turned.z};
     error = unit * (16 + 32 * std::fabs(t));
     return true;
   }
 
  private:
-  [[nodiscard]] Three point(std::size_t i) const { return {lines_.px[i], lines_.py[i], lines_.pz[i]}; }
-
   const LineImages& lines_;
-  Three c_, o_;
+  Vec3<double> c_, o_;
   double cc_;
 };
 
@@ -99,24 +90,23 @@ Models cross(const Models& d, const Models& e) {
 
 TaylorModel dot(const Models& f, const Models& g) { return combination(1, combination(1, f[0] * g[0], 1, f[1] * g[1]), 1, f[2] * g[2]); }
 
-TaylorModel along(const Models& w, const Three& g) { return combination(1, combination(g[0], w[0], g[1], w[1]), g[2], w[2]); }
+TaylorModel along(const Models& w, const Vec3<double>& g) { return combination(1, combination(g.x, w[0], g.y, w[1]), g.z, w[2]); }
 
 // Three directions, the first along w. Orthonormal up to 16u in each product, or else there is none.
-bool orthonormal(const Three& w, std::array<Three, 3>& basis) {
-  const auto normalised = [](Three v) {
-    const double length = std::sqrt(dot3(v, v));
-    return Three{v[0] / length, v[1] / length, v[2] / length};
+bool orthonormal(const Vec3<double>& w, std::array<Vec3<double>, 3>& basis) {
+  const auto normalised = [](const Vec3<double>& v) {
+    const double length = std::sqrt(dot(v, v));
+    return Vec3<double>{v.x / length, v.y / length, v.z / length};
   };
-  if (!(dot3(w, w) > 0x1p-900)) return false;
+  if (!(dot(w, w) > 0x1p-900)) return false;
   basis[0] = normalised(w);
-  const Three size{std::fabs(w[0]), std::fabs(w[1]), std::fabs(w[2])};
-  Three axis{};
-  axis[static_cast<std::size_t>(std::ranges::min_element(size) - size.begin())] = 1;
-  basis[1] = normalised(cross3(basis[0], axis));
-  basis[2] = normalised(cross3(basis[0], basis[1]));
+  const double x = std::fabs(w.x), y = std::fabs(w.y), z = std::fabs(w.z);
+  const Vec3<double> least = x <= y && x <= z ? Vec3<double>{1, 0, 0} : y <= z ? Vec3<double>{0, 1, 0} : Vec3<double>{0, 0, 1};
+  basis[1] = normalised(cross(basis[0], least));
+  basis[2] = normalised(cross(basis[0], basis[1]));
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      if (!(std::fabs(dot3(basis[i], basis[j]) - (i == j)) <= 16 * unit)) return false;
+      if (!(std::fabs(dot(basis[i], basis[j]) - (i == j)) <= 16 * unit)) return false;
     }
   }
   return true;
@@ -163,7 +153,7 @@ bool frames_beyond(const LineFrame& a, const LineFrame& b, double bound) {
     s[i] = combination(1, model(b, i + 3, true), -1, model(a, i + 3, false));
   }
   const Models w = cross(d, e);
-  std::array<Three, 3> basis;
+  std::array<Vec3<double>, 3> basis;
   if (!orthonormal({w[0].c[0], w[1].c[0], w[2].c[0]}, basis)) return false;
   const TaylorModel y0 = along(w, basis[0]), y1 = along(w, basis[1]), y2 = along(w, basis[2]);
   const double shortest = taylor::least(y0);

@@ -7,31 +7,13 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/filters/line_error.hpp"
-#include "kernels/predicates/direction.hpp"
+#include "kernels/filters/double_images.hpp"
 
 namespace fathom {
 namespace {
 
 // Each step below is justified in proofs/closest_lines.md.
-using line_error::unit;
-
-double middle(const DoubleInterval& e) { return e.low / 2 + e.high / 2; }
-
-double image(const mpz_class& c, long exponent) {
-  long own = 0;
-  const double mantissa = mpz_get_d_2exp(&own, c.get_mpz_t());
-  return std::ldexp(mantissa, static_cast<int>(std::max<long>(own - exponent, -4000)));
-}
-
-struct Three {
-  double x, y, z;
-};
-
-Three image(const Vector& direction) {
-  const Vec3<DoubleInterval> e = enclose(direction);
-  return {middle(e.x), middle(e.y), middle(e.z)};
-}
+using error_bound::unit;
 
 // Two neighbours at a time, or one. A vector type of the compiler, since -O2 alone would not vectorise these loops.
 typedef double Lanes __attribute__((vector_size(16)));
@@ -56,11 +38,11 @@ Lane smaller(Lane a, Lane b) {
 
 // Positive only if line j is strictly farther from the line (p, d) than the bound.
 struct Farther {
-  Three p, d;
+  Vec3<double> p, d;
   double bound;
 
   Farther(const LineImages& lines, std::size_t i, double squared_bound)
-      : p{lines.px[i], lines.py[i], lines.pz[i]}, d{lines.dx[i], lines.dy[i], lines.dz[i]}, bound(squared_bound * (1 + 16 * unit)) {}
+      : p(lines.point(i)), d(lines.direction(i)), bound(squared_bound * (1 + 16 * unit)) {}
 
   template <class Lane>
   Lane margin(const LineImages& many, std::size_t j) const {
@@ -69,20 +51,20 @@ struct Farther {
     const Lane wy = d.z * ex - d.x * ez;
     const Lane wz = d.x * ey - d.y * ex;
     const Lane height = (p.x - load<Lane>(many.px, j)) * wx + (p.y - load<Lane>(many.py, j)) * wy + (p.z - load<Lane>(many.pz, j)) * wz;
-    const Lane least = larger<Lane>(larger<Lane>(height, -height) - line_error::height, Lane{});
-    return least * least - bound * (wx * wx + wy * wy + wz * wz + line_error::squared_length);
+    const Lane least = larger<Lane>(larger<Lane>(height, -height) - error_bound::height_over_line, Lane{});
+    return least * least - bound * (wx * wx + wy * wy + wz * wz + error_bound::squared_length);
   }
 };
 
 // Positive only if both ends of arc j lie strictly on one side of the great circle d.
 struct OnOneSide {
-  Three d;
+  Vec3<double> d;
 
   template <class Lane>
   Lane margin(const ArcImages& many, std::size_t j) const {
     const Lane from = d.x * load<Lane>(many.fx, j) + d.y * load<Lane>(many.fy, j) + d.z * load<Lane>(many.fz, j);
     const Lane to = d.x * load<Lane>(many.tx, j) + d.y * load<Lane>(many.ty, j) + d.z * load<Lane>(many.tz, j);
-    return larger<Lane>(smaller<Lane>(from, to), smaller<Lane>(-from, -to)) - line_error::side;
+    return larger<Lane>(smaller<Lane>(from, to), smaller<Lane>(-from, -to)) - error_bound::product;
   }
 };
 
@@ -96,7 +78,7 @@ double not_crossing(const LineSet& lines, std::size_t one, const LineSet& many, 
   const auto [many_from, many_to] = side(many.arcs, j, lines.images, one);
   const double least = smaller(smaller(from, -to), smaller(-many_from, many_to));
   const double most = larger(larger(from, -to), larger(-many_from, many_to));
-  return smaller(most, -least) - line_error::side;
+  return smaller(most, -least) - error_bound::product;
 }
 
 // Replaces `unsure` by the indices j in the run whose margin is not positive. Most blocks have none, and end with one comparison.
@@ -132,10 +114,10 @@ void collect(const Test& test, const Many& many, LineRun run, std::vector<std::u
 }  // namespace
 
 void LineImages::push_back(const Vector& point, const Vector& direction) {
-  px.push_back(image(point.x, exponent_));
-  py.push_back(image(point.y, exponent_));
-  pz.push_back(image(point.z, exponent_));
-  const Three d = image(direction);
+  const Vec3<double> p = image(point, exponent_), d = direction_image(direction);
+  px.push_back(p.x);
+  py.push_back(p.y);
+  pz.push_back(p.z);
   dx.push_back(d.x);
   dy.push_back(d.y);
   dz.push_back(d.z);
@@ -167,7 +149,7 @@ void not_farther(const LineImages& lines, std::size_t one, const LineImages& man
 }
 
 void ArcImages::push_back(const Vector& from, const Vector& to) {
-  const Three f = image(from), t = image(to);
+  const Vec3<double> f = direction_image(from), t = direction_image(to);
   fx.push_back(f.x);
   fy.push_back(f.y);
   fz.push_back(f.z);

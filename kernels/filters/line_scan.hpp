@@ -35,6 +35,8 @@ class LineImages {
 
   [[nodiscard]] std::size_t size() const { return px.size(); }
   [[nodiscard]] long exponent() const { return exponent_; }
+  [[nodiscard]] Vec3<double> point(std::size_t i) const { return {px[i], py[i], pz[i]}; }
+  [[nodiscard]] Vec3<double> direction(std::size_t i) const { return {dx[i], dy[i], dz[i]}; }
 
   std::vector<double> px, py, pz, dx, dy, dz;
 

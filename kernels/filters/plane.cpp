@@ -4,7 +4,6 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "kernels/filters/double_images.hpp"
 #include "kernels/predicates/filtered_cgal.hpp"
@@ -15,8 +14,6 @@ namespace {
 using Interval = IntervalKernel::FT;
 
 DoubleInterval enclosure(const Interval& i) { return {i.inf(), i.sup()}; }
-
-double largest(const Vec3<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// (q - p) x (r - p).
 template <class Vector_3>
@@ -46,15 +43,15 @@ BoxedPoints::BoxedPoints(std::span<const Vector> exact) : exact_(exact) {
   for (const Vector& p : exact) {
     const Vec3<DoubleInterval>& box =
         boxes_.emplace_back(Vec3<DoubleInterval>{enclose(p.x, shift), enclose(p.y, shift), enclose(p.z, shift)});
-    images_.push_back({box.x.low, box.y.low, box.z.low});
+    images_.push_back(image(box));
   }
 }
 
 Plane::Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r) : points_(&points), p_(p), q_(q), r_(r) {
-  const Vec3<double> u = points.image(q) - points.image(p), v = points.image(r) - points.image(p);
+  const Vec3<double> u = points.rounded(q) - points.rounded(p), v = points.rounded(r) - points.rounded(p);
   image_ = cross(u, v);
   size_ = largest(image_);
-  error_ = 0x1p-49 * (largest(u) + largest(v) + largest(u) * largest(v)) + 0x1p-98;
+  error_ = error_bound::normal(largest(u), largest(v));
 }
 
 Sign Plane::rise(std::uint32_t s, std::uint32_t t) const {
@@ -63,10 +60,8 @@ Sign Plane::rise(std::uint32_t s, std::uint32_t t) const {
     [[nodiscard]] const Vector& exact() const { return plane.normal(); }
     [[nodiscard]] const Vec3<DoubleInterval>& enclosure() const { return plane.box(); }
   };
-  const Vec3<double> step = points_->image(t) - points_->image(s);
-  const double length = largest(step);
-  const double error = 0x1p-48 * size_ * (1 + length) + (4 * length + 0x1p-48) * error_;
-  if (const auto sure = sure_sign(dot(image_, step), error)) return *sure;
+  const Vec3<double> step = points_->rounded(t) - points_->rounded(s);
+  if (const auto sure = sure_sign(dot(image_, step), error_bound::height(size_, error_, largest(step)))) return *sure;
   return filtered_sign(HeightOrder<ExactKernel>{}, HeightOrder<IntervalKernel>{}, Normal{*this}, PointOperand{*points_, s},
                        PointOperand{*points_, t});
 }

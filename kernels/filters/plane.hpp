@@ -22,7 +22,7 @@ class BoxedPoints {
   [[nodiscard]] const Vector& exact(std::uint32_t i) const { return exact_[i]; }
   [[nodiscard]] const Vec3<DoubleInterval>& box(std::uint32_t i) const { return boxes_[i]; }
   /// In [-1, 1], within 2^-53 of the exact coordinates in that scale.
-  [[nodiscard]] const Vec3<double>& image(std::uint32_t i) const { return images_[i]; }
+  [[nodiscard]] const Vec3<double>& rounded(std::uint32_t i) const { return images_[i]; }
 
  private:
   std::span<const Vector> exact_;

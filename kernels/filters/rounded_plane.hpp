@@ -4,18 +4,16 @@
 
 #include <optional>
 
+#include "kernels/filters/error_bounds.hpp"
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom {
 
-/// v * 2^-exponent in binary64, each component within 2^-52 of the truth if none is beyond 2 in absolute value.
-Vec3<double> rounded(const Vector& v, long exponent);
-
 /// At least sqrt(numerator / denominator) * 2^-exponent, and hardly more. `numerator` >= 0, `denominator` > 0.
 double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
-/// The oriented plane through points p, q, r of which only rounded images are known; n = (q - p) x (r - p). What it says of the sides and of
+/// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p). What it says of the sides and of
 /// the distance holds for the exact points, whatever the rounding mode.                               [proofs/kernels.md]
 class RoundedPlane {
  public:
@@ -33,10 +31,11 @@ class RoundedPlane {
   [[nodiscard]] bool trustworthy() const { return trustworthy_; }
 
  private:
-  [[nodiscard]] double error(double size) const { return slope_ * size + floor_; }
+  /// Of the computed <n, w>, for a w with this largest component.
+  [[nodiscard]] double error(double length) const { return error_.slope * length + error_.floor; }
 
   Vec3<double> p_, n_;
-  double slope_, floor_;    // |computed <n,w> - exact| <= slope * max |w_i| + floor
+  error_bound::WidePlane error_;
   double height_, length_;  // <n,p> from below, |n| from above
   double distance_;
   bool trustworthy_;

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The support function of a finite point set: a filter in binary64 over all points, exact arithmetic for the few it leaves undecided.
-//
-// The filter's error. Let s be a point with s_i = 2^-e_i p_i, for the axis exponents e_i, |s_i| <= 1, and v a direction with v_i = 2^(e_i - f) u_i,
-// |v_i| <= 1: <v,s> = 2^-f <u,p>. Images s', v' are truncated to 53 bits (error below 2^-53), and to 0 below 2^-500, so |s'_i|, |v'_i| <= 1,
-// |s'_i - s_i| <= 2^-53 and |v'_i - v_i| <= 2^-53, and no product of images underflows.
-//   images      |<v',s'> - <v,s>| <= 3 * (2^-53 + 2^-53)          =  6 * 2^-53
-//   arithmetic  each operation errs by 2^-52 of its result at most, whatever the rounding mode; results below 1, 1, 1 (products),
-//               2 and 3 (sums), up to terms in 2^-104:  8 * 2^-52 = 16 * 2^-53
-// Together less than E = 2^-48 = 32 * 2^-53. So a point is beyond another for sure when its computed value is by more than 2E greater, and the
-// greatest is among those within 2E of the greatest computed value. Adding 2E to a value below 4 errs by 2^-51 at most: E has room for it.
-// When f + 2 <= 53, images are exact (but for axes with u_i = 0) and all products and sums are multiples of 2^-f below 4: E = 0.
+// [proofs/kernels.md, "Error bounds"]
 #include "kernels/filters/support.hpp"
 
 #include <algorithm>
@@ -20,25 +11,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/filters/double_images.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace fathom {
 namespace {
 
-constexpr long negligible = -500;
-constexpr double twice_the_error = 0x1p-47;
 constexpr std::size_t block_size = 128;  // of points: small enough that a second look is cheap, large enough to skip well
-
-double image(const mpz_class& c, long exponent) {
-  if (c == 0) return 0;
-  long e = 0;
-  const double d = mpz_get_d_2exp(&e, c.get_mpz_t());
-  return e - exponent < negligible ? 0 : std::ldexp(d, static_cast<int>(e - exponent));
-}
 
 struct DirectionImage {
   double x, y, z;
-  double slack;  // 2E
+  double slack;  // how much less than the greatest computed value that of the farthest point can be
 };
 
 // The least e >= 0 with |c| <= 2^e.
@@ -62,11 +45,11 @@ Vec3<long> exponents_of(std::span<const Vector> points) {
   return e;
 }
 
-DirectionImage image(const Vector& u, const PointCloud& cloud) {
+DirectionImage image_for(const PointCloud& cloud, const Vector& u) {
   const Vec3<long>& e = cloud.axis_exponents();
   const auto stretched = [](const mpz_class& c, long axis) { return c == 0 ? 0 : exponent_of(c) + axis; };
   const long f = std::max({stretched(u.x, e.x), stretched(u.y, e.y), stretched(u.z, e.z)});
-  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), f + 2 <= 53 ? 0 : twice_the_error};
+  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), f + 2 <= 53 ? 0 : 2 * error_bound::product};
 }
 
 // The one place that computes the filter's value of points; two lanes at a time, or one.
@@ -185,7 +168,7 @@ long binary_exponent(std::span<const Vector> points) {
 
 std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u) {
   if (cloud.size() == 0 || is_zero(u)) return all_indices(cloud.size());
-  const DirectionImage v = image(u, cloud);
+  const DirectionImage v = image_for(cloud, u);
   const std::vector<double> maxima = greatest_of_blocks(cloud, v);
   std::vector<std::uint32_t> near;
   visit_from(cloud, v, maxima, *std::max_element(maxima.begin(), maxima.end()) - v.slack,
@@ -195,7 +178,7 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
 
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {
   if (is_zero(u)) return {};
-  const DirectionImage v = image(u, cloud);
+  const DirectionImage v = image_for(cloud, u);
   const double level = Values<double>{v.x, v.y, v.z}(cloud, k);
   mpz_class bar, value;
   set_dot(bar, u, cloud[k]);
@@ -213,8 +196,8 @@ std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& 
 
 std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u) {
   const Vec3<long>& e = cloud.axis_exponents();
-  const auto image = [&](double c, long axis) { return std::ldexp(c, static_cast<int>(std::max(axis - cloud.exponent(), -4000L))); };
-  const DirectionImage v{image(u.x, e.x), image(u.y, e.y), image(u.z, e.z), 0};
+  const auto scaled = [&](double c, long axis) { return std::ldexp(c, static_cast<int>(std::max(axis - cloud.exponent(), -4000L))); };
+  const DirectionImage v{scaled(u.x, e.x), scaled(u.y, e.y), scaled(u.z, e.z), 0};
   std::size_t begin = 0;
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cloud.size(); i += block_size) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
-#include <ranges>
 
 #include "kernels/filters/double_images.hpp"
 #include "reference/canonical/query_filing.hpp"
@@ -212,15 +212,16 @@ class CanonicalBuilder {
     filing_.take(list_.size(), [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
       CanonicalSubsets::Record record{stored_of_, rising, {}};
       record.arcs[stored_of_] = {base + first, base + last};
-      record.arcs[query_of_] = append(query_of_, entries | std::views::transform(&Filing::Entry::query));
+      record.arcs[query_of_] = append(query_of_, entries, &Filing::Entry::query);
       out_.records_.push_back(record);
     });
   }
 
-  CanonicalSubsets::Range append(Colour colour, const auto& arcs) {
+  template <class Projection = std::identity>
+  CanonicalSubsets::Range append(Colour colour, const auto& arcs, Projection projection = {}) {
     const auto to = [&](auto& ids) -> CanonicalSubsets::Range {
       const std::uint64_t first = ids.size();
-      for (const ChartArcId arc : arcs) ids.emplace_back(arc.value);
+      for (const auto& arc : arcs) ids.emplace_back(std::invoke(projection, arc).value);
       return {first, ids.size()};
     };
     return colour == Colour::a ? to(out_.a_) : to(out_.b_);

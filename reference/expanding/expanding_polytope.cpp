@@ -4,6 +4,7 @@
 #include <queue>
 #include <stdexcept>
 
+#include "kernels/filters/double_images.hpp"
 #include "kernels/number/ratio.hpp"
 #include "reference/expanding/inner_polytope.hpp"
 #include "reference/expanding/start.hpp"
@@ -136,8 +137,8 @@ class Expander {
  private:
   SurfaceVertex vertex(Difference d) const {
     Vector exact = b_[d.second] - a_[d.first];
-    const Vec3<double> image = rounded(exact, exponent_);
-    return {d, std::move(exact), image};
+    const Vec3<double> rounded = image(exact, exponent_);
+    return {d, std::move(exact), rounded};
   }
 
   [[nodiscard]] Radius radius_of(const mpz_class& numerator, const mpz_class& denominator) const {
@@ -184,7 +185,7 @@ class Expander {
     Vec3<double> n = plane.estimated_normal();
     if (!plane.trustworthy()) {
       const Vector& exact = surface_->plane(t).normal;
-      n = rounded(exact, binary_exponent({&exact, 1}));
+      n = image(exact, binary_exponent({&exact, 1}));
     }
     return {likely_extreme_point(a_, -n), likely_extreme_point(b_, n)};
   }

@@ -20,7 +20,7 @@ class EdgeLines {
   EdgeLines(const Polytope& polytope, long exponent);
 
   [[nodiscard]] std::size_t size() const { return polytope_->edges.size(); }
-  [[nodiscard]] auto ids() const { return ids_below<Edge>(size()); }
+  [[nodiscard]] IdsBelow<Edge> ids() const { return IdsBelow<Edge>(size()); }
   [[nodiscard]] const Vector& point(Edge edge) const { return polytope_->vertices[polytope_->edges[edge.value].from]; }
   [[nodiscard]] Vector direction(Edge edge) const;
   [[nodiscard]] const LineImages& images() const { return images_; }

@@ -23,9 +23,11 @@ class CrossingCheck {
       report_.expect(law, "crossing (" + std::to_string(i) + "," + std::to_string(j) + ") " + what);
     };
     expect(dot(w, grid_.scene().pole) >= 0, "lies in the other hemisphere");
-    if (i + 1 < grid_.rows()) expect(dot(w, grid_.row_direction(i + 1)) * grid_.row_sense() >= 0, "is out of order with the next row");
+    if (i + 1 < grid_.rows())
+      expect(sign_of(dot(w, grid_.row_direction(i + 1))) * grid_.row_sense() != Sign::negative, "is out of order with the next row");
     if (j + 1 < grid_.columns())
-      expect(dot(w, grid_.column_direction(j + 1)) * grid_.column_sense() >= 0, "is out of order with the next column");
+      expect(sign_of(dot(w, grid_.column_direction(j + 1))) * grid_.column_sense() != Sign::negative,
+             "is out of order with the next column");
     if (is_zero(w)) return;
     const Vector s = grid_.column_point(j) - grid_.row_point(i);
     expect(dot(s, w) > 0, "does not lie above O");
@@ -43,8 +45,8 @@ class CrossingCheck {
 }  // namespace
 
 // With circles pointing upward, a crossing lies below the next stored arc, above the next query if they rise, and below it if they fall.
-int Grid::row_sense() const { return pair_.stored_of == Colour::a && !pair_.rising ? 1 : -1; }
-int Grid::column_sense() const { return pair_.stored_of == Colour::a && pair_.rising ? 1 : -1; }
+Sign Grid::row_sense() const { return pair_.stored_of == Colour::a && !pair_.rising ? Sign::positive : Sign::negative; }
+Sign Grid::column_sense() const { return pair_.stored_of == Colour::a && pair_.rising ? Sign::positive : Sign::negative; }
 
 // With both circles pointing upward in the chart, a stored arc d and a query e that rises through it have <d x e, z> > 0. Reversing all
 // rows where the outward normal is e x d makes row x column outward everywhere.

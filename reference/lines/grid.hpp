@@ -48,8 +48,8 @@ class Grid {
   [[nodiscard]] LineImages column_images(const std::array<std::size_t, 3>& chosen) const;
 
   /// The sign of <w, next row>, and of <w, next column>, at each crossing w: what it means that the chains are in order.
-  [[nodiscard]] int row_sense() const;
-  [[nodiscard]] int column_sense() const;
+  [[nodiscard]] Sign row_sense() const;
+  [[nodiscard]] Sign column_sense() const;
 
  private:
   [[nodiscard]] bool rows_turned() const { return (pair_.stored_of == Colour::a) != pair_.rising; }

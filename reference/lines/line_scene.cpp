@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/lines/line_scene.hpp"
 
-#include <ranges>
+#include <algorithm>
 
 namespace fathom {
 
 template <Colour c>
 ChartLines<c>::ChartLines(const ColourChart& chart, const EdgeLines<c>& lines) : chart_(&chart), lines_(&lines) {
-  images_.gather(lines.images(), chart.arcs | std::views::transform([](const ChartArc& arc) { return arc.arc; }));
+  std::vector<ArcId> whole(chart.arcs.size());
+  std::ranges::transform(chart.arcs, whole.begin(), &ChartArc::arc);
+  images_.gather(lines.images(), whole);
   for (const ChartArcId i : chart.arcs.ids()) {
     if (chart.arcs[i].flipped) images_.reverse(i.value);
   }

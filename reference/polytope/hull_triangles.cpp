@@ -5,6 +5,9 @@
 // CGAL counts a facet as visible from the points of its plane, so a facet with k corners would be torn down and rebuilt k times. Here
 // a point counts as moved inward by an infinitesimal whenever it lies on the plane in question: facets grow, and k corners cost O(k).
 //
+// What this relies on and no manual of CGAL promises, the first triangle, the fourth corner, who decides what a point sees, and which way
+// round triangles come back, is pinned by tests/polytope/quickhull_behaviour_test.cpp.
+//
 // CGAL's ready-made kernel for doubles is passed by: there convex_hull_3 compares with a static error bound, derived for rounding to
 // nearest, while it rounds upward, where each operation may err by twice as much.
 #include "reference/polytope/hull_triangles.hpp"

@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "kernels/filters/support.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -62,10 +61,9 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   Row row;
   row.size = size;
   const Case input = family.make(1, size);
-  const Lattice lattice = common_lattice(input.a.points, input.b.points);
-  const long exponent = std::max(binary_exponent(lattice.a), binary_exponent(lattice.b));
+  const PlacedPair placed = place(input.a.points, input.b.points);
   Clock clock;
-  const Polytope a = convex_hull(lattice.a), b = convex_hull(lattice.b);
+  const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
   row.hulls = clock.lap();
   const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
   Context context;
@@ -88,8 +86,8 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   }
   row.edges_a = a.edges.size();
   row.edges_b = b.edges.size();
-  const EdgeLinesOfA lines_a(a, exponent);
-  const EdgeLinesOfB lines_b(b, exponent);
+  const EdgeLinesOfA lines_a(a, placed.exponent());
+  const EdgeLinesOfB lines_b(b, placed.exponent());
   std::vector<LineScene> scenes;
   for (const Charts& c : charts) scenes.emplace_back(c, lines_a, lines_b);
   for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {

@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "fathom/depth.hpp"
-#include "kernels/predicates/filter.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/prepared.hpp"
 
@@ -19,11 +18,6 @@ using testing::cases_of_all_families;
 using testing::prepare;
 using testing::Prepared;
 using testing::text;
-
-CanonicalSubsets canonical_subsets(const Charts& charts) {
-  Context context;
-  return canonical_subsets(context, charts);
-}
 
 static_assert(!std::is_constructible_v<CanonicalPair, Colour, bool, std::span<const ChartArcOfB>, std::span<const ChartArcOfA>>,
               "the arcs of A and of B exchanged");
@@ -52,11 +46,10 @@ TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
 TEST(CanonicalSubsets, GeneralPositionNeedsNoInfinitesimals) {
   for (const char* family : {"random_sphere", "random_ball", "crossed_bands"}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      const PredicateCounts before = predicate_counts();
       const Case input = families::find_family(family)->make(seed, 60);
       const auto p = prepare(input);
       for (const Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
-      const PredicateCounts counts = predicate_counts() - before;
+      const PredicateCounts& counts = p->context.counters.predicates;
       for (std::size_t i = 0; i < counts.size(); ++i) {
         EXPECT_EQ(counts[i].zero, 0U) << input.id << ", " << predicate_names[i];
         EXPECT_LE(1000 * counts[i].exact, counts[i].calls) << input.id << ", " << predicate_names[i];
@@ -116,9 +109,10 @@ TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   a.arcs = {arc(a.nodes, node(0, 0), node(10, 0)), arc(a.nodes, node(6, 100), node(12, 100))};
   b.arcs = {arc(b.nodes, node(5, -2), node(15, 8)), arc(b.nodes, node(4, 200), node(9, 200))};
   // x runs along v x z = (1,0,0) for v = (0,1,0), z = (0,0,1).
-  const Charts charts = make_charts(a, b, chart_frame(Hemisphere::upper));
+  Context context;
+  const Charts charts = make_charts(context, a, b, chart_frame(Hemisphere::upper));
   EXPECT_EQ(crossings_naive(charts), (std::vector<std::pair<EdgeOfA, EdgeOfB>>{{EdgeOfA(0), EdgeOfB(0)}}));
-  const Report report = validate(canonical_subsets(charts), charts);
+  const Report report = validate(canonical_subsets(context, charts), charts);
   EXPECT_TRUE(report.ok()) << text(report);
 }
 

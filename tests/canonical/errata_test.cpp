@@ -7,16 +7,24 @@
 #include <limits>
 #include <vector>
 
-#include "fathom/depth.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/signs.hpp"
 
 namespace fathom {
 namespace {
 
 using testing::perturbations;
 using testing::prepare;
+using testing::unperturbed;
+
+/// By the exact method.
+Depth depth_of(const std::vector<Point>& a, const std::vector<Point>& b, const Perturbation& perturbation = {}) {
+  Context context;
+  return penetration_depth(context, place(a, b), {.perturbation = perturbation});
+}
 
 // ---- the paper's rule, to the letter, on x-ranges ----
 
@@ -84,8 +92,8 @@ GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
 
 CanonicalSubsets family_of(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   const GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
-  const Charts charts = make_charts(diagram_a, diagram_b, chart_frame(Hemisphere::upper));
   Context context;
+  const Charts charts = make_charts(context, diagram_a, diagram_b, chart_frame(Hemisphere::upper));
   CanonicalSubsets subsets = canonical_subsets(context, charts);
   EXPECT_TRUE(validate(subsets, charts).ok()) << testing::text(validate(subsets, charts));
   return subsets;
@@ -221,7 +229,7 @@ const Body edge_up{{{1, 1, 1}, {1, -1, -1}, {-5, 4, 0}, {-5, -4, 1}}}, edge_down
 // The arcs of these two edges cross at (1,0,0), on the equator: the lines lie in the planes x = 1 and x = -1, and no vertical meets both.
 TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
   const Case input{"equator", edge_down, edge_up};
-  EXPECT_EQ(penetration_depth(input.a.points, input.b.points).status(), Status::penetrating);
+  EXPECT_EQ(depth_of(input.a.points, input.b.points).status(), Status::penetrating);
   for (const Perturbation& perturbation : perturbations()) {
     const auto p = prepare(input, perturbation);
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
@@ -251,9 +259,7 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
         if (is_zero(cross(p->minus_a.arcs[ArcId(i.value)].circle.exact(), p->of_b.arcs[ArcId(j.value)].circle.exact()))) ++parallel;
       }
     }
-    Options options;
-    options.perturbation = perturbation;
-    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, options).squared(), 1);
+    EXPECT_EQ(depth_of(input.a.points, input.b.points, perturbation).squared(), 1);
   }
   EXPECT_GT(parallel, 0U);
 }
@@ -262,7 +268,7 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
 TEST(Errata, LinesOfTouchingBodiesMeet) {
   const Body top{{{-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}}}, bottom{{{0, -1, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}}};
   const Case input{"touching", top, bottom};
-  const Depth depth = penetration_depth(input.a.points, input.b.points);
+  const Depth depth = depth_of(input.a.points, input.b.points);
   EXPECT_EQ(depth.status(), Status::touching);
   EXPECT_EQ(depth.squared(), 0);
   const auto p = prepare(input);
@@ -279,7 +285,7 @@ const Body cube{{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, 1, -1}
 
 // A point has no interior, so t = 0 satisfies the definition of pi(A,B); but O is inside P, and min d(O, boundary of P) is 1.
 TEST(Errata, AFlatAHasAPositiveDepthThroughP) {
-  const Depth depth = penetration_depth(point.points, cube.points), swapped = penetration_depth(cube.points, point.points);
+  const Depth depth = depth_of(point.points, cube.points), swapped = depth_of(cube.points, point.points);
   EXPECT_TRUE(depth.flat_a && !depth.flat_b);
   EXPECT_EQ(depth.status(), Status::penetrating);
   EXPECT_EQ(depth.squared(), 1);
@@ -289,14 +295,14 @@ TEST(Errata, AFlatAHasAPositiveDepthThroughP) {
 // A and B intersect, but so do all translates that slide in their plane: P is flat, O on its boundary as every point of P is.
 TEST(Errata, IntersectingBodiesInOnePlaneOnlyTouch) {
   const Body square{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}}, beside{{{1, 1, 0}, {3, 1, 0}, {1, 3, 0}, {3, 3, 0}}};
-  const Depth depth = penetration_depth(square.points, beside.points);
+  const Depth depth = depth_of(square.points, beside.points);
   EXPECT_EQ(depth.status(), Status::touching);
   EXPECT_EQ(depth.squared(), 0);
 }
 
 // Outside P the distance to its boundary is positive, and the depth is not.
 TEST(Errata, ThroughTheDistanceToTheBoundaryOnlyInsideP) {
-  const Depth depth = penetration_depth(std::vector<Point>{{5, 0, 0}}, cube.points);
+  const Depth depth = depth_of({{5, 0, 0}}, cube.points);
   EXPECT_EQ(depth.status(), Status::disjoint);
   EXPECT_EQ(depth.squared(), 0);
 }

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 
-#include "kernels/predicates/filter.hpp"
 #include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/signs.hpp"
@@ -17,8 +17,11 @@ namespace {
 
 using families::ratio;
 using testing::cases_of_all_families;
+using testing::kernel_of;
+using testing::perturbed;
 using testing::prepare;
 using testing::text;
+using testing::unperturbed;
 
 // Each index finds what it is an index of, and nothing else.
 template <class Vector, class Index>
@@ -31,7 +34,10 @@ static_assert(Indexed<decltype(ColourChart::arcs), ChartArcId> && !Indexed<declt
 static_assert(Indexed<decltype(Charts::walls), WallId> && !Indexed<decltype(Charts::walls), NodeId>);
 static_assert(!Indexed<decltype(ColourChart::wall_of), WallId> && !Indexed<decltype(ColourChart::place_of), ChartArcId>);
 static_assert(!std::is_invocable_v<decltype(chart_frame), bool>, "a hemisphere is no bool");
-static_assert(!std::is_invocable_v<decltype(node_above_arc), const Charts&, Colour, VertexId, Colour, const ChartArc&>);
+static_assert(
+    std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, NodeId, Colour, const ChartArc&>);
+static_assert(
+    !std::is_invocable_v<decltype(node_above_arc), const PerturbedKernel&, const Charts&, Colour, VertexId, Colour, const ChartArc&>);
 
 // Chart coordinates, as rationals up to one positive factor: y is the coordinate along v, x along v x z.
 struct ChartPoint {
@@ -149,7 +155,8 @@ TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
             if (e.arc == f.arc) continue;
             for (const WallId w : charts.walls.ids()) {
               if (!covers(e, w) || !covers(f, w)) continue;
-              EXPECT_EQ(above_same_colour(charts, c, e, f), above_on_wall(charts, c, e, c, f, charts.walls[w]))
+              EXPECT_EQ(above_same_colour(kernel_of(charts), charts, c, e, f),
+                        above_on_wall(kernel_of(charts), charts, c, e, c, f, charts.walls[w]))
                   << input.id << " arcs " << e.arc.value << ", " << f.arc.value << " wall " << w.value;
               ++compared;
             }
@@ -209,7 +216,7 @@ TEST(Chart, ArcsThatLieAboveEachOtherInACircleAreRefused) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 12));
   GaussianDiagram broken = p->of_b;
   std::swap(broken.arcs[ArcId(0)].above, broken.arcs[ArcId(0)].below);
-  const auto charts = [&](Hemisphere hemisphere) { return make_charts(p->minus_a, broken, chart_frame(hemisphere)); };
+  const auto charts = [&](Hemisphere hemisphere) { return make_charts(p->context, p->minus_a, broken, chart_frame(hemisphere)); };
   EXPECT_THROW((charts(Hemisphere::upper), charts(Hemisphere::lower)), std::logic_error);
 }
 
@@ -227,7 +234,8 @@ TEST(Chart, PlacesAgreeWithEveryArcOverTheNode) {
         for (const ChartArcId i : arcs.ids()) {
           if (arcs[i].left != at_infinity && charts.of[c].wall_of[arcs[i].left] > at) continue;
           if (arcs[i].right != at_infinity && charts.of[c].wall_of[arcs[i].right] < at) continue;
-          EXPECT_EQ(i<height, node_above_arc(charts, wall.colour, wall.node, c, arcs[i])> 0);
+          const Sign side = node_above_arc(kernel_of(charts), charts, wall.colour, wall.node, c, arcs[i]);
+          EXPECT_EQ(i < height, side == Sign::positive);
           ++compared;
         }
       }
@@ -305,7 +313,7 @@ TEST(Chart, QuestionsWithinABodyThatNothingResolvesAreRefused) {
   const Charts& charts = p->charts[0];
   const ChartArc& arc = charts.of.b.arcs.front();
   const NodeId end = arc.left != at_infinity ? arc.left : arc.right;
-  EXPECT_THROW(node_above_arc(charts, Colour::b, end, Colour::b, arc), std::logic_error);
+  EXPECT_THROW(std::ignore = node_above_arc(kernel_of(charts), charts, Colour::b, end, Colour::b, arc), std::logic_error);
 }
 
 }  // namespace

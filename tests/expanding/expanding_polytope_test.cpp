@@ -192,7 +192,7 @@ TEST(Surface, IsTheHullWhateverTheOrderOfThePoints) {
     const std::size_t reach = 2 + i % 3;
     const auto coordinate = [&] { return mpz_class(static_cast<unsigned long>(random() % reach)); };
     for (int k = 0; k < 14; ++k) points.push_back({coordinate(), coordinate(), coordinate()});
-    const auto vertex = [&](std::uint32_t j) { return SurfaceVertex{{0, j}, points[j], rounded(points[j], 3)}; };
+    const auto vertex = [&](std::uint32_t j) { return SurfaceVertex{{0, j}, points[j], image(points[j], 3)}; };
     if (det(Vector(points[1] - points[0]), Vector(points[2] - points[0]), Vector(points[3] - points[0])) == 0) continue;
     Surface surface({vertex(0), vertex(1), vertex(2), vertex(3)}, 3);
     for (std::uint32_t j = 4; j < points.size(); ++j) {
@@ -209,7 +209,7 @@ TEST(Surface, IsTheHullWhateverTheOrderOfThePoints) {
 TEST(Surface, RefusesAFlatStartAndPointsThatAreNotAbove) {
   const auto vertex = [](long x, long y, long z) {
     const Vector v{x, y, z};
-    return SurfaceVertex{{0, 0}, v, rounded(v, 4)};
+    return SurfaceVertex{{0, 0}, v, image(v, 4)};
   };
   EXPECT_THROW(Surface({vertex(0, 0, 0), vertex(1, 0, 0), vertex(0, 1, 0), vertex(1, 1, 0)}, 4), std::logic_error);
   Surface surface({vertex(0, 0, 0), vertex(4, 0, 0), vertex(0, 4, 0), vertex(0, 0, 4)}, 4);

@@ -24,8 +24,8 @@ std::size_t distinct(std::vector<Vector> points) {
 }
 
 bool all_extreme_naive(const std::vector<Point>& points) {
-  const Lattice lattice = common_lattice(points, std::span(points).first(1));
-  return convex_hull(lattice.a).vertices.size() == distinct(lattice.a);
+  const PlacedPair pair = place(points, std::span(points).first(1));
+  return convex_hull(pair.a.points()).vertices.size() == distinct(pair.a.points());
 }
 
 /// The corners of [0, 2] x [0, 1] x [0, 1], times `scale`, moved.

@@ -45,7 +45,7 @@ TEST(CornersBeyond, VerdictsAreThoseOfExactArithmetic) {
         LineBound bound;
         CornerVerdict verdict;
         {
-          const Rounding mode(rounding_modes[k % 4]);
+          const RoundingMode mode(rounding_modes[k % 4]);
           bound = line_bound(numerator, denominator, scene.exponent);
           verdict = corners_beyond(all, all, {{i, of_a, i + 1}, {j, of_b, j + 1}}, bound);
         }

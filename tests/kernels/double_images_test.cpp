@@ -4,18 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <functional>
 
+#include "tests/support/line_scenes.hpp"
 #include "tests/support/signs.hpp"
-#include "tests/support/vectors.hpp"
 
 namespace fathom {
 namespace {
 
 using namespace fathom::testing;
-
-constexpr int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 struct Tally {
   int sure = 0, unsure = 0;
@@ -23,15 +20,40 @@ struct Tally {
 
 void expect_right(Tally& tally, int exact, const std::function<std::optional<Sign>()>& approximate) {
   for (const int mode : rounding_modes) {
-    std::fesetround(mode);
-    const std::optional<Sign> sign = approximate();
-    std::fesetround(FE_TONEAREST);
+    const std::optional<Sign> sign = [&] {
+      const RoundingMode set(mode);
+      return approximate();
+    }();
     EXPECT_TRUE(!sign || to_int(*sign) == exact) << to_int(*sign) << " for " << exact;
     ++(sign ? tally.sure : tally.unsure);
   }
 }
 
 Vector add(const Vector& v, const Vector& step) { return v + step; }
+
+// |image - value * 2^-exponent| < 2^-53, exactly.
+bool within_half_an_ulp(double image, const mpz_class& value, long exponent) {
+  const mpq_class scaled = mpq_class(value) / (mpz_class(1) << static_cast<mp_bitcnt_t>(exponent));
+  return abs(mpq_class(mpq_class(image) - scaled)) < mpq_class(1, mpz_class(1) << 53);
+}
+
+TEST(Images, AreTruncatedAndOdd) {
+  Random random(4);
+  for (int i = 0; i < 3000; ++i) {
+    const auto bits = static_cast<unsigned long>(below(random, 1200) + 1);
+    const Vector v = random_direction(random, bits);
+    const Vec3<double> d = direction_image(v), minus = direction_image(-v);
+    EXPECT_TRUE(largest(d) >= 0.5 && largest(d) <= 1);
+    EXPECT_TRUE(minus.x == -d.x && minus.y == -d.y && minus.z == -d.z);
+    const auto exponent = static_cast<long>(testing::bits(v));
+    EXPECT_TRUE(within_half_an_ulp(d.x, v.x, exponent) && within_half_an_ulp(d.y, v.y, exponent) && within_half_an_ulp(d.z, v.z, exponent));
+  }
+  EXPECT_EQ(image(mpz_class(1), 499), std::ldexp(1.0, -499));
+  EXPECT_EQ(image(mpz_class(1), 600), 0) << "no product of two underflows";
+  const mpz_class long_one = (mpz_class(1) << 60) - 1;
+  EXPECT_LT(image(long_one, 60), 1) << "truncated, not rounded";
+  EXPECT_GT(image(mpz_class(-long_one), 60), -1);
+}
 
 // Normal to d but for a multiple of some power of two: values on both sides of the error bound.
 TEST(Images, SureSidesAreRight) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The infinitesimals as CGAL's number type: its traits, its constructions and predicates on vectors of that kernel, and this project's
-// predicates on the same vectors, against the plain path.
+// The infinitesimals as CGAL's number type: its traits, and the constructions and predicates of that kernel, CGAL's and this project's,
+// against the formulas over Vec3.
 #include "kernels/number/infinitesimal_cgal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <type_traits>
 
-#include "kernels/predicates/filter.hpp"
+#include "kernels/predicates/kernels_cgal.hpp"
+#include "kernels/predicates/predicates_cgal.hpp"
+#include "tests/support/plain_predicates.hpp"
+#include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -57,9 +60,8 @@ Operands moved(const Perturbation& p, const Vector& n, const Vector& m, const Ve
           p.moved({0, 1, 0}, Role::vertical, infinitesimals), p.moved({0, 0, 1}, Role::pole, infinitesimals)};
 }
 
-// CGAL's functors of the kernel over the ring give what the formulas over Vec3 give, on perturbed operands; so does each predicate when
-// its operands come out of that kernel.
-TEST(InfinitesimalKernel, CgalAgreesWithThePlainPath) {
+// CGAL's functors of the kernel over the ring, and the predicates over it, give what the formulas over Vec3 give, on perturbed operands.
+TEST(InfinitesimalKernel, AgreesWithThePlainFormulas) {
   const InfinitesimalKernel kernel;
   const auto orientation = kernel.orientation_3_object();
   const auto product = kernel.compute_scalar_product_3_object();
@@ -71,14 +73,16 @@ TEST(InfinitesimalKernel, CgalAgreesWithThePlainPath) {
     const auto c = [](const Vec3<Infinitesimal>& w) { return to_cgal<InfinitesimalKernel>(w); };
     const CgalVector n = c(o.n), m = c(o.m), d = c(o.d), g = c(o.g), v = c(o.v), z = c(o.z);
     RC_ASSERT(from_cgal(n) == o.n);
-    RC_ASSERT(product(n, z) == SideOfEquator{}(o.n, o.z));
     RC_ASSERT(from_cgal(cross_product(n, m)) == cross(o.n, o.m));
-    RC_ASSERT(product(cross_product(d, g), z) == OrderAtInfinity{}(o.d, o.g, o.z));
-    RC_ASSERT(static_cast<int>(orientation(n, m, v)) == sgn(XOrder{}(o.n, o.m, o.v)));
-    RC_ASSERT(static_cast<int>(orientation(d, g, z)) == sgn(OrderAtInfinity{}(o.d, o.g, o.z)));
-    RC_ASSERT(SideOfArc{}(from_cgal(m), from_cgal(d)) == product(m, d));
-    RC_ASSERT(OrderOnVertical{}(from_cgal(d), from_cgal(g), from_cgal(m), from_cgal(v)) ==
-              product(cross_product(d, g), cross_product(v, m)));
+    RC_ASSERT(product(n, z) == plain::SideOfEquator{}(o.n, o.z));
+    RC_ASSERT(SideOfEquator<InfinitesimalKernel>::value(n, z) == plain::SideOfEquator{}(o.n, o.z));
+    RC_ASSERT(static_cast<int>(orientation(n, m, v)) == sgn(plain::XOrder{}(o.n, o.m, o.v)));
+    RC_ASSERT(XOrder<InfinitesimalKernel>::value(n, m, v) == plain::XOrder{}(o.n, o.m, o.v));
+    RC_ASSERT(SideOfArc<InfinitesimalKernel>::value(m, d) == plain::SideOfArc{}(o.m, o.d));
+    RC_ASSERT(product(cross_product(d, g), cross_product(v, m)) == plain::OrderOnVertical{}(o.d, o.g, o.m, o.v));
+    RC_ASSERT(OrderOnVertical<InfinitesimalKernel>::value(d, g, m, v) == plain::OrderOnVertical{}(o.d, o.g, o.m, o.v));
+    RC_ASSERT(static_cast<int>(orientation(d, g, z)) == sgn(plain::OrderAtInfinity{}(o.d, o.g, o.z)));
+    RC_ASSERT(OrderAtInfinity<InfinitesimalKernel>::value(d, g, z) == plain::OrderAtInfinity{}(o.d, o.g, o.z));
   }));
 }
 
@@ -88,7 +92,7 @@ TEST(InfinitesimalKernel, OrientationDecidesWhatTheFilterDecides) {
   const Direction vertical(Vector{0, 1, 0}, Role::vertical);
   const auto c = [&](const Vector& w, Role role) { return to_cgal<InfinitesimalKernel>(p.moved(w, role, infinitesimals)); };
   for (const Vector& n : {Vector{0, 0, 1}, Vector{1, 2, 3}, Vector{-1, 5, 1}}) {
-    const int filtered = perturbed_x_order(p, Direction(n, Role::node_of_a), Direction(n, Role::fixed), vertical);
+    const int filtered = perturbed(p).x_order(Direction(n, Role::node_of_a), Direction(n, Role::fixed), vertical);
     EXPECT_NE(filtered, 0);
     EXPECT_EQ(static_cast<int>(CGAL::orientation(c(n, Role::node_of_a), c(n, Role::fixed), c({0, 1, 0}, Role::vertical))), filtered);
   }

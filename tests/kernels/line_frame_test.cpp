@@ -36,7 +36,7 @@ void check(const Scene& a, const Scene& b, const mpq_class& bound, Tally& tally,
   const std::vector<std::uint32_t> rows = all_indices(a.lines.size()), columns = all_indices(b.lines.size());
   bool beyond = false;
   {
-    const Rounding mode(rounding_modes[mode_number % 4]);
+    const RoundingMode mode(rounding_modes[mode_number % 4]);
     const double above = image_bound(bound.get_num(), bound.get_den(), a.exponent);
     beyond = frames_beyond(line_frame(images(a), rows), line_frame(images(b), columns), above);
   }

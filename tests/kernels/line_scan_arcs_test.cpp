@@ -5,6 +5,7 @@
 #include "kernels/filters/line_scan.hpp"
 #include "reference/gaussian/crossing.hpp"
 #include "tests/support/line_scenes.hpp"
+#include "tests/support/signs.hpp"
 
 namespace fathom {
 namespace {
@@ -118,7 +119,7 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     const Squared tie = squared_distance(one.lines[1], many.lines[3]);
     if (tie.denominator == 0) continue;
     for (const double bound : {infinite, image_bound(tie.numerator, tie.denominator, exponent), least_normal}) {
-      const Rounding mode(rounding_modes[repeat / 2 % 4]);
+      const RoundingMode mode(rounding_modes[repeat / 2 % 4]);
       scan_arcs(one, many, bound, [&](std::size_t i, std::uint32_t j, bool back) {
         const Arc &e = one.arc(i), &f = many.arc(j);
         ++(back ? near : far);

@@ -31,7 +31,7 @@ TEST(NotFarther, LeavesOutOnlyWhatIsStrictlyFarther) {
   std::vector<std::uint32_t> unsure;
   for (int repeat = 0; repeat < 40; ++repeat) {
     for (const Scene& scene : adversarial_scenes(random, 7)) {
-      const Rounding mode(rounding_modes[std::max(0, repeat - 36)]);
+      const RoundingMode mode(rounding_modes[std::max(0, repeat - 36)]);
       const LineImages all = images(scene);
       for (std::uint32_t one = 0; one < 3; ++one) {
         for (const double bound : bounds(scene, one)) {
@@ -173,7 +173,7 @@ TEST(LineImages, AreWithinTheStatedError) {
   const mpq_class error(0x1p-53);
   for (const int mode : rounding_modes) {
     for (const Scene& scene : adversarial_scenes(random, 10)) {
-      const Rounding rounding(mode);
+      const RoundingMode rounding(mode);
       const LineImages all = images(scene);
       ASSERT_EQ(all.size(), scene.lines.size());
       for (std::size_t i = 0; i < all.size(); ++i) {
@@ -225,7 +225,7 @@ TEST(ImageBound, IsATightUpperBound) {
     mpq_class value(numerator, denominator);
     value.canonicalize();
     value = times_power_of_four(value, -exponent);
-    const Rounding mode(rounding_modes[repeat % 4]);
+    const RoundingMode mode(rounding_modes[repeat % 4]);
     const double bound = image_bound(numerator, denominator, exponent);
     if (bound == infinite) {
       ASSERT_GE(value, mpq_class(power_of_two(1000)));

@@ -4,10 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
 #include <cmath>
 
+#include "kernels/filters/double_images.hpp"
 #include "kernels/filters/support.hpp"
+#include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom {
@@ -15,14 +16,9 @@ namespace {
 
 using testing::random_integer;
 using testing::random_vector;
+using testing::rounding_modes;
+using testing::RoundingMode;
 using Random = std::mt19937_64;
-
-constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-struct RoundingMode {
-  explicit RoundingMode(int mode) { std::fesetround(mode); }
-  ~RoundingMode() { std::fesetround(FE_TONEAREST); }
-};
 
 /// Four points of some number of bits; the last often nearly or exactly in the plane of the others, which are often close together.
 std::array<Vector, 4> four_points(Random& random, unsigned long bits) {
@@ -45,11 +41,11 @@ TEST(RoundedPlane, SaysNoSideThatIsWrong) {
   Random random(7);
   std::size_t sure = 0, zero = 0, generic_unsure = 0;
   for (int i = 0; i < 40000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = i % 3 == 0 ? 5 : i % 3 == 1 ? 60 : 700;
     const std::array<Vector, 4> p = four_points(random, bits);
-    const auto image = [&](int k) { return rounded(p[k], static_cast<long>(bits)); };
-    const std::optional<Sign> said = RoundedPlane(image(0), image(1), image(2)).side(image(3));
+    const auto at = [&](int k) { return image(p[k], static_cast<long>(bits)); };
+    const std::optional<Sign> said = RoundedPlane(at(0), at(1), at(2)).side(at(3));
     const int exact = sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[3] - p[0])));
     if (said) {
       ASSERT_EQ(to_int(*said), exact) << i;
@@ -58,7 +54,7 @@ TEST(RoundedPlane, SaysNoSideThatIsWrong) {
     if (exact == 0) ++zero;
     const std::array<Vector, 4> g{random_vector(random, bits), random_vector(random, bits), random_vector(random, bits),
                                   random_vector(random, bits)};
-    const auto plain = [&](int k) { return rounded(g[k], static_cast<long>(bits)); };
+    const auto plain = [&](int k) { return image(g[k], static_cast<long>(bits)); };
     if (bits == 60 && RoundedPlane(plain(0), plain(1), plain(2)).side(plain(3)) == std::nullopt) ++generic_unsure;
   }
   EXPECT_GT(sure, 15000U);
@@ -70,14 +66,14 @@ TEST(RoundedPlane, SurelyBeyondIsNeverWrongAndRarelyMissed) {
   Random random(8);
   std::size_t beyond = 0, missed = 0;
   for (int i = 0; i < 20000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = i % 2 == 0 ? 60 : 700;
     const std::array<Vector, 4> p = four_points(random, bits);
     const Vector n = cross(Vector(p[1] - p[0]), Vector(p[2] - p[0]));
     const mpz_class height = dot(n, p[0]), square = dot(n, n);
     if (square == 0 || height == 0) continue;
-    const auto image = [&](int k) { return rounded(p[k], static_cast<long>(bits)); };
-    const RoundedPlane plane(image(0), image(1), image(2));
+    const auto at = [&](int k) { return image(p[k], static_cast<long>(bits)); };
+    const RoundedPlane plane(at(0), at(1), at(2));
     // The radius of the plane itself: it is not beyond that. A little less: it is, if O is below.
     const double radius = root_from_above(height * height, square, static_cast<long>(bits));
     ASSERT_FALSE(plane.surely_beyond(radius)) << i;
@@ -95,10 +91,10 @@ TEST(RoundedPlane, SurelyBeyondIsNeverWrongAndRarelyMissed) {
 TEST(RoundedPlane, ImagesAreNear) {
   Random random(9);
   for (int i = 0; i < 5000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const unsigned long bits = 1 + random() % 900;
     const Vector v = random_vector(random, bits);
-    const double x = rounded(v, static_cast<long>(bits)).x;
+    const double x = image(v, static_cast<long>(bits)).x;
     const mpq_class difference = mpq_class(x) - mpq_class(v.x, testing::power_of_two(bits));
     ASSERT_LE(abs(difference), mpq_class(1, testing::power_of_two(52)));
   }
@@ -107,7 +103,7 @@ TEST(RoundedPlane, ImagesAreNear) {
 TEST(RootFromAbove, IsAboveAndNear) {
   Random random(10);
   for (int i = 0; i < 5000; ++i) {
-    const RoundingMode mode(modes[i % 4]);
+    const RoundingMode mode(rounding_modes[i % 4]);
     const mpz_class numerator = abs(random_integer(random, 1 + random() % 400)),
                     denominator = abs(random_integer(random, 1 + random() % 400)) + 1;
     const double root = root_from_above(numerator, denominator, 0);
@@ -130,7 +126,7 @@ TEST(LikelyExtremePoint, IsExtremeWhereNothingTies) {
     for (Vector& p : points) p = random_vector(random, 40);
     const PointCloud cloud(points);
     const Vector u = testing::random_direction(random, 20);
-    const std::uint32_t found = likely_extreme_point(cloud, rounded(u, 20));
+    const std::uint32_t found = likely_extreme_point(cloud, image(u, 20));
     EXPECT_EQ(found, extreme_points_naive(points, u).front());
   }
   EXPECT_EQ(likely_extreme_point(PointCloud({{1, 2, 3}, {4, 5, 6}}), {0, 0, 0}), 0U);

@@ -52,7 +52,7 @@ TEST(TaylorModel, OperationsHoldWhatTheyShould) {
     TaylorModel product, sum;
     double below = 0;
     {
-      const Rounding mode(rounding_modes[n % 4]);
+      const RoundingMode mode(rounding_modes[n % 4]);
       product = f * g;
       sum = combination(a, f, b, g);
       below = least(f);

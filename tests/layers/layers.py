@@ -10,7 +10,7 @@ rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
 names     no two types of the project share a name, whatever their namespaces
-examples  each header of include/fathom is included, and each of its functions called, by a program in examples
+examples  each installed header is included, and each of its functions called, by a program in examples
 """
 import pathlib
 import re

@@ -54,7 +54,7 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
     const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
     const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
     for (int n = 0; n < blocks / 12; ++n) {
-      const Rounding mode(rounding_modes[n % 4]);
+      const RoundingMode mode(rounding_modes[n % 4]);
       const Lines rows = n % 3 ? small_lines(random, grid.rows()) : some_lines(random, grid.rows());
       const Lines columns = n % 3 ? small_lines(random, grid.columns()) : some_lines(random, grid.columns());
       std::uint32_t least = UINT32_MAX;

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "kernels/filters/line_scan.hpp"
+#include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::testing {
@@ -21,13 +21,6 @@ using Random = std::mt19937_64;
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline constexpr double least_normal = std::numeric_limits<double>::min();
-inline constexpr int rounding_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-/// Restores round-to-nearest.
-struct Rounding {
-  explicit Rounding(int mode) { std::fesetround(mode); }
-  ~Rounding() { std::fesetround(FE_TONEAREST); }
-};
 
 struct Line {
   Vector point, direction;
