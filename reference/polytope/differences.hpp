@@ -28,7 +28,8 @@ struct Differences {
 };
 
 /// What the points of one body weigh in a convex combination of differences: `side` is Difference::first for A.
-std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights, std::uint32_t Difference::*side);
+std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
+                               std::uint32_t Difference::*side);
 
 // For checks of proofs, by the definitions and in exact arithmetic only.
 
