@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "kernels/number/parse.hpp"
+#include "kernels/printable.hpp"
 #include "reference/approximate/grid/directions.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -16,6 +16,7 @@
 #include "cli/args/help.hpp"
 #include "cli/args/shell_words.hpp"
 #include "kernels/number/enclosure.hpp"
+#include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {

@@ -5,7 +5,7 @@
 
 #include <charconv>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom::cli {
 namespace {

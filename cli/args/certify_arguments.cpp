@@ -12,7 +12,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::cli {

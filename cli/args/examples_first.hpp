@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom::cli {
 

@@ -10,6 +10,7 @@
 
 #include "cli/args/examples_first.hpp"
 #include "cli/args/golden_help.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "cli/args/shell_words.hpp"
+#include "kernels/printable.hpp"
 #include "reference/files/body.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom::cli {
 

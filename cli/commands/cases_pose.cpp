@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "kernels/printable.hpp"
 #include "reference/files/body.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom::cli {
 namespace {

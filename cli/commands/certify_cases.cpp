@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -20,7 +20,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/replay.hpp"
 #include "verify/harness/runner.hpp"

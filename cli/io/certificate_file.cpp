@@ -14,7 +14,6 @@
 
 #include "cli/io/output.hpp"
 #include "reference/files/body.hpp"
-#include "reference/files/source.hpp"
 #include "verify/golden/io/sha256.hpp"
 
 namespace fathom::cli {

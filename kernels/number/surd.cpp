@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/number/ratio.hpp"
 #include "kernels/number/rounding.hpp"
 
 namespace fathom {
@@ -18,8 +19,7 @@ long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.
 std::optional<mpq_class> rational_root(const mpq_class& x) {
   const mpz_class n = abs(x.get_num());
   if (!mpz_perfect_square_p(n.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
-  mpq_class root(sqrt(n), sqrt(x.get_den()));
-  root.canonicalize();
+  const mpq_class root = ratio(sqrt(n), sqrt(x.get_den()));
   return sgn(x) < 0 ? mpq_class(-root) : root;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/approximate/ray_levels.hpp"
 #include "reference/approximate/ray_portal.hpp"
 
@@ -126,8 +127,7 @@ RayHit RayShooter::shoot_solid(const Vector& direction, const Vector& start, Sup
   hit.normal = primitive(normal_of(location.portal));
   hit.height = dot(hit.normal, location.portal[0]) / 4;
   if (hit.hits) {
-    hit.factor = mpq_class(hit.height - dot(hit.normal, start), dot(hit.normal, direction));
-    hit.factor.canonicalize();
+    hit.factor = ratio(hit.height - dot(hit.normal, start), dot(hit.normal, direction));
   }
   return hit;
 }

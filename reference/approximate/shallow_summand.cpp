@@ -9,9 +9,9 @@ namespace {
 
 using Index = std::uint32_t;
 
-std::vector<Vector> vertices_of(const Polytope& polytope, bool reflected) {
+std::vector<Vector> vertices_of(const Polytope& polytope, Colour colour) {
   std::vector<Vector> vertices = polytope.vertices;
-  if (reflected) {
+  if (colour == Colour::a) {
     for (Vector& v : vertices) v = -v;
   }
   return vertices;
@@ -19,10 +19,10 @@ std::vector<Vector> vertices_of(const Polytope& polytope, bool reflected) {
 
 }  // namespace
 
-Summand::Summand(const Polytope& polytope, bool reflected)
+Summand::Summand(const Polytope& polytope, Colour colour)
     : polytope_(&polytope),
-      reflected_(reflected),
-      vertices_(vertices_of(polytope, reflected)),
+      reflected_(colour == Colour::a),
+      vertices_(vertices_of(polytope, colour)),
       first_spoke_(polytope.vertices.size() + 1),
       spokes_(2 * polytope.edges.size()),
       edge_after_(polytope.corners.size()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
+#include "reference/gaussian/colour.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom {
@@ -35,9 +36,9 @@ struct Turn {
 
 class Summand {
  public:
-  /// B itself, or -A if `reflected`: the same numbering, each vertex and normal negated. The polytope, a value that convex_hull
+  /// B itself, or -A for colour a: the same numbering, each vertex and normal negated. The polytope, a value that convex_hull
   /// returned, must outlive it. Time O(n log n), space O(n).
-  Summand(const Polytope& polytope, bool reflected);
+  Summand(const Polytope& polytope, Colour colour);
 
   [[nodiscard]] const Polytope& polytope() const { return *polytope_; }
   [[nodiscard]] const Vector& vertex(std::uint32_t v) const { return vertices_[v]; }

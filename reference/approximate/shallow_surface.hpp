@@ -29,7 +29,7 @@ struct SumEdge {
 class SumSurface {
  public:
   /// The polytopes, values that convex_hull returned, must outlive it. P must have an interior. O(m + n) space, nearly O(m + n) time.
-  SumSurface(const Polytope& a, const Polytope& b) : minus_a_(a, true), b_(b, false) {}
+  SumSurface(const Polytope& a, const Polytope& b) : minus_a_(a, Colour::a), b_(b, Colour::b) {}
 
   /// The facet with outward normal n, given all vertices of A that minimise <n,.> and all of B that maximise it.
   [[nodiscard]] SumFacet facet(const std::vector<std::uint32_t>& face_a, const std::vector<std::uint32_t>& face_b, const Vector& n) const;

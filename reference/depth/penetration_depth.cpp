@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// PENETRATION-DEPTH, step by step. What the paper says of the sphere of directions is done in two charts, one for each hemisphere.
 #include "reference/depth/penetration_depth.hpp"
 
 #include <array>
@@ -18,65 +19,101 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 4096;  // edges
 
-// The facet planes of P nearest to O, which is in the interior of P.
-NearestPlanes nearest_facets(Context& context, const Hulls& hulls, long exponent, const ExactOptions& options) {
-  const Polytope &a = hulls.a, &b = hulls.b;
-  const bool in_two_threads = a.edges.size() + b.edges.size() >= worth_a_thread;
-  // Calls work(context, 0) and work(context, 1), one for each hemisphere.
-  const auto in_both = [&](const auto& work) {
+template <class T>
+using PerHemisphere = std::array<T, 2>;
+
+/// Seeks the facet planes of P nearest to O, which is in the interior of P. A facet of P is a facet of one body and a vertex of the other, or
+/// is spanned by an edge of each: steps 1 and 2 offer the planes of these two kinds.
+class NearestFacets {
+ public:
+  NearestFacets(Context& context, const PlacedPair& pair, const Hulls& hulls, const ExactOptions& options)
+      : context_(context), pair_(pair), a_(hulls.a), b_(hulls.b), options_(options) {}
+
+  NearestPlanes find() {
+    make_diagrams();
+    make_charts_of_both();
+    NearestPlanes nearest;
+    offer_vertex_facet_pairs(nearest);  // step 1
+    make_canonical_subsets();
+    offer_closest_lines(nearest);  // step 2
+    return nearest;
+  }
+
+ private:
+  void make_diagrams() {
     run_both(
-        in_two_threads, context, [&](Context& own) { work(own, 0); }, [&](Context& own) { work(own, 1); });
-  };
-
-  GaussianDiagram of_minus_a, of_b;
-  run_both(
-      in_two_threads, context, [&](Context&) { of_minus_a = gaussian_diagram_of_reflection(a); },
-      [&](Context&) { of_b = gaussian_diagram(b); });
-  if (options.validate) {
-    insist(validate(of_minus_a, a, true));
-    insist(validate(of_b, b, false));
+        in_two_threads(), context_, [&](Context&) { of_minus_a_ = gaussian_diagram_of_reflection(a_); },
+        [&](Context&) { of_b_ = gaussian_diagram(b_); });
+    if (!options_.validate) return;
+    insist(validate(of_minus_a_, a_, true));
+    insist(validate(of_b_, b_, false));
   }
 
-  std::array<Charts, 2> hemispheres;
-  context.report("charts");
-  in_both([&](Context& own, std::size_t i) {
-    hemispheres[i] = make_charts(own, of_minus_a, of_b, chart_frame(both_hemispheres[i]), options.perturbation);
-    if (options.validate) insist(validate(hemispheres[i]));
-  });
-
-  NearestPlanes nearest;
-  context.report("vertex-facet pairs");
-  for (const Charts& charts : hemispheres) {
-    const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
-    if (options.validate) insist(validate(pairs, charts, a, b));
-    context.counters.vertex_facet_pairs += pairs.size();
-    offer(pairs, charts, a, b, nearest);
+  // "Computing F": the overlay of both diagrams is never built, its crossings are found chart by chart.
+  void make_charts_of_both() {
+    context_.report("charts");
+    in_both_hemispheres([&](Context& own, std::size_t i) {
+      charts_[i] = make_charts(own, of_minus_a_, of_b_, chart_frame(both_hemispheres[i]), options_.perturbation);
+      if (options_.validate) insist(validate(charts_[i]));
+    });
   }
 
-  std::array<CanonicalSubsets, 2> subsets;
-  in_both([&](Context& own, std::size_t i) {
-    subsets[i] = canonical_subsets(own, hemispheres[i]);
-    const CanonicalSubsets::Sums sums = subsets[i].sums();
-    own.counters.canonical_pairs += subsets[i].size();
-    own.counters.sum_a += sums.a;
-    own.counters.sum_b += sums.b;
-    own.counters.crossings += sums.product;
-  });
-
-  const EdgeLinesOfA lines_a(a, exponent);
-  const EdgeLinesOfB lines_b(b, exponent);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const LineScene scene(hemispheres[i], lines_a, lines_b);
-    if (options.validate) {
-      insist(validate(subsets[i], hemispheres[i]));
-      insist(validate_separation(subsets[i], scene));
-      for (std::size_t k = 0; k < subsets[i].size(); ++k) insist(validate(Grid(subsets[i][k], scene)));
+  void offer_vertex_facet_pairs(NearestPlanes& nearest) {
+    context_.report("vertex-facet pairs");
+    for (const Charts& charts : charts_) {
+      const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
+      if (options_.validate) insist(validate(pairs, charts, a_, b_));
+      context_.counters.vertex_facet_pairs += pairs.size();
+      offer(pairs, charts, a_, b_, nearest);
     }
-    const double share = 0.5 * static_cast<double>(i);
-    closest_lines(context, subsets[i], scene, nearest, {options.closest_lines, options.seed, share, share + 0.5});
   }
-  return nearest;
-}
+
+  // (A_i, B_i): every edge of A_i crosses every edge of B_i on the sphere, and each crossing is in one of them (C1 to C5).
+  void make_canonical_subsets() {
+    in_both_hemispheres([&](Context& own, std::size_t i) {
+      subsets_[i] = canonical_subsets(own, charts_[i]);
+      const CanonicalSubsets::Sums sums = subsets_[i].sums();
+      own.counters.canonical_pairs += subsets_[i].size();
+      own.counters.sum_a += sums.a;
+      own.counters.sum_b += sums.b;
+      own.counters.crossings += sums.product;
+    });
+  }
+
+  // The facet spanned by two crossing edges is as far from O as their lines are from each other (Lemma 2.2).
+  void offer_closest_lines(NearestPlanes& nearest) {
+    const EdgeLinesOfA lines_a(a_, pair_.exponent());
+    const EdgeLinesOfB lines_b(b_, pair_.exponent());
+    for (std::size_t i = 0; i < 2; ++i) {
+      const LineScene scene(charts_[i], lines_a, lines_b);
+      if (options_.validate) insist_on_grids(subsets_[i], charts_[i], scene);
+      const double share = 0.5 * static_cast<double>(i);
+      closest_lines(context_, subsets_[i], scene, nearest, {options_.closest_lines, options_.seed, share, share + 0.5});
+    }
+  }
+
+  static void insist_on_grids(const CanonicalSubsets& subsets, const Charts& charts, const LineScene& scene) {
+    insist(validate(subsets, charts));
+    insist(validate_separation(subsets, scene));  // C4, Lemma 2.3
+    for (std::size_t k = 0; k < subsets.size(); ++k) insist(validate(Grid(subsets[k], scene)));
+  }
+
+  [[nodiscard]] bool in_two_threads() const { return a_.edges.size() + b_.edges.size() >= worth_a_thread; }
+
+  template <class Work>
+  void in_both_hemispheres(const Work& work) {
+    run_both(
+        in_two_threads(), context_, [&](Context& own) { work(own, 0); }, [&](Context& own) { work(own, 1); });
+  }
+
+  Context& context_;
+  const PlacedPair& pair_;
+  const Polytope &a_, &b_;
+  const ExactOptions& options_;
+  GaussianDiagram of_minus_a_, of_b_;
+  PerHemisphere<Charts> charts_;
+  PerHemisphere<CanonicalSubsets> subsets_;
+};
 
 }  // namespace
 
@@ -84,8 +121,8 @@ Depth penetration_depth(Context& context, const PlacedPair& pair, const ExactOpt
   Depth depth{facts_of(pair), {}, Method::exact, {}};
   if (!answer_apart(context, pair, options.validate, depth)) {
     const Hulls hulls = hulls_of(context, pair, options.validate, depth);
-    const NearestPlanes nearest = nearest_facets(context, hulls, pair.exponent(), options);
-    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()});
+    const NearestPlanes nearest = NearestFacets(context, pair, hulls, options).find();
+    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()});  // step 3
   }
   depth.counters = context.counters;
   return depth;

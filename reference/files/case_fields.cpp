@@ -8,8 +8,8 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
+#include "kernels/printable.hpp"
 #include "reference/files/case_places.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

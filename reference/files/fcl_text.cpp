@@ -6,7 +6,7 @@
 
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/quick_number.hpp"
+#include "kernels/printable.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/source.hpp"
 

@@ -3,7 +3,6 @@
 #include <charconv>
 
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

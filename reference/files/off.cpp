@@ -2,7 +2,6 @@
 // OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex, one per face.
 // Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads files and lines, and prints untrusted bytes safely in messages.
+// Reads files and lines.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,5 @@ void require_readable(const std::string& path);
 
 /// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
 std::string extension(std::string_view path);
-
-/// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN; "nothing" if it is
-/// empty.
-std::string shown(std::string_view text);
-
-/// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
-std::string printable(std::string_view text, std::size_t limit);
 
 }  // namespace fathom

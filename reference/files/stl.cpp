@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <utility>
 
+#include "kernels/printable.hpp"
 #include "reference/files/body.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom {
 namespace {

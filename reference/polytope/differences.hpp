@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "kernels/filters/support.hpp"
 
@@ -23,5 +26,16 @@ struct Differences {
   /// Returns a difference that maximises <u, p>; of several the one with the lowest indices.
   Difference extreme(const Vector& u);
 };
+
+/// What the points of one body weigh in a convex combination of differences: `side` is Difference::first for A.
+std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
+                               std::uint32_t Difference::*side);
+
+// For checks of proofs, by the definitions and in exact arithmetic only.
+
+/// h(u) = max_b <u,b> - min_a <u,a>.
+mpz_class support_naive(std::span<const Vector> a, std::span<const Vector> b, const Vector& u);
+/// The weighted sum; nullopt unless the weights are convex weights of the points.
+std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points, std::span<const Weight> weights);
 
 }  // namespace fathom

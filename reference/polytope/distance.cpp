@@ -5,12 +5,11 @@
 #include "reference/polytope/distance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <map>
 #include <optional>
 #include <stdexcept>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/position_search.hpp"
 
 namespace fathom {
@@ -70,36 +69,14 @@ Foot reduce(std::vector<Corner>& corners) {
   throw std::invalid_argument("nearest_points: the hulls have a point in common");
 }
 
-std::vector<Weight> marginal(const std::vector<Corner>& corners, const Foot& z, std::uint32_t Difference::*side) {
-  std::map<std::uint32_t, mpq_class> sums;
+std::vector<Weight> shares(const std::vector<Corner>& corners, const Foot& z, std::uint32_t Difference::*side) {
+  std::vector<Difference> differences;
+  std::vector<mpq_class> weights;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    mpq_class weight(z.weights[i], z.denominator);
-    weight.canonicalize();
-    sums[corners[i].ids.*side] += weight;
+    differences.push_back(corners[i].ids);
+    weights.push_back(ratio(z.weights[i], z.denominator));
   }
-  std::vector<Weight> weights;
-  for (const auto& [index, weight] : sums) weights.push_back({index, weight});
-  return weights;
-}
-
-/// The greatest <u, p>, in exact arithmetic only.
-mpz_class greatest_product(std::span<const Vector> points, const Vector& u) {
-  return dot(u, points[extreme_points_naive(points, u).front()]);
-}
-
-/// The weighted sum, if the weights are convex weights of points.
-std::optional<std::array<mpq_class, 3>> combined(std::span<const Vector> points, const std::vector<Weight>& weights) {
-  std::array<mpq_class, 3> sum;
-  mpq_class total;
-  for (const Weight& w : weights) {
-    if (w.index >= points.size() || w.weight <= 0) return std::nullopt;
-    total += w.weight;
-    sum[0] += w.weight * points[w.index].x;
-    sum[1] += w.weight * points[w.index].y;
-    sum[2] += w.weight * points[w.index].z;
-  }
-  if (total != 1) return std::nullopt;
-  return sum;
+  return weights_of(differences, weights, side);
 }
 
 }  // namespace
@@ -116,7 +93,7 @@ NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
     const Difference ids = differences.extreme(n);
     const Vector p = differences[ids];
     if (z.denominator * dot(n, p) <= dot(n, z.point)) {
-      return {n, dot(n, p), marginal(corners, z, &Difference::first), marginal(corners, z, &Difference::second), differences.scans};
+      return {n, dot(n, p), shares(corners, z, &Difference::first), shares(corners, z, &Difference::second), differences.scans};
     }
     corners.push_back({ids, p});
     z = reduce(corners);
@@ -129,15 +106,14 @@ Report validate(const NearestPoints& answer, std::span<const Vector> a, std::spa
   if (!report.expect(!a.empty() && !b.empty(), "an empty body")) return report;
   if (!report.expect(!is_zero(n) && primitive(n) == n, "the normal is not a primitive vector")) return report;
   report.expect(answer.height < 0, "the normal does not separate the bodies strictly");
-  report.expect(greatest_product(b, n) + greatest_product(a, -n) == answer.height, "the height is not that of the normal");
-  const auto in_a = combined(a, answer.a), in_b = combined(b, answer.b);
+  report.expect(support_naive(a, b, n) == answer.height, "the height is not that of the normal");
+  const auto in_a = convex_combination(a, answer.a), in_b = convex_combination(b, answer.b);
   report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
   report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
   if (!in_a || !in_b) return report;
-  mpq_class factor(answer.height, dot(n, n));
-  factor.canonicalize();
-  const std::array<mpq_class, 3> z{factor * n.x, factor * n.y, factor * n.z};
-  for (std::size_t i = 0; i < 3; ++i) report.expect((*in_b)[i] - (*in_a)[i] == z[i], "the weighted points do not differ by the foot of O");
+  const mpq_class factor = ratio(answer.height, dot(n, n));
+  const Vec3<mpq_class> foot_of_o{factor * n.x, factor * n.y, factor * n.z};
+  report.expect(*in_b - *in_a == foot_of_o, "the weighted points do not differ by the foot of O");
   return report;
 }
 

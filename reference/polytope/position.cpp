@@ -4,7 +4,6 @@
 #include "reference/polytope/position.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "reference/polytope/position_search.hpp"
@@ -70,15 +69,6 @@ std::vector<Difference> irredundant(std::vector<Difference> surrounding, const D
   return surrounding;
 }
 
-// The share of each point in a convex combination of differences.
-std::vector<Weight> marginal(const ConeSearch::Nearest& combination, std::uint32_t Difference::*side) {
-  std::map<std::uint32_t, mpq_class> sums;
-  for (std::size_t i = 0; i < combination.support.size(); ++i) sums[combination.support[i].*side] += combination.weights[i];
-  std::vector<Weight> weights;
-  for (const auto& [index, weight] : sums) weights.push_back({index, weight});
-  return weights;
-}
-
 // Given O in the relative interior of the hull of `around`: decides between inside and boundary.
 void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSearch& cone, std::vector<Difference> around) {
   while (true) {
@@ -106,45 +96,20 @@ void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSea
   }
 }
 
-// The greatest <u, p>, in exact arithmetic only: the proof is checked without the filter.
-mpz_class greatest_product(std::span<const Vector> points, const Vector& u) {
-  return dot(u, points[extreme_points_naive(points, u).front()]);
-}
-
-struct Combination {
-  bool convex = true;
-  mpq_class x, y, z;
-};
-
-Combination combine(std::span<const Vector> points, const std::vector<Weight>& weights) {
-  Combination c;
-  mpq_class sum;
-  for (const Weight& w : weights) {
-    if (w.index >= points.size() || w.weight <= 0) return {false, 0, 0, 0};
-    const Vector& p = points[w.index];
-    sum += w.weight;
-    c.x += w.weight * p.x;
-    c.y += w.weight * p.y;
-    c.z += w.weight * p.z;
-  }
-  c.convex = sum == 1;
-  return c;
-}
-
 void expect_normal(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
   if (!report.expect(answer.normal.has_value(), "a normal is missing")) return;
   const Vector& u = *answer.normal;
   report.expect(!is_zero(u) && primitive(u) == u, "the normal is not a primitive vector");
-  const mpz_class h = greatest_product(b, u) + greatest_product(a, -u);
+  const mpz_class h = support_naive(a, b, u);
   if (answer.position == Position::outside) report.expect(h < 0, "the normal does not separate the bodies strictly");
   else report.expect(h == 0, "the normal does not support P in O");
 }
 
 void expect_common_point(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
-  const Combination in_a = combine(a, answer.a), in_b = combine(b, answer.b);
-  report.expect(in_a.convex, "the weights of A are not convex weights of its points");
-  report.expect(in_b.convex, "the weights of B are not convex weights of its points");
-  report.expect(in_a.x == in_b.x && in_a.y == in_b.y && in_a.z == in_b.z, "the weighted points of A and B differ");
+  const auto in_a = convex_combination(a, answer.a), in_b = convex_combination(b, answer.b);
+  report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
+  report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
+  if (in_a && in_b) report.expect(*in_a == *in_b, "the weighted points of A and B differ");
 }
 
 void expect_surrounding(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
@@ -168,8 +133,8 @@ PositionOfOrigin position_of_origin(const PointCloud& a, const PointCloud& b) {
   if (!is_zero(origin.residual.v)) {
     answer.normal = primitive(origin.residual.v);
   } else {
-    answer.a = marginal(origin, &Difference::first);
-    answer.b = marginal(origin, &Difference::second);
+    answer.a = weights_of(origin.support, origin.weights, &Difference::first);
+    answer.b = weights_of(origin.support, origin.weights, &Difference::second);
     decide_interior(answer, differences, cone, origin.support);
   }
   answer.scans = differences.scans;

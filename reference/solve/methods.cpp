@@ -32,7 +32,7 @@ Depth exact_depth(Context& context, const PlacedPair& pair, const Options& optio
   return penetration_depth(context, pair, {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
 }
 
-Depth naive_answer(Context& context, const PlacedPair& pair, bool checked) {
+Depth naive_depth_of(Context& context, const PlacedPair& pair, bool checked) {
   Depth depth{facts_of(pair), {}, Method::naive, {}};
   if (!answer_apart(context, pair, checked, depth)) {
     const Hulls hulls = hulls_of(context, pair, checked, depth);
@@ -47,12 +47,17 @@ Depth naive_answer(Context& context, const PlacedPair& pair, bool checked) {
 
 Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& options) {
   context.counters = Counters{};
-  const bool asks_for_lines = options.method == Method::automatic && options.closest_lines;
-  if (options.method == Method::exact || asks_for_lines) return exact_depth(context, pair, options);
-  if (options.method == Method::naive) return naive_answer(context, pair, options.validate);
-  const std::size_t budget = options.method == Method::certificate ? unlimited : options.expansion_budget.value_or(usual_budget(pair));
-  if (std::optional<Depth> certified = certified_depth(context, pair, budget, options.validate)) return std::move(*certified);
-  return exact_depth(context, pair, options);
+  std::optional<Depth> certified;
+  switch (options.method) {
+    case Method::automatic:
+      if (!options.closest_lines)
+        certified = certified_depth(context, pair, options.expansion_budget.value_or(usual_budget(pair)), options.validate);
+      break;
+    case Method::certificate: certified = certified_depth(context, pair, unlimited, options.validate); break;
+    case Method::naive: return naive_depth_of(context, pair, options.validate);
+    case Method::exact: break;
+  }
+  return certified ? std::move(*certified) : exact_depth(context, pair, options);
 }
 
 }  // namespace fathom

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "reference/certificate/certificate.hpp"
+#include "fathom/certificate.hpp"
 #ifdef FATHOM_BULLET
 #include "tests/benchmark/bullet_epa.hpp"
 #endif
 #include "tests/benchmark/times_reporter.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"
 
@@ -27,11 +28,7 @@ struct Set {
   std::size_t facets = 0, bytes = 0;
 };
 
-Depth certified(const Case& input) {
-  Options options;
-  options.method = Method::certificate;
-  return penetration_depth(input.a.points, input.b.points, options);
-}
+Depth certified(const Case& input) { return penetration_depth(input.a.points, input.b.points); }
 
 std::string proof(const Case& input) { return certificate_text(make_certificate(input.a.points, input.b.points, certified(input))); }
 
@@ -71,7 +68,7 @@ void add_instance(const families::Family& family, unsigned size, std::size_t cou
   add(instance, "all", set, [set](std::size_t i) { benchmark::DoNotOptimize(fathom_check::verify(proof(set->cases[i]))); });
   if (with_pipeline)
     add(instance, "pipeline", set,
-        [set](std::size_t i) { benchmark::DoNotOptimize(penetration_depth(set->cases[i].a.points, set->cases[i].b.points)); });
+        [set](std::size_t i) { benchmark::DoNotOptimize(testing::exact_depth(set->cases[i].a.points, set->cases[i].b.points)); });
 #ifdef FATHOM_BULLET
   if (size > 20) return;
   const auto pairs = std::make_shared<std::vector<benchmarks::BulletPair>>();

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/filters/support.hpp"
 #include "reference/depth/nearest_facets_naive.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -18,6 +17,7 @@
 #include "tests/oracles/sgm/sgm_oracle.hpp"
 #endif
 #include "tests/benchmark/times_reporter.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom {
@@ -25,18 +25,15 @@ namespace {
 
 using Solver = void (*)(const Case&);
 
-void pipeline(const Case& input) { benchmark::DoNotOptimize(penetration_depth(input.a.points, input.b.points)); }
+void pipeline(const Case& input) { benchmark::DoNotOptimize(testing::exact_depth(input.a.points, input.b.points)); }
 
 void hull_of_differences(const Case& input) {
-  Options options;
-  options.method = Method::naive;
-  benchmark::DoNotOptimize(penetration_depth(input.a.points, input.b.points, options));
+  benchmark::DoNotOptimize(penetration_depth(input.a.points, input.b.points, {.method = Method::naive}));
 }
 
 void filtered_scan(const Case& input) {
   const PlacedPair placed = place(input.a.points, input.b.points);
-  const long exponent = std::max(binary_exponent(placed.a), binary_exponent(placed.b));
-  benchmark::DoNotOptimize(nearest_facets_scan(convex_hull(placed.a.points()), convex_hull(placed.b.points()), exponent));
+  benchmark::DoNotOptimize(nearest_facets_scan(convex_hull(placed.a.points()), convex_hull(placed.b.points()), placed.exponent()));
 }
 
 #ifdef FATHOM_SGM

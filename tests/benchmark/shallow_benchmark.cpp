@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "fathom/depth.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/hierarchy.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/exact_depth.hpp"
 #include "verify/families/random_bodies.hpp"
 
 namespace fathom {
@@ -32,7 +32,8 @@ struct Ready {
         hull_b(convex_hull(placed.b.points())),
         a(hull_a),
         b(hull_b),
-        bodies(a, b, delta) {}
+        bodies(context, a, b, delta) {}
+  Context context;
   PlacedPair placed;
   Polytope hull_a, hull_b;
   Hierarchy a, b;
@@ -40,11 +41,11 @@ struct Ready {
 };
 
 void query(benchmark::State& state, const Case& input, const mpq_class& delta) {
-  const Ready ready(input, delta);
+  Ready ready(input, delta);
   long moved = 0;
   std::uint64_t facets = 0, queries = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const ShallowResult result = ready.bodies.query({0, moved, -moved});
+    const ShallowResult result = ready.bodies.query(ready.context, {0, moved, -moved});
     moved = (moved + 977) % 100000;
     facets += result.facets;
     ++queries;
@@ -58,7 +59,7 @@ void register_size(unsigned size) {
   const std::string name = "spheres/" + std::to_string(size) + "/";
   if (size <= largest_for_pipeline) {
     benchmark::RegisterBenchmark((name + "pipeline").c_str(), [input](benchmark::State& state) {
-      for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(penetration_depth(input->a.points, input->b.points));
+      for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(testing::exact_depth(input->a.points, input->b.points));
     })->Unit(benchmark::kMillisecond);
   }
   benchmark::RegisterBenchmark((name + "shallow").c_str(), [input](benchmark::State& state) {

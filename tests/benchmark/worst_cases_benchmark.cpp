@@ -4,11 +4,11 @@
 
 #include <string>
 
+#include "fathom/approximate.hpp"
 #include "fathom/depth.hpp"
-#include "reference/approximate/separation.hpp"
+#include "fathom/study.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
-#include "verify/study/study.hpp"
 
 namespace fathom {
 namespace {
@@ -59,13 +59,9 @@ using Points = std::vector<Point>;
 
 void add(const std::string& name, const Case& input, unsigned commands) {
   const auto depth = [](Method method) {
-    return [method](const Points& a, const Points& b) {
-      Options options;
-      options.method = method;
-      benchmark::DoNotOptimize(penetration_depth(a, b, options));
-    };
+    return [method](const Points& a, const Points& b) { benchmark::DoNotOptimize(penetration_depth(a, b, {.method = method})); };
   };
-  if (commands & by_default) add_work(name + "/certificate", input, depth(Method::certificate));
+  if (commands & by_default) add_work(name + "/automatic", input, depth(Method::automatic));
   if (commands & exactly) add_work(name + "/exact", input, depth(Method::exact));
   if (commands & approximately)
     add_work(name + "/approx", input,

@@ -11,6 +11,7 @@
 #include <limits>
 #include <thread>
 
+#include "kernels/printable.hpp"
 #include "reference/files/mesh.hpp"
 #include "reference/files/source.hpp"
 

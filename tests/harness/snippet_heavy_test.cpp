@@ -47,15 +47,16 @@ class Snippets : public ::testing::Test {
     std::string name = (std::filesystem::temp_directory_path() / "fathom-snippet-XXXXXX").string();
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder = name;
-    // Installed, the doors lie under include/fathom.
-    std::filesystem::create_directory_symlink(std::filesystem::path(FATHOM_TEST_DATA).parent_path().parent_path(), folder / "fathom");
+    // As the public headers are installed.
+    const std::filesystem::path root = std::filesystem::path(FATHOM_TEST_DATA).parent_path().parent_path();
+    std::filesystem::create_directory_symlink(root / "include/fathom", folder / "fathom");
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
   /// The command of the snippet's own comment, with `more` options.
   Ran compile(const SubjectInfo& info, const std::string& text, const std::string& more) const {
     std::ofstream(folder / "case.cpp") << text;
-    std::string command = "g++ -std=c++20 case.cpp -I. -Ifathom";
+    std::string command = "g++ -std=c++20 case.cpp -I.";
     if (!info.library.empty()) {
       const std::size_t begin = text.find("// compile: ") + 12;
       command = text.substr(begin, text.find('\n', begin) - begin);

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "kernels/printable.hpp"
 #include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
 

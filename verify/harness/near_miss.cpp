@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/harness/loose_json.hpp"
 #include "verify/harness/near_miss.hpp"
 #include "verify/harness/protocol.hpp"

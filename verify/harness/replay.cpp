@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/seen_case.hpp"
 

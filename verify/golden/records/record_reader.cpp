@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kernels/number/parse.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/golden/records/names.hpp"
 #include "verify/golden/records/prove.hpp"
 

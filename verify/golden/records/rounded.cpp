@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "kernels/number/ratio.hpp"
 #include "kernels/number/rounding.hpp"
 
 namespace fathom::golden {
@@ -20,9 +21,7 @@ Rounded mirrored(Rounded rounded) {
 
 Rounded signed_root(const mpz_class& component, const mpz_class& norm) {
   if (component == 0) return {};
-  mpq_class squared(component * component, norm);
-  squared.canonicalize();
-  const Rounded root = rounded_root(squared);
+  const Rounded root = rounded_root(ratio(component * component, norm));
   return component < 0 ? mirrored(root) : root;
 }
 

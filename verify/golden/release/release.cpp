@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/new_file.hpp"

@@ -13,7 +13,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/release/dataset.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "kernels/printable.hpp"
 #include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/report/markup.hpp"

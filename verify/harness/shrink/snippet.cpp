@@ -11,7 +11,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rounding.hpp"
-#include "reference/files/source.hpp"
+#include "kernels/printable.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
 #include "verify/harness/variants.hpp"
