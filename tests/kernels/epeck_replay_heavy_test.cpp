@@ -127,8 +127,12 @@ void compare(const Question& q, Counts& counts) {
   const auto name = predicate_names[static_cast<std::size_t>(q.id)];
   ASSERT_EQ(right.functor, right.cgal) << name;
   ASSERT_EQ(to_int(unperturbed(q)), right.cgal) << name;
-  if (!q.perturbed || right.cgal != CGAL::ZERO) ASSERT_EQ(to_int(q.answer), right.cgal) << name;
-  if (q.perturbed) ASSERT_NE(q.answer, Sign::zero) << name;
+  if (!q.perturbed || right.cgal != CGAL::ZERO) {
+    ASSERT_EQ(to_int(q.answer), right.cgal) << name;
+  }
+  if (q.perturbed) {
+    ASSERT_NE(q.answer, Sign::zero) << name;
+  }
   ++counts[name];
 }
 
@@ -239,7 +243,9 @@ void replay(const Case& input, Counts& counts) {
     ASSERT_NO_FATAL_FAILURE(compare(q, counts)) << input.id;
   }
   for (const Polytope* hull : {&p->a, &p->b}) {
-    if (hull->rank == 3) ASSERT_NO_FATAL_FAILURE(compare_sides(*hull, counts)) << input.id;
+    if (hull->rank == 3) {
+      ASSERT_NO_FATAL_FAILURE(compare_sides(*hull, counts)) << input.id;
+    }
   }
   ASSERT_NO_FATAL_FAILURE(compare_distances(*p, counts)) << input.id;
   counts["solid_pairs"] += p->a.rank == 3 && p->b.rank == 3;
