@@ -15,7 +15,7 @@
 #include "cli/args/examples_first.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/shell_words.hpp"
-#include "kernels/number/enclosure.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
 

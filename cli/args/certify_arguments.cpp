@@ -10,8 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/judge/judge.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom::cli {
 

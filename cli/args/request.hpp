@@ -9,7 +9,7 @@
 #include "cli/args/cases_request.hpp"
 #include "cli/args/certify_request.hpp"
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 

@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "cli/args/shell_words.hpp"
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 
 namespace fathom::cli {
 

@@ -7,7 +7,7 @@
 #include "cli/output/approx_output.hpp"
 #include "cli/output/json_result.hpp"
 #include "fathom/approximate.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

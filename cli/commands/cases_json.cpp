@@ -6,8 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "reference/files/pose.hpp"
 
 namespace fathom::cli {

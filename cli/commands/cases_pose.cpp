@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 
 namespace fathom::cli {
 namespace {

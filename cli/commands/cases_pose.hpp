@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/files/pose.hpp"
 
 namespace fathom::cli {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cli/io/interruptible_input.hpp"
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 

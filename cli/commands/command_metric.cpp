@@ -4,7 +4,7 @@
 #include "cli/commands/replies.hpp"
 #include "cli/output/metric_output.hpp"
 #include "fathom/approximate.hpp"
-#include "reference/files/mesh.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 namespace {

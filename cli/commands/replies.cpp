@@ -5,7 +5,7 @@
 #include "cli/io/output.hpp"
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
-#include "reference/files/mesh.hpp"
+#include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {

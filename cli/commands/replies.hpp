@@ -9,7 +9,7 @@
 #include "cli/io/case_stream.hpp"
 #include "cli/io/exit_code.hpp"
 #include "cli/io/progress.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 

@@ -7,7 +7,7 @@
 
 #include "cli/io/exit_code.hpp"
 #include "cli/io/progress.hpp"
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 

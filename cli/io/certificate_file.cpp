@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "cli/io/output.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "verify/golden/io/sha256.hpp"
 
 namespace fathom::cli {

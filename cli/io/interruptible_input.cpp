@@ -10,7 +10,7 @@
 
 #include "cli/io/interrupt.hpp"
 #include "fathom/depth.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "kernels/number/enclosure.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/io/progress.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::cli {
 

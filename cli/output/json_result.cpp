@@ -3,8 +3,8 @@
 
 #include "cli/output/counts.hpp"
 #include "cli/output/json_values.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/number/infinitesimal.hpp"
-#include "kernels/number/parse.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/output/json_values.hpp"
 #include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_result.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

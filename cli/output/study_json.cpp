@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "cli/output/study_output.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/number/infinitesimal.hpp"
-#include "kernels/number/parse.hpp"
 
 namespace fathom::cli {
 namespace {

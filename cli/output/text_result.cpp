@@ -12,7 +12,7 @@
 #include "cli/output/counts.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/text_rows.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "cli/output/decimal.hpp"
-#include "kernels/number/enclosure.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MPFR, always rounding down, yields the digits of a number just below the root; the exact squares of two neighbouring decimals
 // then decide. Nothing returned from here rests on a floating-point result.
-#include "kernels/number/enclosure.hpp"
-
 #include <mpfr.h>
 
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace fathom {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One scan serves decimals and hex floats: digits, point, digits, exponent. GMP sees nothing but checked digits.
-#include "kernels/number/parse.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and whether anything was cut off. These
 // two decide every mode. For a root, floor(sqrt(x)) = isqrt(floor(x)) makes the same cut exact.
-#include "kernels/number/rounding.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace fathom {

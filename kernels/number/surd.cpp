@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
-#include "kernels/number/rounding.hpp"
 
 namespace fathom {
 namespace {

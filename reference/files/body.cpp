@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/files/body.hpp"
-
 #include <utility>
+
+#include "fathom/files.hpp"
 
 namespace fathom {
 namespace {

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom {

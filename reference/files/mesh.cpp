@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/files/mesh.hpp"
-
 #include <array>
 #include <optional>
 #include <utility>
 
+#include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/quick_number.hpp"
 #include "kernels/printable.hpp"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/files/text_scanner.hpp"
 
 namespace fathom {

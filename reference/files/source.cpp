@@ -10,8 +10,8 @@
 #include <new>
 #include <vector>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 
 namespace fathom {
 namespace {

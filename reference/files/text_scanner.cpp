@@ -5,8 +5,8 @@
 #include <charconv>
 #include <utility>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 
 namespace fathom {
 namespace {

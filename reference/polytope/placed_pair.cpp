@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "fathom/files.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
-#include "reference/files/body.hpp"
 
 namespace fathom {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "fathom/files.hpp"
 #include "kernels/nearest.hpp"
-#include "reference/files/body.hpp"
 #include "reference/polytope/hierarchy.hpp"
 #include "tests/approximate/naive_rays.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::benchmarks {
 

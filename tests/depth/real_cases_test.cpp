@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fathom/depth.hpp"
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 

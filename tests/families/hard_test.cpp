@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/filters/support.hpp"
-#include "kernels/number/rounding.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/exact_depth.hpp"

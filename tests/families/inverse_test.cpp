@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/gap.hpp"
 #include "verify/families/families.hpp"

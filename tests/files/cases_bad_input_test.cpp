@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases and streams of cases: what numbers mean, what a pose does, where one case ends and the next begins.
-#include "reference/files/cases.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "fathom/files.hpp"
 
 namespace fathom {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom {

@@ -11,8 +11,8 @@
 #include <limits>
 #include <thread>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/mesh.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom {

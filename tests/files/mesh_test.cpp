@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One body in every format, and what each format may vary.
-#include "reference/files/mesh.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 
+#include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "reference/files/mesh.hpp"
+#include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom {

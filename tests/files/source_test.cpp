@@ -10,7 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom {
 namespace {

@@ -14,8 +14,7 @@
 #include <sstream>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/golden/records/record.hpp"
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 

@@ -9,10 +9,9 @@
 #include <set>
 
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/depth/gap.hpp"
-#include "reference/files/cases.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
 #include "verify/families/families.hpp"
 #include "verify/harness/outcome.hpp"

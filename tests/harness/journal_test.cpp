@@ -12,7 +12,7 @@
 #include <sstream>
 #include <vector>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::harness {
 namespace {

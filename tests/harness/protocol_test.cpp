@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/harness/loose_json.hpp"
 #include "verify/harness/near_miss.hpp"
 #include "verify/harness/seen_case.hpp"

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"

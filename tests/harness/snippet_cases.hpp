@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::testing {

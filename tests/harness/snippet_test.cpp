@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "tests/harness/snippet_cases.hpp"
 
 namespace fathom::harness {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each verdict, each convention and each residual, on pairs whose answers one can see.
-#include "verify/judge/judge.hpp"
+#include "fathom/judge.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/judge/naive_distance.hpp"
 #include "tests/judge/pairs.hpp"

@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
-#include "kernels/number/rounding.hpp"
 #include "kernels/number/surd.hpp"
 #include "kernels/vector.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom::testing {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reference/files/cases.hpp"
-#include "verify/judge/judge.hpp"
+#include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom {
 namespace {

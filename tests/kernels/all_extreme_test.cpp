@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernels/number/enclosure.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 namespace {

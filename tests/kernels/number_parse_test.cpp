@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 namespace {

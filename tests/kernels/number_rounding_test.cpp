@@ -14,8 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 namespace {

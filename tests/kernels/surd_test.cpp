@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom {

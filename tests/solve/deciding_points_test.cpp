@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fathom/certificate.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "verify/check/check.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::families {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "fathom/depth.hpp"
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::families {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::families {
 

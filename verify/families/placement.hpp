@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::families {

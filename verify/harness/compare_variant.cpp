@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/allowance.hpp"

@@ -6,9 +6,9 @@
 
 #include <optional>
 
+#include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
-#include "reference/files/body.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom::harness {
 

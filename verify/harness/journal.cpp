@@ -10,8 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::harness {

@@ -5,8 +5,7 @@
 #include <cctype>
 #include <limits>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/judge/reply.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom::harness {
 

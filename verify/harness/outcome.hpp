@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "reference/files/body.hpp"
-#include "verify/judge/judge.hpp"
+#include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom::harness {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {

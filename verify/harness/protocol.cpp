@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 

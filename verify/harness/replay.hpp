@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/protocol.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fathom/numbers.hpp"
 #include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
 
 namespace fathom {
 namespace {

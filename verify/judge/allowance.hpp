@@ -4,8 +4,8 @@
 
 #include <gmpxx.h>
 
+#include "fathom/judge.hpp"
 #include "kernels/number/surd.hpp"
-#include "verify/judge/judge.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom {

@@ -6,8 +6,8 @@
 
 #include <optional>
 
+#include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
-#include "verify/judge/reply.hpp"
 
 namespace fathom {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One answer, point by point as on the page VERDICTS.md: the classification, the depth, the direction, the witness points. Every
 // comparison is exact; only what is shown is rounded.                                                      [proofs/judge.md]
-#include "verify/judge/judge.hpp"
+#include "fathom/judge.hpp"
 
 #include <algorithm>
 

@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "fathom/judge.h"
+#include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
 #include "kernels/number/surd.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom {
 namespace {

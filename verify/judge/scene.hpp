@@ -7,9 +7,9 @@
 #include <memory>
 #include <span>
 
+#include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
 
 namespace fathom {

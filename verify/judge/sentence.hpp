@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "fathom/judge.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom {
 

@@ -4,11 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/verdict.hpp"
-
 #include <algorithm>
 #include <iterator>
+
+#include "fathom/judge.hpp"
 
 namespace fathom {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 #include "tests/harness/report/outcomes.hpp"
 
 namespace fathom::harness {

@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/release/real_cases.hpp"

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
-#include "kernels/number/parse.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "verify/check/check.hpp"
 #include "verify/golden/io/sha256.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/golden/records/json_text.hpp"
 #include "verify/golden/records/names.hpp"
 #include "verify/golden/records/rounded.hpp"

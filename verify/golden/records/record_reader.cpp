@@ -5,7 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/golden/records/names.hpp"
 #include "verify/golden/records/prove.hpp"

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
-#include "kernels/number/rounding.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"

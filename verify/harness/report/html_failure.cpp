@@ -5,8 +5,7 @@
 #include <cmath>
 #include <exception>
 
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "verify/harness/report/html_parts.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/picture.hpp"

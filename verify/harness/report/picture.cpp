@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/report/wires.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
-#include "verify/judge/judge.hpp"
 
 namespace fathom::harness {
 

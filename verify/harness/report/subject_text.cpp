@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::harness {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::harness {
 namespace {

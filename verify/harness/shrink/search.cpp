@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"

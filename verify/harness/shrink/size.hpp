@@ -7,7 +7,7 @@
 #include <compare>
 #include <cstddef>
 
-#include "reference/files/body.hpp"
+#include "fathom/files.hpp"
 
 namespace fathom::harness {
 

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/number/parse.hpp"
-#include "kernels/number/rounding.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
