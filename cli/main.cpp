@@ -61,7 +61,7 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   guard_memory();
-  const fathom::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
+  const fathom::kernels::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
   hold_standard_streams();
   install_signal_handlers();
   return run(argc, argv);

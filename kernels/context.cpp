@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/context.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 void Context::report(std::string_view stage, double share) {
   if (monitor_ != nullptr) monitor_->report(stage, share);
@@ -21,4 +21,4 @@ Context Context::worker() const {
 
 void Context::join(const Context& worker) { counters += worker.counters; }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 #include "fathom/monitor.hpp"
 #include "kernels/counters.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Each thread that works has one. That of the calling thread reports to the monitor; those of its workers only share the request to stop.
 class Context {
@@ -34,4 +34,4 @@ class Context {
   std::shared_ptr<std::atomic<bool>> stopped_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

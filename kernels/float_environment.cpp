@@ -7,7 +7,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace fathom {
+namespace fathom::kernels {
 
 static_assert(FLT_EVAL_METHOD == 0, "the filters' error bounds are those of binary64 without excess precision");
 
@@ -34,4 +34,4 @@ DefaultFloatEnvironment::~DefaultFloatEnvironment() { std::fesetenv(&caller_); }
 
 #endif
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -4,7 +4,7 @@
 
 #include <cfenv>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// While it lives, the calling thread rounds to nearest, keeps subnormal numbers (no flush-to-zero, no denormals-are-zero) and traps no
 /// exception; then the caller's environment returns, flags included. Every function of the public interface begins with one, since a
@@ -27,4 +27,4 @@ class DefaultFloatEnvironment {
 #endif
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// The index of one kind of thing, which the tag names. As cheap as the number.
 template <class Tag>
@@ -67,4 +67,4 @@ struct IdVector : std::vector<T> {
   [[nodiscard]] IdsBelow<I> ids() const { return IdsBelow<I>(this->size()); }
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -4,7 +4,7 @@
 #include "kernels/predicates/kernels_cgal.hpp"
 #include "kernels/predicates/predicates_cgal.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 Sign NearestPlanes::compare(const Vector& normal, const mpz_class& height) const {
   return sign_of(CompareDistance<ExactKernel>{}(to_cgal<ExactKernel>(normal), height, numerator_, denominator_));
@@ -27,4 +27,4 @@ bool NearestPlanes::nearer_than(const Vector& normal, const mpz_class& height) c
   return !empty() && height > 0 && compare(normal, height) == Sign::positive;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

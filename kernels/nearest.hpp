@@ -7,7 +7,7 @@
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// The nearest planes <n,x> = c to O, with c > 0, and the directions of all of them. Exact; ties are kept.
 class NearestPlanes {
@@ -37,4 +37,4 @@ class NearestPlanes {
   std::set<Vector, LexicographicOrder> directions_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <thread>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // An allocator may want a large block for a new thread: ask first.
@@ -55,4 +55,4 @@ void run_both(bool worth_it, Context& context, const std::function<void(Context&
   if (error_of_second) std::rethrow_exception(error_of_second);
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

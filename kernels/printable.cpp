@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/printable.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 std::string printable(std::string_view text, std::size_t limit) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -23,4 +23,4 @@ std::string shown(std::string_view text) {
   return text.empty() ? "nothing" : "'" + printable(text, readable) + "'";
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN; "nothing" if it is
 /// empty.
@@ -15,4 +15,4 @@ std::string shown(std::string_view text);
 /// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

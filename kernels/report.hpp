@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// What `validate` found: empty when every law holds, else one sentence per broken law.
 struct Report {
@@ -25,4 +25,4 @@ inline void insist(const Report& report) {
   if (!report.ok()) throw std::logic_error("broken law: " + report.faults.front());
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

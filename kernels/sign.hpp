@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace fathom {
+namespace fathom::kernels {
 
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
@@ -18,4 +18,4 @@ constexpr int to_int(Sign s) { return static_cast<int>(s); }
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-to_int(s)); }
 constexpr Sign operator*(Sign s, Sign t) { return static_cast<Sign>(to_int(s) * to_int(t)); }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

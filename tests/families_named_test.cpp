@@ -18,23 +18,25 @@ namespace {
 using namespace fathom;
 using namespace fathom::families;
 
-Polytope hull(const Body& body) { return convex_hull(place(body.points, body.points).a.points()); }
+polytope::Polytope hull(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()); }
 
-Polytope hull_of_differences(const PlacedPair& placed) {
-  const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
+polytope::Polytope hull_of_differences(const polytope::PlacedPair& placed) {
+  const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
   std::vector<Vector> differences;
   for (const Vector& p : a.vertices)
     for (const Vector& q : b.vertices) differences.push_back(q - p);
-  return convex_hull(differences);
+  return polytope::convex_hull(differences);
 }
 
-mpz_class offset(const Polytope& p, const Facet& facet) { return dot(facet.normal, p.vertices[p.corners[facet.begin]]); }
+mpz_class offset(const polytope::Polytope& p, const polytope::Facet& facet) {
+  return dot(facet.normal, p.vertices[p.corners[facet.begin]]);
+}
 
 /// The rank of the face of the body in direction u.
 int face_rank(const std::vector<Vector>& points, const Vector& u) {
   std::vector<Vector> face;
-  for (const std::uint32_t i : extreme_points_naive(points, u)) face.push_back(points[i]);
-  return convex_hull(face).rank;
+  for (const std::uint32_t i : kernels::extreme_points_naive(points, u)) face.push_back(points[i]);
+  return polytope::convex_hull(face).rank;
 }
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
@@ -45,10 +47,10 @@ TEST(Families, BodiesTouchInTheNamedFeatures) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const Case pair = find_family("touching_" + features[i] + "_" + features[j])->make(seed, 6);
-        const PlacedPair placed = place(pair.a.points, pair.b.points);
-        const Polytope p = hull_of_differences(placed);
+        const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+        const polytope::Polytope p = hull_of_differences(placed);
         Vector inside_normal_cone{0, 0, 0};  // of the smallest face of P that holds O
-        for (const Facet& facet : p.facets) {
+        for (const polytope::Facet& facet : p.facets) {
           ASSERT_GE(offset(p, facet), 0) << pair.id;
           if (offset(p, facet) == 0) inside_normal_cone = inside_normal_cone + facet.normal;
         }
@@ -64,8 +66,8 @@ TEST(Families, ContactsAreOfTheNamedKindAndDepth) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::uint64_t seed = 0; seed < 5 && i + j >= 2; ++seed) {
         const Case pair = find_family("contact_" + features[i] + "_" + features[j])->make(seed, 6);
-        const PlacedPair placed = place(pair.a.points, pair.b.points);
-        const NaiveDepth depth = naive_depth(placed.a.points(), placed.b.points());
+        const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+        const depth::NaiveDepth depth = depth::naive_depth(placed.a.points(), placed.b.points());
         ASSERT_EQ(depth.directions.size(), 1u) << pair.id;
         EXPECT_EQ(face_rank(placed.a.points(), -depth.directions[0]), static_cast<int>(i)) << pair.id;
         EXPECT_EQ(face_rank(placed.b.points(), depth.directions[0]), static_cast<int>(j)) << pair.id;
@@ -80,11 +82,11 @@ TEST(Families, ContactsAreOfTheNamedKindAndDepth) {
 TEST(Families, ParallelEdgesTouchInASegment) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Case pair = find_family("touching_parallel_edges")->make(seed, 6);
-    const PlacedPair placed = place(pair.a.points, pair.b.points);
-    EXPECT_EQ(naive_depth(placed.a.points(), placed.b.points()).status, Status::touching) << pair.id;
-    const Polytope p = hull_of_differences(placed);
+    const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+    EXPECT_EQ(depth::naive_depth(placed.a.points(), placed.b.points()).status, Status::touching) << pair.id;
+    const polytope::Polytope p = hull_of_differences(placed);
     Vector inside_normal_cone{0, 0, 0};
-    for (const Facet& facet : p.facets)
+    for (const polytope::Facet& facet : p.facets)
       if (offset(p, facet) == 0) inside_normal_cone = inside_normal_cone + facet.normal;
     EXPECT_EQ(face_rank(p.vertices, inside_normal_cone), 1) << pair.id << ": transversal edges would give 2";
   }
@@ -106,8 +108,8 @@ TEST(Families, FlatBodiesOfEveryStatus) {
     std::map<Status, int> seen;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Case pair = find_family(name)->make(seed, 5);
-      const PlacedPair placed = place(pair.a.points, pair.b.points);
-      ++seen[naive_depth(placed.a.points(), placed.b.points()).status];
+      const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+      ++seen[depth::naive_depth(placed.a.points(), placed.b.points()).status];
     }
     EXPECT_GE(seen[Status::touching], 5) << name;
     EXPECT_GE(seen[Status::disjoint], 1) << name;
@@ -119,7 +121,7 @@ TEST(Families, BundlesCrossLikeAGrid) {
     if (!contains(family.name, "crossed_")) continue;
     const auto facets = [&family](unsigned size) {
       const Case pair = family.make(1, size);
-      return hull_of_differences(place(pair.a.points, pair.b.points)).facets.size();
+      return hull_of_differences(polytope::place(pair.a.points, pair.b.points)).facets.size();
     };
     const std::size_t small = facets(20), large = facets(60);
     EXPECT_GT(large, 60u * 60u / 4) << family.name;
@@ -132,17 +134,18 @@ TEST(Families, BundlesCrossLikeAGrid) {
 
 TEST(Families, ParabolasTieExactly) {
   const Case pair = find_family("crossed_parabolas")->make(0, 24);
-  const PlacedPair placed = place(pair.a.points, pair.b.points);
-  EXPECT_GE(naive_depth(placed.a.points(), placed.b.points()).directions.size(), 4u);
+  const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+  EXPECT_GE(depth::naive_depth(placed.a.points(), placed.b.points()).directions.size(), 4u);
 }
 
 /// Facets of P within the factor 1 + 2^-bits of the nearest, squared.
 std::size_t nearly_nearest(const Case& pair, unsigned bits) {
-  const PlacedPair placed = place(pair.a.points, pair.b.points);
-  const mpq_class limit = naive_depth(placed.a.points(), placed.b.points()).squared * (1 + times_power_of_two(1, -static_cast<long>(bits)));
-  const Polytope p = hull_of_differences(placed);
+  const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+  const mpq_class limit =
+      depth::naive_depth(placed.a.points(), placed.b.points()).squared * (1 + times_power_of_two(1, -static_cast<long>(bits)));
+  const polytope::Polytope p = hull_of_differences(placed);
   std::size_t count = 0;
-  for (const Facet& facet : p.facets) {
+  for (const polytope::Facet& facet : p.facets) {
     const mpz_class c = offset(p, facet);
     count += mpq_class(c * c) <= limit * mpq_class(dot(facet.normal, facet.normal));
   }

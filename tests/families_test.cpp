@@ -34,7 +34,7 @@ std::uint64_t hash(const Case& pair) {
   return value;
 }
 
-Polytope hull(const Body& body) { return convex_hull(place(body.points, body.points).a.points()); }
+polytope::Polytope hull(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()); }
 
 // --- Building blocks -------------------------------------------------------------------------------------------------------------------
 
@@ -90,7 +90,7 @@ TEST(Circle, QuarterTurnsAndReflectionsAreExact) {
 
 TEST(Solids, HaveTheirVerticesAndFacets) {
   const auto counts = [](const Body& body) {
-    const Polytope p = hull(body);
+    const polytope::Polytope p = hull(body);
     return std::array<std::size_t, 3>{p.vertices.size(), p.edges.size(), p.facets.size()};
   };
   EXPECT_EQ(counts(tetrahedron()), (std::array<std::size_t, 3>{4, 6, 4}));

@@ -66,7 +66,7 @@ TEST(FloatEnvironment, IsTheDefaultInsideAndTheCallersAgainAfterwards) {
     const HostileEnvironment hostile(FE_UPWARD);
     before = _mm_getcsr();
     {
-      const DefaultFloatEnvironment environment;
+      const kernels::DefaultFloatEnvironment environment;
       inside = _mm_getcsr();
       volatile double third = 1;
       third = third / 3;  // inexact: a signal in the hostile environment
@@ -178,7 +178,7 @@ constexpr std::array rounding_modes{FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOW
 
 template <class Ask>
 void expect_the_same(const char* what, const Ask& ask) {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   const std::string expected = told(-1, ask);
   for (const int mode : rounding_modes) EXPECT_EQ(told(mode, ask), expected) << what << ", rounding mode " << mode;
 }
@@ -190,7 +190,7 @@ Body stretched(std::uint64_t seed, const mpq_class& by) {
 
 /// Bodies whose extent in z is 2^-600 of that in x and y; and a box of which one coordinate is the least normal number.
 std::vector<Case> cases_at_the_edge_of_binary64() {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   std::vector<Case> cases;
   const mpq_class tiny = mpq_class(1) >> 600;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -256,14 +256,14 @@ TEST(FloatEnvironment, RaysThroughHierarchies) {
   for (const Case& input : cases_at_the_edge_of_binary64()) {
     SCOPED_TRACE(input.id);
     expect_the_same("hierarchies", [&] {
-      const PlacedPair placed = place(input.a.points, input.b.points);
-      const Polytope hull_a = convex_hull(placed.a.points()), hull_b = convex_hull(placed.b.points());
-      const Hierarchy a(hull_a), b(hull_b);
-      Context context;
-      const ShallowPenetration shallow(context, a, b);
-      const RayHit hit = shoot_ray(a, b, {3, 1, 2});
-      return text(hit.factor, hit.normal, shallow.query(context).inside, approx_separation(context, a, b, mpq_class(1, 4)).normal,
-                  a.extreme({5, -7, 1}), a.extreme_face({0, 0, 1}));
+      const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+      const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()), hull_b = polytope::convex_hull(placed.b.points());
+      const polytope::Hierarchy a(hull_a), b(hull_b);
+      kernels::Context context;
+      const approximate::ShallowPenetration shallow(context, a, b);
+      const approximate::RayHit hit = approximate::shoot_ray(a, b, {3, 1, 2});
+      return text(hit.factor, hit.normal, shallow.query(context).inside,
+                  approximate::approx_separation(context, a, b, mpq_class(1, 4)).normal, a.extreme({5, -7, 1}), a.extreme_face({0, 0, 1}));
     });
   }
 }

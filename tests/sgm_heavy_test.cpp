@@ -17,8 +17,8 @@ using namespace fathom::oracles;
 using families::Family;
 
 bool both_solid(const Case& pair) {
-  const PlacedPair placed = place(pair.a.points, pair.b.points);
-  return convex_hull(placed.a.points()).rank == 3 && convex_hull(placed.b.points()).rank == 3;
+  const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
+  return polytope::convex_hull(placed.a.points()).rank == 3 && polytope::convex_hull(placed.b.points()).rank == 3;
 }
 
 TEST(GaussianMaps, CubeInItself) {

@@ -30,11 +30,13 @@ std::optional<Point> typed_direction(std::string_view text) {
 
 std::string check_delta(const std::string& text) {
   const auto value = typed_number(text);
-  return value && *value >= least_delta ? "" : fmt::format("expected a positive number such as 1/100, 1e-9 or more, found {}", shown(text));
+  return value && *value >= approximate::least_delta
+             ? ""
+             : fmt::format("expected a positive number such as 1/100, 1e-9 or more, found {}", kernels::shown(text));
 }
 
 std::string check_direction(const std::string& text) {
-  return typed_direction(text) ? "" : fmt::format("expected three numbers such as 1,0,-1/2, not all zero, found {}", shown(text));
+  return typed_direction(text) ? "" : fmt::format("expected three numbers such as 1,0,-1/2, not all zero, found {}", kernels::shown(text));
 }
 
 void add_json(CLI::App& app, Request& request, const std::string& schema) {

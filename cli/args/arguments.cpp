@@ -27,7 +27,8 @@ CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> ab
   const auto check = [here, absent](const std::string& value) -> std::string {
     if (std::find(here.begin(), here.end(), value) != here.end()) return "";
     const bool known = std::find(absent.begin(), absent.end(), value) != absent.end();
-    return fmt::format("{} is {} (expected {})", shown(value), known ? "not part of this version" : "unknown", fmt::join(here, ", "));
+    return fmt::format("{} is {} (expected {})", kernels::shown(value), known ? "not part of this version" : "unknown",
+                       fmt::join(here, ", "));
   };
   return CLI::Validator(check, "", "");
 }
@@ -35,7 +36,7 @@ CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> ab
 std::string check_digits(const std::string& value) {
   const bool number = !value.empty() && value.size() < 8 && value.find_first_not_of("0123456789") == std::string::npos;
   if (number && value != std::string(value.size(), '0') && std::stoul(value) <= most_root_digits) return "";
-  return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, shown(value));
+  return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, kernels::shown(value));
 }
 
 std::optional<std::uint64_t> seed_of(const std::string& value) {
@@ -46,7 +47,7 @@ std::optional<std::uint64_t> seed_of(const std::string& value) {
 
 std::string check_seed(const std::string& value) {
   if (seed_of(value)) return "";
-  return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", shown(value));
+  return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
 }
 
 /// The values of the options, before it is checked whether they go together.
@@ -134,7 +135,7 @@ std::string wrong_words(const std::vector<std::string>& words) {
   const bool known = command.starts_with('-') || std::find(std::begin(commands), std::end(commands), command) != std::end(commands);
   const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
   if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
-  if (!known) return fmt::format("unknown command {} (expected {})", shown(command), fmt::join(commands, ", "));
+  if (!known) return fmt::format("unknown command {} (expected {})", kernels::shown(command), fmt::join(commands, ", "));
   return missing_value(words);
 }
 
@@ -145,7 +146,7 @@ Arguments refusal(const std::string& sentence, const std::string& command = "") 
 /// Returns whether the name is that of a mesh. Other names may be streams of cases.
 bool is_mesh_name(const std::string& path) {
   constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
-  return std::find(std::begin(meshes), std::end(meshes), extension(path)) != std::end(meshes);
+  return std::find(std::begin(meshes), std::end(meshes), files::extension(path)) != std::end(meshes);
 }
 
 /// The name as the user typed it.
@@ -162,7 +163,7 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   const std::string expected =
       name(request.command) + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;
-  if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + shown(inputs[0]);
+  if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + kernels::shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
   return "";
 }

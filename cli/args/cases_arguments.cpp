@@ -19,7 +19,7 @@ CLI::Validator integer(std::uint64_t low, std::uint64_t high) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return "";
     return fmt::format("expected an integer from {} to {}, found {}", low, high == most_seed ? "2^64 - 1" : std::to_string(high),
-                       shown(text));
+                       kernels::shown(text));
   };
   return CLI::Validator(check, "", "");
 }

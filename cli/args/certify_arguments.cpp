@@ -30,7 +30,8 @@ std::optional<Count> typed_count(const std::string& text) {
 }
 
 CLI::Validator rule(bool (*holds)(const std::string&), std::string expected) {
-  return {[=](const std::string& text) { return holds(text) ? "" : fmt::format("expected {}, found {}", expected, shown(text)); }, "", ""};
+  return {[=](const std::string& text) { return holds(text) ? "" : fmt::format("expected {}, found {}", expected, kernels::shown(text)); },
+          "", ""};
 }
 
 bool is_jobs(const std::string& text) {
@@ -69,7 +70,8 @@ std::string wrong_variants(CertifyRequest& certify) {
   certify.variants = certify.metamorphic == "all" ? all : words_of(certify.metamorphic);
   for (const std::string& word : certify.variants)
     if (std::find(all.begin(), all.end(), word) == all.end())
-      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", shown(word), fmt::join(all, ", "));
+      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", kernels::shown(word),
+                         fmt::join(all, ", "));
   return "";
 }
 

@@ -31,7 +31,7 @@ class ExamplesFirst : public CLI::Formatter {
 
 /// Returns CLI11's sentence, or a plainer one.
 inline std::string sentence(const CLI::ParseError& error) {
-  const std::string text = printable(error.what(), 200);
+  const std::string text = kernels::printable(error.what(), 200);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   return text.substr(0, text.find(':')) + ": expected one value, once";
 }
@@ -40,7 +40,7 @@ inline std::string sentence(const CLI::ParseError& error) {
 inline std::string missing_value(std::span<const std::string> words) {
   for (const std::string& word : words) {
     if (word == "--") break;
-    if (word.starts_with("--") && word.find('=') == word.size() - 1) return shown(word) + " lacks its value";
+    if (word.starts_with("--") && word.find('=') == word.size() - 1) return kernels::shown(word) + " lacks its value";
   }
   return "";
 }

@@ -28,13 +28,13 @@ std::optional<std::uint64_t> integer(std::string_view text, std::uint64_t low, s
 CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
   const auto check = [low, high](const std::string& text) -> std::string {
     const std::string highest = high == UINT64_MAX ? "2^64 - 1" : std::to_string(high);
-    return integer(text, low, high) ? "" : fmt::format("expected an integer from {} to {}, found {}", low, highest, shown(text));
+    return integer(text, low, high) ? "" : fmt::format("expected an integer from {} to {}, found {}", low, highest, kernels::shown(text));
   };
   return CLI::Validator(check, "", "");
 }
 
 std::string check_level(const std::string& text) {
-  return golden::find_level(text) ? "" : fmt::format("expected L0, L1 or L2, found {}", shown(text));
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1 or L2, found {}", kernels::shown(text));
 }
 
 /// "i/n".
@@ -46,7 +46,7 @@ std::optional<std::pair<std::size_t, std::size_t>> part_of(std::string_view text
 }
 
 std::string check_part(const std::string& text) {
-  return part_of(text) ? "" : fmt::format("expected i/n with 1 <= i <= n, found {}", shown(text));
+  return part_of(text) ? "" : fmt::format("expected i/n with 1 <= i <= n, found {}", kernels::shown(text));
 }
 
 void add_jobs(CLI::App& app, GoldenRequest& request) {
@@ -112,7 +112,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
 
   const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
   if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
-    return refusal(fmt::format("unknown task {} of golden (expected generate, verify)", shown(words[0])));
+    return refusal(fmt::format("unknown task {} of golden (expected generate, verify)", kernels::shown(words[0])));
   if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));

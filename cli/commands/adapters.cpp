@@ -49,7 +49,7 @@ std::string adapter_command(const std::string& words) {
   if (adapter == adapters().end()) {
     std::vector<std::string> names;
     for (const Adapter& a : adapters()) names.push_back(a.name);
-    throw InputError("--adapter", 0, fmt::format("{} is unknown (expected {})", shown(name), fmt::join(names, ", ")));
+    throw InputError("--adapter", 0, fmt::format("{} is unknown (expected {})", kernels::shown(name), fmt::join(names, ", ")));
   }
   const std::string program = program_of(*adapter);
   if (program.empty())

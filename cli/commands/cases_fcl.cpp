@@ -16,8 +16,8 @@ namespace fathom::cli {
 ExitCode print_fcl_cases(const std::string& path) {
   const bool standard = path == "-";
   const std::string name = standard ? "<stdin>" : path;
-  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
-  for (const FclFailure& failure : read_fcl_text(text, name)) {
+  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
+  for (const files::FclFailure& failure : files::read_fcl_text(text, name)) {
     CaseText line{fmt::format("{}:{}", name, failure.line),
                   failure.first.body,
                   failure.second.body,

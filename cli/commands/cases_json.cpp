@@ -32,7 +32,7 @@ std::string array(const List& list, Text text) {
   return result + ']';
 }
 
-std::string body(const Body& body, const std::optional<Pose>& pose) {
+std::string body(const Body& body, const std::optional<files::Pose>& pose) {
   const auto vertex = [](const Point& p) { return fmt::format("[{},{},{}]", number(p.x), number(p.y), number(p.z)); };
   std::string result = "{\"vertices\":" + array(body.points, vertex);
   if (pose) result += ",\"pose\":" + array(*pose, [](const auto& row) { return array(row, number); });

@@ -17,7 +17,7 @@ struct CaseText {
   std::string id;
   const Body& a;
   const Body& b;
-  std::optional<Pose> pose_a, pose_b;
+  std::optional<files::Pose> pose_a, pose_b;
   std::vector<std::string> flags;
   std::vector<std::pair<std::string, std::string>> source;  ///< keys and texts
   std::string comment;

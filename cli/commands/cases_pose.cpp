@@ -54,14 +54,15 @@ Rows rows_of_json(const std::string& text) {
 
 }  // namespace
 
-Pose parse_pose(const std::string& text, const std::string& option, Decimals decimals) {
+files::Pose parse_pose(const std::string& text, const std::string& option, Decimals decimals) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string::npos && text[first] == '[';
   const Rows rows = json ? rows_of_json(text) : rows_of_text(text, decimals);
   if (rows.size() != 3 || rows[0].size() != 4 || rows[1].size() != 4 || rows[2].size() != 4)
-    throw InputError(option, 0,
-                     "expected three rows of four numbers, \"r11 r12 r13 t1; r21 ...; r31 ...\" or a JSON array, found " + shown(text));
-  Pose pose;
+    throw InputError(
+        option, 0,
+        "expected three rows of four numbers, \"r11 r12 r13 t1; r21 ...; r31 ...\" or a JSON array, found " + kernels::shown(text));
+  files::Pose pose;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
       ParsedNumber number = parse_number(rows[i][j].text, rows[i][j].decimals);

@@ -12,6 +12,6 @@ namespace fathom::cli {
 /// "r11 r12 r13 t1; r21 r22 r23 t2; r31 r32 r33 t3", where decimals mean what `decimals` says and integers, p/q and hexadecimal floats
 /// are exact; or a JSON array of three arrays of four, as in a case: a number means the nearest binary64, a string is exact.
 /// Throws an InputError that names `option`.
-Pose parse_pose(const std::string& text, const std::string& option, Decimals decimals);
+files::Pose parse_pose(const std::string& text, const std::string& option, Decimals decimals);
 
 }  // namespace fathom::cli

@@ -42,7 +42,7 @@ std::optional<Case> CertifyCases::next() {
     std::string fault;
     if (!item->ok()) fault = item->error().what();
     else if (!ids_.insert(item->id).second)
-      fault = InputError(input_ == "-" ? "<stdin>" : input_, item->line, "the id " + shown(item->id) + " was there before").what();
+      fault = InputError(input_ == "-" ? "<stdin>" : input_, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
     if (fault.empty()) return std::get<Case>(std::move(item->outcome));
     ++bad_;
     tell_(fault);

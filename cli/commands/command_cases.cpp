@@ -62,7 +62,7 @@ ExitCode print_family(const CasesRequest& request) {
   const families::Family* family = families::find_family(request.family);
   if (!family)
     throw InputError("--family", 0,
-                     fmt::format("{} is unknown (nearest: {}; --list lists all)", shown(request.family),
+                     fmt::format("{} is unknown (nearest: {}; --list lists all)", kernels::shown(request.family),
                                  fmt::join(nearest_names(request.family), ", ")));
   for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(*family, request.seed + i, request);
   return fine;
@@ -90,9 +90,9 @@ ExitCode print_list() {
 
 ExitCode print_meshes(const Request& request) {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
-    return text ? std::optional<Pose>(parse_pose(*text, option, request.decimals)) : std::nullopt;
+    return text ? std::optional<files::Pose>(parse_pose(*text, option, request.decimals)) : std::nullopt;
   };
-  const std::optional<Pose> pose_a = pose(request.cases.pose_a, "--pose-a"), pose_b = pose(request.cases.pose_b, "--pose-b");
+  const std::optional<files::Pose> pose_a = pose(request.cases.pose_a, "--pose-a"), pose_b = pose(request.cases.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
   print(case_json({path_a + " " + path_b, a, b, pose_a, pose_b, {}, {{"a", path_a}, {"b", path_b}}, ""}));

@@ -83,8 +83,9 @@ class Certify {
 
   /// Takes what no case is to blame for. Once the report is complete, it is only printed.
   void take(const harness::Unattributed& thing) {
-    tell("notes on the subject",
-         "no case's fault: the subject, " + (thing.after ? "after case " + shown(*thing.after) : "before any case") + ": " + thing.detail);
+    tell("notes on the subject", "no case's fault: the subject, " +
+                                     (thing.after ? "after case " + kernels::shown(*thing.after) : "before any case") + ": " +
+                                     thing.detail);
     const std::lock_guard lock(telling_);
     if (found_ && !complete_) found_->take(thing);
   }
@@ -170,7 +171,7 @@ class Certify {
     const harness::SubjectInfo& subject = info();
     if (replay_)
       for (const std::string& id : replay_->unasked(cases_->ids()))
-        tell("replies to no case", "the reply to " + shown(id) + " is to no case");
+        tell("replies to no case", "the reply to " + kernels::shown(id) + " is to no case");
     std::optional<ExpectedFailures::Check> known;
     if (expected_) known = expected_->check(found_->outcomes());
     const bool whole = missing_ + faults_ == 0;

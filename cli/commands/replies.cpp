@@ -37,7 +37,7 @@ Case single_case(const Request& request) {
 bool is_stream(const Request& request) {
   if (!has_one_body(request)) return request.inputs.size() == 1;
   const std::string& input = request.inputs[0];  // its name tells
-  const std::string kind = extension(input);
+  const std::string kind = files::extension(input);
   return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
 }
 

@@ -173,7 +173,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   fathom::cli::guard_memory();
   fathom::cli::hold_standard_streams();
-  const fathom::DefaultFloatEnvironment environment;
+  const fathom::kernels::DefaultFloatEnvironment environment;
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -21,12 +21,12 @@ constexpr std::size_t worth_a_thread = 2048;  // points
 
 /// What there is to say of the points of a body; empty if all are extreme.
 std::string note_on(char body, const std::vector<Point>& points) {
-  if (all_seen_extreme(points)) return "";
-  const std::optional<PlacedPair> placed = place_if_slim(points, std::span(points).first(1));
+  if (kernels::all_seen_extreme(points)) return "";
+  const std::optional<polytope::PlacedPair> placed = polytope::place_if_slim(points, std::span(points).first(1));
   if (!placed) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
   const std::vector<Vector>& integers = placed->a.points();
-  const Polytope hull = convex_hull(integers);
-  DistinctPoints extreme = no_points_yet(integers, hull.input_ids.size());
+  const polytope::Polytope hull = polytope::convex_hull(integers);
+  polytope::DistinctPoints extreme = polytope::no_points_yet(integers, hull.input_ids.size());
   extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
   std::size_t inner = 0;
   for (std::uint32_t i = 0; i < integers.size(); ++i) inner += !extreme.contains(i);
@@ -36,16 +36,16 @@ std::string note_on(char body, const std::vector<Point>& points) {
 }  // namespace
 
 bool may_have_inner_points(const Case& input, bool one_body) {
-  return !all_seen_extreme(input.a.points) || (!one_body && !all_seen_extreme(input.b.points));
+  return !kernels::all_seen_extreme(input.a.points) || (!one_body && !kernels::all_seen_extreme(input.b.points));
 }
 
 std::optional<std::string> hull_note(const Case& input, bool one_body) {
   const std::vector<Point>&a = input.a.points, &b = input.b.points;
   std::vector<std::string> notes(2);
-  Context context;
-  run_both(
-      !one_body && a.size() + b.size() >= worth_a_thread, context, [&](Context&) { notes[0] = note_on('A', a); },
-      [&](Context&) { notes[1] = one_body ? "" : note_on('B', b); });
+  kernels::Context context;
+  kernels::run_both(
+      !one_body && a.size() + b.size() >= worth_a_thread, context, [&](kernels::Context&) { notes[0] = note_on('A', a); },
+      [&](kernels::Context&) { notes[1] = one_body ? "" : note_on('B', b); });
   std::erase(notes, "");
   if (notes.empty()) return std::nullopt;
   return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));

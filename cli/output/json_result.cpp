@@ -39,7 +39,7 @@ Json counters_object(const Counters& counters) {
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
     Json decided = Json::object();
-    for (const auto& [packed, count] : tiers.decided) decided[Monomial::unpacked(packed).text()] = count;
+    for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
     predicates[std::string(predicate_names[i])] = {
         {"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", std::move(decided)}};
   }

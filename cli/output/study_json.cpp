@@ -22,7 +22,7 @@ Json predicates_object(const PredicateCounts& counts) {
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     Json decided = Json::array();
     for (const auto& [packed, count] : counts[i].decided) {
-      decided.push_back({{"monomial", Monomial::unpacked(packed).text()}, {"name", monomial_name(packed)}, {"count", count}});
+      decided.push_back({{"monomial", kernels::Monomial::unpacked(packed).text()}, {"name", monomial_name(packed)}, {"count", count}});
     }
     result[std::string(predicate_names[i])] = {
         {"calls", counts[i].calls}, {"exact", counts[i].exact}, {"zero", counts[i].zero}, {"decided_by", std::move(decided)}};

@@ -14,7 +14,7 @@
 
 #include "kernels/filters/error_bounds.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -189,4 +189,4 @@ bool all_seen_extreme(std::span<const Point> exact) {
   return std::ranges::all_of(points, [&](const Image& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -6,7 +6,7 @@
 
 #include "kernels/filters/error_bounds.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using error_bound::unit;
@@ -61,4 +61,4 @@ double estimated_squared_distance(const LineImages& a, std::size_t i, const Line
   return c.height * c.height / c.squared_length;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

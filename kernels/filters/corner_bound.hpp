@@ -6,7 +6,7 @@
 
 #include "kernels/filters/line_scan.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// A squared distance in the images' units, enclosed.
 struct LineBound {
@@ -37,4 +37,4 @@ CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, 
 /// An estimate, without any guarantee, of <q - p, w>^2 / |w|^2 for lines i and j: what orders a search.
 double estimated_squared_distance(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fathom {
+namespace fathom::kernels {
 
 double image(const mpz_class& c, long exponent) {
   constexpr long negligible = -500;
@@ -21,4 +21,4 @@ Vec3<double> direction_image(const Vector& v) {
   return image(v, std::max({bits(v.x), bits(v.y), bits(v.z)}));
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

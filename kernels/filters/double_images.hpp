@@ -11,7 +11,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "kernels/sign.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// c * 2^-exponent, truncated to 53 bits; 0 below 2^-500, so that no product of two images underflows.
 double image(const mpz_class& c, long exponent);
@@ -56,4 +56,4 @@ class VerticalProbe {
   Vec3<double> c_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -3,7 +3,7 @@
 // unless said otherwise.                                                                       [proofs/kernels.md, "Error bounds"]
 #pragma once
 
-namespace fathom::error_bound {
+namespace fathom::kernels::error_bound {
 
 inline constexpr double unit = 0x1p-52;  ///< of one operation, relative to its result
 
@@ -37,4 +37,4 @@ inline WidePlane wide_plane(double u, double v) {
   return {normal, 4 * normal + 12 * unit * size, 4 * d * (normal + size)};
 }
 
-}  // namespace fathom::error_bound
+}  // namespace fathom::kernels::error_bound

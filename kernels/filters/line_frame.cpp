@@ -7,7 +7,7 @@
 
 #include "kernels/filters/taylor_model.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using error_bound::unit;
@@ -163,4 +163,4 @@ bool frames_beyond(const LineFrame& a, const LineFrame& b, double bound) {
   return taylor::least(combination(1, dot(s, w), -rho, length)) > 0;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

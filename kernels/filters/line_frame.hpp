@@ -7,7 +7,7 @@
 
 #include "kernels/filters/line_scan.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// The lines of a run, each as six coordinates (direction D, point Q): for each line there are a positive multiple D of its direction,
 /// a point Q on it and an s in [-1, 1] with |(D, Q) - (m + e s + k s^2)| <= r in every coordinate. Q avoids long ways along the lines.
@@ -23,4 +23,4 @@ LineFrame line_frame(const LineImages& lines, std::span<const std::uint32_t> run
 /// of the second. `bound` is a squared distance in images, as from image_bound. False means unsure.
 bool frames_beyond(const LineFrame& a, const LineFrame& b, double bound);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 
 #include "kernels/filters/double_images.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // Each step below is justified in proofs/closest_lines.md.
@@ -167,4 +167,4 @@ void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineS
                 [&](std::uint32_t j) { return farther.margin<double>(many.images, j) > 0 || not_crossing(lines, one, many, j) > 0; });
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -10,7 +10,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Binary64 images of lines, one array per coordinate. Points are scaled by 2^-exponent into [-1, 1], directions each by a power of two
 /// of its own so that the largest component lies in [1/2, 1]; either is within 2^-53 a coordinate.
@@ -81,4 +81,4 @@ struct LineSet {
 /// As not_farther, but a pair is also left out when its arcs are proved not to cross. Arcs that touch are never proved not to cross.
 void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineSet& many, double bound, std::vector<std::uint32_t>& unsure);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -5,7 +5,7 @@
 #include "kernels/filters/plane.hpp"
 #include "kernels/predicates/direction.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 int axis_of_greatest(const Vector& u) {
@@ -50,4 +50,4 @@ Sign PlanarView::turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const {
   return Sign::zero;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Projects along a generic direction to a plane in which u points up: coordinates (<t,p>, <u,p>) with t = e_i + epsilon e_j, where
 /// epsilon is a positive infinitesimal and u, e_i, e_j are linearly independent. So only the null vector projects to 0, and two
@@ -33,4 +33,4 @@ class PlanarView {
   int right_, far_;     // i and j
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

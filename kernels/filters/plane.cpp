@@ -8,7 +8,7 @@
 #include "kernels/filters/double_images.hpp"
 #include "kernels/predicates/filtered_cgal.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using Interval = IntervalKernel::FT;
@@ -96,4 +96,4 @@ Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q,
                        PointOperand{points, q}, PointOperand{points, r});
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -12,7 +12,7 @@
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Integer points with enclosures in one common scale. Refers to the points, which must outlive it.
 class BoxedPoints {
@@ -66,4 +66,4 @@ const NT& coordinate(const Vec3<NT>& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -7,7 +7,7 @@
 
 #include "kernels/filters/double_images.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 constexpr double slack = 1 + 0x1p-40;  // of a few operations, by far
@@ -44,4 +44,4 @@ std::optional<Sign> RoundedPlane::side(const Vec3<double>& s) const {
 
 bool RoundedPlane::surely_beyond(double radius) const { return height_ > 0 && height_ > radius * length_ * slack; }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -8,7 +8,7 @@
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// At least sqrt(numerator / denominator) * 2^-exponent, and hardly more. `numerator` >= 0, `denominator` > 0.
 double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
@@ -41,4 +41,4 @@ class RoundedPlane {
   bool trustworthy_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -14,7 +14,7 @@
 #include "kernels/filters/double_images.hpp"
 #include "kernels/float_environment.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 constexpr std::size_t block_size = 128;  // of points: small enough that a second look is cheap, large enough to skip well
@@ -232,4 +232,4 @@ std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, c
   return beyond;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -8,7 +8,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of coordinate * 2^-(axis exponent).
 class PointCloud {
@@ -56,4 +56,4 @@ std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& 
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);
 std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fathom::taylor {
+namespace fathom::kernels::taylor {
 namespace {
 
 // min of a x^2 + b x over [-1, 1], within rounding.
@@ -53,4 +53,4 @@ double least(const TaylorModel& f) {
   return f.c[0] + bound - rounded_up(f.radius + 64 * error_bound::unit * f.norm());
 }
 
-}  // namespace fathom::taylor
+}  // namespace fathom::kernels::taylor

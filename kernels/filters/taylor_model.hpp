@@ -8,7 +8,7 @@
 
 #include "kernels/filters/error_bounds.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// All functions f with |f(s,t) - (c0 + c1 s + c2 t + c3 s^2 + c4 s t + c5 t^2)| <= radius for s, t in [-1, 1]. Operations are inclusion
 /// isotonic: the result holds f + g, f g, ... for all f, g that the operands hold.
@@ -56,4 +56,4 @@ inline TaylorModel combination(double a, const TaylorModel& f, double b, const T
 double least(const TaylorModel& f);
 
 }  // namespace taylor
-}  // namespace fathom
+}  // namespace fathom::kernels

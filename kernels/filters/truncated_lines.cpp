@@ -3,7 +3,7 @@
 
 #include "kernels/filters/support.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 constexpr long length = 256;
@@ -57,4 +57,4 @@ bool surely_farther(const TruncatedLines& a, std::size_t i, const TruncatedLines
   return height * height > bound * (square_from_above(w.x) + square_from_above(w.y) + square_from_above(w.z));
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

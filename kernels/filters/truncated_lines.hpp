@@ -7,7 +7,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Lines as integers of at most 256 bits: points times 2^(256 - exponent), directions each times a power of two of its own, truncated.
 class TruncatedLines {
@@ -35,4 +35,4 @@ class TruncatedLines {
 /// True only if line i of a and line j of b are strictly farther apart than `bound` allows. Both sets must have the same exponent.
 bool surely_farther(const TruncatedLines& a, std::size_t i, const TruncatedLines& b, std::size_t j, const mpz_class& bound);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 /// digits * 10^exponent.
@@ -104,22 +104,26 @@ std::string text_of(const Decimal& decimal, bool keep_zeros) {
 
 }  // namespace
 
+}  // namespace fathom::kernels
+
+namespace fathom {
+
 Enclosure enclose_root(const mpq_class& squared, std::size_t digits) {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (digits < 1 || digits > most_root_digits) {
     throw std::invalid_argument("the number of digits must lie between 1 and " + std::to_string(most_root_digits));
   }
   if (sgn(squared) < 0) throw std::domain_error("the square root of a negative number was asked for");
   if (sgn(squared) == 0) return {"0", "0"};
-  Decimal low = decimal_below_root(squared, digits);
-  Decimal high = next(low, digits);
-  if (compare_square(high, squared) <= 0) {
-    low = std::exchange(high, next(high, digits));
+  kernels::Decimal low = kernels::decimal_below_root(squared, digits);
+  kernels::Decimal high = kernels::next(low, digits);
+  if (kernels::compare_square(high, squared) <= 0) {
+    low = std::exchange(high, kernels::next(high, digits));
   }
-  const int low_sign = compare_square(low, squared);
-  if (low_sign > 0 || compare_square(high, squared) <= 0) throw std::logic_error("MPFR's root failed its exact check");
-  if (low_sign == 0) return {text_of(low, false), text_of(low, false)};
-  return {text_of(low, true), text_of(high, true)};
+  const int low_sign = kernels::compare_square(low, squared);
+  if (low_sign > 0 || kernels::compare_square(high, squared) <= 0) throw std::logic_error("MPFR's root failed its exact check");
+  if (low_sign == 0) return {kernels::text_of(low, false), kernels::text_of(low, false)};
+  return {kernels::text_of(low, true), kernels::text_of(high, true)};
 }
 
 }  // namespace fathom

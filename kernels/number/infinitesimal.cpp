@@ -5,7 +5,7 @@
 #include <ostream>
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::kernels {
 
 Monomial operator*(Monomial s, Monomial t) {
   for (unsigned k = 1; k <= Monomial::variables; ++k) {
@@ -109,4 +109,4 @@ std::ostream& operator<<(std::ostream& out, const Infinitesimal& s) {
   return out;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// A product of powers of infinitesimals, packed so that comparing the packed numbers compares sizes: the exponent of the smallest
 /// infinitesimal stands in the highest bits. A lower number is a larger monomial; 0 is the monomial 1.
@@ -82,4 +82,4 @@ class Infinitesimal {
 /// "3 - 2 e1 e2^2"; "0".
 std::ostream& operator<<(std::ostream& out, const Infinitesimal& s);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -16,15 +16,16 @@
 namespace CGAL {
 
 template <>
-class Algebraic_structure_traits<fathom::Infinitesimal>
-    : public Algebraic_structure_traits_base<fathom::Infinitesimal, Integral_domain_without_division_tag> {
+class Algebraic_structure_traits<fathom::kernels::Infinitesimal>
+    : public Algebraic_structure_traits_base<fathom::kernels::Infinitesimal, Integral_domain_without_division_tag> {
  public:
   using Is_exact = Tag_true;
   using Is_numerical_sensitive = Tag_false;
 };
 
 template <>
-class Real_embeddable_traits<fathom::Infinitesimal> : public INTERN_RET::Real_embeddable_traits_base<fathom::Infinitesimal, Tag_true> {
+class Real_embeddable_traits<fathom::kernels::Infinitesimal>
+    : public INTERN_RET::Real_embeddable_traits_base<fathom::kernels::Infinitesimal, Tag_true> {
  public:
   struct Sgn : cpp98::unary_function<Type, ::CGAL::Sign> {
     ::CGAL::Sign operator()(const Type& s) const { return CGAL::sign(sgn(s)); }
@@ -52,7 +53,7 @@ class Real_embeddable_traits<fathom::Infinitesimal> : public INTERN_RET::Real_em
 
  private:
   static mpz_class limit(const Type& s) {
-    return s.leading() == fathom::Monomial() && !s.terms().empty() ? s.terms().front().second : mpz_class();
+    return s.leading() == fathom::kernels::Monomial() && !s.terms().empty() ? s.terms().front().second : mpz_class();
   }
 };
 

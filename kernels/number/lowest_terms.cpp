@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::kernels {
 
 bool in_lowest_terms(const mpq_class& value) {
   const mpz_class &n = value.get_num(), &d = value.get_den();
@@ -19,4 +19,4 @@ void require_lowest_terms(const mpq_class& value) {
   throw std::invalid_argument("a number is not in lowest terms over a positive denominator: mpq_class::canonicalize makes it so");
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -4,7 +4,7 @@
 
 #include <gmpxx.h>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Returns whether the number is in lowest terms over a positive denominator, as mpq_class::canonicalize leaves it.
 bool in_lowest_terms(const mpq_class& value);
@@ -12,4 +12,4 @@ bool in_lowest_terms(const mpq_class& value);
 /// Throws std::invalid_argument unless it is.
 void require_lowest_terms(const mpq_class& value);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 // GMP takes and yields longs. Exponents up to 10^15 are longs here, and 64-bit numbers go into GMP as longs in other rooms.
 static_assert(std::numeric_limits<long>::digits >= 63, "fathom needs a long of 64 bits; verify/check alone does without");
@@ -190,14 +190,19 @@ ParsedNumber parse_unsigned(std::string_view text, Decimals decimals) {
 
 }  // namespace
 
+}  // namespace fathom::kernels
+
+namespace fathom {
+
 ParsedNumber parse_number(std::string_view token, Decimals decimals) {
-  if (token.empty()) return refused("expected a number, found nothing");
+  if (token.empty()) return kernels::refused("expected a number, found nothing");
   if (token.size() > longest_number) {
-    return refused("expected a number, found " + quoted(token) + ": longer than " + std::to_string(longest_number) + " characters");
+    return kernels::refused("expected a number, found " + kernels::quoted(token) + ": longer than " + std::to_string(longest_number) +
+                            " characters");
   }
   const bool negative = token.front() == '-';
-  ParsedNumber result = parse_unsigned(token.substr(is_sign(token.front()) ? 1 : 0), decimals);
-  if (!result.value) return refused("expected a number, found " + quoted(token) + ": " + result.error);
+  ParsedNumber result = kernels::parse_unsigned(token.substr(kernels::is_sign(token.front()) ? 1 : 0), decimals);
+  if (!result.value) return kernels::refused("expected a number, found " + kernels::quoted(token) + ": " + result.error);
   if (negative) mpq_neg(result.value->get_mpq_t(), result.value->get_mpq_t());
   return result;
 }

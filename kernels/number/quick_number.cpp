@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace fathom {
+namespace fathom::kernels {
 
 // std::from_chars rounds correctly, but some of its shortcuts follow the rounding mode that an interval filter may have set.
 // Falls back to parse_number for inf, nan, integers over 64 bits and underflow.
@@ -27,4 +27,4 @@ bool quick_number(std::string_view token, Decimals decimals, mpq_class& value) {
   return true;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

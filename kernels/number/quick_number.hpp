@@ -8,10 +8,10 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Sets `value` to the value of parse_number(token, decimals), its naive twin, and returns true; or returns false, and parse_number has to
 /// read the token. Reads decimals only in binary64 mode and while rounding is to nearest.
 bool quick_number(std::string_view token, Decimals decimals, mpq_class& value);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -3,7 +3,7 @@
 
 #include <gmpxx.h>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// p / q in lowest terms; q is not zero.
 inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
@@ -12,4 +12,4 @@ inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
   return result;
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

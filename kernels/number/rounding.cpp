@@ -11,7 +11,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 /// A binary format: its finite numbers are m 2^e with |m| < 2^precision, e >= least_exponent and |m 2^e| < 2^top.
@@ -102,24 +102,28 @@ double round_root(const mpq_class& squared, const Format& format, Rounding mode)
 
 }  // namespace
 
+}  // namespace fathom::kernels
+
+namespace fathom {
+
 double round_binary64(const mpq_class& value, Rounding mode) {
-  const DefaultFloatEnvironment environment;
-  return round_value(value, binary64, mode);
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::round_value(value, kernels::binary64, mode);
 }
 
 float round_binary32(const mpq_class& value, Rounding mode) {
-  const DefaultFloatEnvironment environment;
-  return static_cast<float>(round_value(value, binary32, mode));
+  const kernels::DefaultFloatEnvironment environment;
+  return static_cast<float>(kernels::round_value(value, kernels::binary32, mode));
 }
 
 double root_binary64(const mpq_class& squared, Rounding mode) {
-  const DefaultFloatEnvironment environment;
-  return round_root(squared, binary64, mode);
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::round_root(squared, kernels::binary64, mode);
 }
 
 float root_binary32(const mpq_class& squared, Rounding mode) {
-  const DefaultFloatEnvironment environment;
-  return static_cast<float>(round_root(squared, binary32, mode));
+  const kernels::DefaultFloatEnvironment environment;
+  return static_cast<float>(kernels::round_root(squared, kernels::binary32, mode));
 }
 
 std::string hex_text(double value) {

@@ -10,7 +10,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
@@ -90,4 +90,4 @@ double nearest_root_binary64(const Surd& value) {
   return refined(value, round);
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

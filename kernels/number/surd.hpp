@@ -5,7 +5,7 @@
 
 #include <gmpxx.h>
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// rational + the signed root of `root`, where the signed root of x is sqrt(x), or -sqrt(-x) for x < 0. Both in lowest terms.
 struct Surd {
@@ -24,4 +24,4 @@ double nearest_binary64(const Surd& value);
 /// sqrt(value), rounded in the same way. Throws std::domain_error when the value is negative.
 double nearest_root_binary64(const Surd& value);
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fathom {
+namespace fathom::kernels {
 
 // mpz_get_d_2exp truncates: it leaves m 2^e with 1/2 <= |m| < 1, and the value lies at m 2^e or less than one unit in the last place
 // beyond it, away from zero. Scaling to a normal number is exact.
@@ -30,4 +30,4 @@ Vec3<DoubleInterval> enclose(const Vector& v) {
   return {enclose(v.x, shift), enclose(v.y, shift), enclose(v.z, shift)};
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -5,7 +5,7 @@
 #include "kernels/predicates/perturbation.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// A closed interval of binary64 numbers.
 struct DoubleInterval {
@@ -37,4 +37,4 @@ class Direction {
   Role role_ = Role::fixed;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

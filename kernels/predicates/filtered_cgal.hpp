@@ -10,7 +10,7 @@
 #include "kernels/predicates/predicates_cgal.hpp"
 #include "kernels/sign.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// The exact tier of a predicate, counted.
 template <class P>
@@ -32,4 +32,4 @@ Sign filtered_sign(const Exact& exact, const Approximate& interval, const Operan
   return sign_of(static_cast<int>(predicate(operands...)));
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

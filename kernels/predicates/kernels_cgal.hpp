@@ -10,7 +10,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// Binary64 without any guarantee: the static filters compare its values with proved error bounds.
 using ImageKernel = CGAL::Simple_cartesian<double>;
@@ -53,4 +53,4 @@ struct ToIntervals {
   }
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

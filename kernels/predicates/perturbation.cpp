@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 constexpr unsigned tilt_a = 9, tilt_b = 10, tilt_c = 11;
@@ -60,4 +60,4 @@ Vec3<Infinitesimal> Perturbation::moved(const Vector& d, Role role, unsigned lev
   return {d.x, d.y, d.z};
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

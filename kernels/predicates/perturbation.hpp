@@ -9,7 +9,7 @@
 #include "kernels/number/infinitesimal.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// What a direction is, hence how it moves.
 enum class Role : std::uint8_t {
@@ -39,4 +39,4 @@ struct Perturbation {
   [[nodiscard]] bool concerns(Role role, unsigned level) const;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -2,7 +2,7 @@
 // The members of the traits classes, and nothing else: a program that defines them itself, to record what is asked, gets by without this.
 #include "kernels/predicates/perturbed_kernel_cgal.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 Sign UnperturbedKernel::side_of_equator(const Direction& n, const Direction& z) const { return decide<SideOfEquator>(n, z); }
 Sign PerturbedKernel::side_of_equator(const Direction& n, const Direction& z) const { return decide<SideOfEquator>(n, z); }
@@ -27,4 +27,4 @@ Sign PerturbedKernel::order_at_infinity(const Direction& d1, const Direction& d2
   return decide<OrderAtInfinity>(d1, d2, z);
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

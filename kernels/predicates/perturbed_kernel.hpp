@@ -9,7 +9,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "kernels/sign.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 /// The signs of the operands as they are. Zero means "on". Refers to the counts; not to be shared between threads.
 class UnperturbedKernel {
@@ -62,4 +62,4 @@ class PerturbedKernel {
   UnperturbedKernel unperturbed_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

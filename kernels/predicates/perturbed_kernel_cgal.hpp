@@ -10,7 +10,7 @@
 #include "kernels/predicates/filtered_cgal.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 // A direction with another in its place if it is the vertical.
 inline ExactKernel::Vector_3 with_vertical(const Direction& d, const Vector& v) {
@@ -59,4 +59,4 @@ Sign PerturbedKernel::decide(const Directions&... directions) const {
   throw std::logic_error("a predicate that no perturbation resolves: " + std::string(predicate_names[id]));
 }
 
-}  // namespace fathom
+}  // namespace fathom::kernels

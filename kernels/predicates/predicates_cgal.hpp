@@ -14,7 +14,7 @@
 #include "kernels/counters.hpp"
 #include "kernels/filters/error_bounds.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 
 template <class K>
 using SignOver = typename CGAL::Same_uncertainty_nt<CGAL::Sign, typename K::FT>::type;
@@ -136,4 +136,4 @@ struct CompareDistance {
   }
 };
 
-}  // namespace fathom
+}  // namespace fathom::kernels

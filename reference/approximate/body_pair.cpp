@@ -8,10 +8,12 @@
 
 namespace fathom {
 
-BodyPair::BodyPair(Context& context, std::span<const Point> a, std::span<const Point> b) : placed_(place(a, b)), facts_(facts_of(placed_)) {
-  const PositionOfOrigin origin = position_of_origin(placed_.a, placed_.b);
-  if (origin.position == Position::inside) solid_ = std::make_unique<const Solid>(hulls_of(context, placed_, false, facts_));
-  else separation_ = Separation{*origin.normal, origin.position == Position::boundary};
+BodyPair::BodyPair(kernels::Context& context, std::span<const Point> a, std::span<const Point> b)
+    : placed_(polytope::place(a, b)), facts_(depth::facts_of(placed_)) {
+  const polytope::PositionOfOrigin origin = polytope::position_of_origin(placed_.a, placed_.b);
+  if (origin.position == polytope::Position::inside)
+    solid_ = std::make_unique<const Solid>(depth::hulls_of(context, placed_, false, facts_));
+  else separation_ = Separation{*origin.normal, origin.position == polytope::Position::boundary};
 }
 
 Point BodyPair::translation(const mpq_class& factor, const Vector& u) const {
@@ -20,16 +22,16 @@ Point BodyPair::translation(const mpq_class& factor, const Vector& u) const {
 }
 
 BodyPair::Meeting BodyPair::meeting(const Vector& n, const Point& t) const {
-  const FacingFaces faces = facing_faces(placed_, n);
+  const depth::FacingFaces faces = depth::facing_faces(placed_, n);
   const mpz_class d = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
   const mpq_class s = placed_.denominator * d;
   const Vector v{mpq_class(s * t.x).get_num(), mpq_class(s * t.y).get_num(), mpq_class(s * t.z).get_num()};
-  return {optimum(placed_, n, faces).contact, meeting_points(placed_, faces, v, d)};
+  return {depth::optimum(placed_, n, faces).contact, depth::meeting_points(placed_, faces, v, d)};
 }
 
 Hierarchies::Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  Context context(monitor);
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(monitor);
   pair_ = std::make_unique<const BodyPair>(context, a, b);
 }
 

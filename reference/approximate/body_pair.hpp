@@ -19,19 +19,19 @@ namespace fathom {
 class BodyPair {
  public:
   /// Throws std::invalid_argument when a body is empty, and Interrupted.
-  BodyPair(Context& context, std::span<const Point> a, std::span<const Point> b);
+  BodyPair(kernels::Context& context, std::span<const Point> a, std::span<const Point> b);
   BodyPair(const BodyPair&) = delete;
   BodyPair& operator=(const BodyPair&) = delete;
 
-  [[nodiscard]] const PlacedPair& placed() const { return placed_; }
+  [[nodiscard]] const polytope::PlacedPair& placed() const { return placed_; }
   [[nodiscard]] const BodyFacts& facts() const { return facts_; }
   /// nullopt if the bodies penetrate.
   [[nodiscard]] const std::optional<Separation>& separation() const { return separation_; }
 
   // The rest only if penetrating.
 
-  [[nodiscard]] const Hierarchy& a() const { return solid_->hierarchy_a; }
-  [[nodiscard]] const Hierarchy& b() const { return solid_->hierarchy_b; }
+  [[nodiscard]] const polytope::Hierarchy& a() const { return solid_->hierarchy_a; }
+  [[nodiscard]] const polytope::Hierarchy& b() const { return solid_->hierarchy_b; }
   /// factor * u, from the lattice's unit to that of the input.
   [[nodiscard]] Point translation(const mpq_class& factor, const Vector& u) const;
   /// The contact in direction n, the outward normal of a facet of P, and points a and b of it with b - a = t: nullopt if the faces moved by
@@ -44,12 +44,12 @@ class BodyPair {
 
  private:
   struct Solid {
-    explicit Solid(Hulls of_both) : hulls(std::move(of_both)), hierarchy_a(hulls.a), hierarchy_b(hulls.b) {}
-    Hulls hulls;
-    Hierarchy hierarchy_a, hierarchy_b;
+    explicit Solid(depth::Hulls of_both) : hulls(std::move(of_both)), hierarchy_a(hulls.a), hierarchy_b(hulls.b) {}
+    depth::Hulls hulls;
+    polytope::Hierarchy hierarchy_a, hierarchy_b;
   };
 
-  PlacedPair placed_;
+  polytope::PlacedPair placed_;
   BodyFacts facts_;
   std::optional<Separation> separation_;
   std::unique_ptr<const Solid> solid_;

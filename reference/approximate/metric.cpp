@@ -8,7 +8,7 @@
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/position.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 constexpr std::uint64_t rays_between_reports = 64;
@@ -21,31 +21,18 @@ bool contains_opposites(std::vector<Vector> vertices) {
   return vertices == opposites;
 }
 
-void require_interior_origin(const PlacedPair& pair) {
-  if (affine_rank(pair.a.points()) < 3) throw NoUnitBall("the unit ball is flat: its points lie in one plane");
-  const PositionOfOrigin origin = position_of_origin(pair.a, pair.b);
-  if (origin.position == Position::outside) throw NoUnitBall("the unit ball does not contain O, which must lie inside it");
-  if (origin.position == Position::boundary) throw NoUnitBall("the unit ball has O on its boundary, which must lie inside it");
+void require_interior_origin(const polytope::PlacedPair& pair) {
+  if (polytope::affine_rank(pair.a.points()) < 3) throw NoUnitBall("the unit ball is flat: its points lie in one plane");
+  const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
+  if (origin.position == polytope::Position::outside) throw NoUnitBall("the unit ball does not contain O, which must lie inside it");
+  if (origin.position == polytope::Position::boundary) throw NoUnitBall("the unit ball has O on its boundary, which must lie inside it");
 }
 
 }  // namespace
 
-UnitBall unit_ball(std::span<const Point> points) {
-  const DefaultFloatEnvironment environment;
-  const Point origin{0, 0, 0};
-  const PlacedPair pair = place(points, {&origin, 1});  // the lattice's origin is the first point of what stands second
-  require_interior_origin(pair);
-  Polytope hull = convex_hull(pair.a.points());
-  UnitBall ball;
-  ball.vertices = std::move(hull.vertices);
-  ball.input_ids = std::move(hull.input_ids);
-  ball.denominator = pair.denominator;
-  ball.symmetric = contains_opposites(ball.vertices);
-  return ball;
-}
-
-MetricDepth metric_depth(Context& context, const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift) {
-  const DefaultFloatEnvironment environment;
+MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const UnitBall& ball,
+                         const Vector& shift) {
+  const kernels::DefaultFloatEnvironment environment;
   const RayShooter shooter(a, b);
   MetricDepth result;
   const auto count = static_cast<std::uint32_t>(ball.vertices.size());
@@ -68,21 +55,39 @@ MetricDepth metric_depth(Context& context, const Hierarchy& a, const Hierarchy& 
   return result;
 }
 
+}  // namespace fathom::approximate
+
+namespace fathom {
+
+UnitBall unit_ball(std::span<const Point> points) {
+  const kernels::DefaultFloatEnvironment environment;
+  const Point origin{0, 0, 0};
+  const polytope::PlacedPair pair = polytope::place(points, {&origin, 1});  // the lattice's origin is the first point of what stands second
+  approximate::require_interior_origin(pair);
+  polytope::Polytope hull = polytope::convex_hull(pair.a.points());
+  UnitBall ball;
+  ball.vertices = std::move(hull.vertices);
+  ball.input_ids = std::move(hull.input_ids);
+  ball.denominator = pair.denominator;
+  ball.symmetric = approximate::contains_opposites(ball.vertices);
+  return ball;
+}
+
 const std::vector<MetricOptimum>& MetricResult::optima() const {
   static const std::vector<MetricOptimum> none;
   return penetration() ? penetration()->optima : none;
 }
 
 MetricResult Hierarchies::metric_depth(const UnitBall& ball, Monitor* monitor) const {
-  const DefaultFloatEnvironment environment;
-  Context context(monitor);
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(monitor);
   const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}};
-  const MetricDepth found = fathom::metric_depth(context, pair.a(), pair.b(), ball);
+  const approximate::MetricDepth found = approximate::metric_depth(context, pair.a(), pair.b(), ball);
   if (found.deciding.empty()) throw std::logic_error("a ray from the interior of P found it flat or missed it");
   // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1 / denominator of the bodies.
   MetricPenetration result{found.depth * ball.denominator / pair.placed().denominator, {}, found.rays};
-  for (const MetricDepth::Deciding& d : found.deciding) {
+  for (const approximate::MetricDepth::Deciding& d : found.deciding) {
     const Point t = pair.translation(found.depth, ball.vertices[d.vertex]);
     BodyPair::Meeting meeting = pair.meeting(d.normal, t);
     if (!meeting.witness) throw std::logic_error("a ray leaves P beside the facet that it hits");

@@ -12,7 +12,7 @@
 #include "kernels/context.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// In integers: vertices of the ball and points of the lattice as they are.
 struct MetricDepth {
@@ -28,6 +28,7 @@ struct MetricDepth {
 };
 
 /// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
-MetricDepth metric_depth(Context& context, const Hierarchy& a, const Hierarchy& b, const UnitBall& ball, const Vector& shift = {0, 0, 0});
+MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const UnitBall& ball,
+                         const Vector& shift = {0, 0, 0});
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -14,7 +14,7 @@
 #include "reference/approximate/ray_levels.hpp"
 #include "reference/approximate/ray_portal.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 const std::array<Vector, 3> axes{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
@@ -62,7 +62,7 @@ struct Location {
 };
 
 /// Support queries of a ray before it is left to the descent of both hierarchies.
-std::uint64_t patience_of(const Hierarchy& a, const Hierarchy& b) {
+std::uint64_t patience_of(const polytope::Hierarchy& a, const polytope::Hierarchy& b) {
   return 16 + 2 * static_cast<std::uint64_t>(std::bit_width(a.cloud().size()) + std::bit_width(b.cloud().size()));
 }
 
@@ -87,10 +87,11 @@ Location locate(const Vector& start, const std::array<Vector, 4>& corners, Suppo
 
 }  // namespace
 
-RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b) : RayShooter(a, b, patience_of(a, b)) {}
+RayShooter::RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b) : RayShooter(a, b, patience_of(a, b)) {}
 
-RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t patience) : a_(&a), b_(&b), patience_(patience) {
-  const DefaultFloatEnvironment environment;
+RayShooter::RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b, std::uint64_t patience)
+    : a_(&a), b_(&b), patience_(patience) {
+  const kernels::DefaultFloatEnvironment environment;
   SupportOfSum support{a_, b_, &thickness_};
   std::vector<Vector> points{support.of_sum(axes[0])}, span;
   while (span.size() < 3) {
@@ -105,7 +106,7 @@ RayShooter::RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t pat
 }
 
 RayHit RayShooter::shoot(const Vector& direction, const Vector& start) const {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (is_zero(direction)) throw std::invalid_argument("a ray without a direction");
   SupportOfSum support{a_, b_, &thickness_};
   RayHit hit = thickness_.empty() ? shoot_solid(direction, start, support) : shoot_flat(direction, start, support);
@@ -127,7 +128,7 @@ RayHit RayShooter::shoot_solid(const Vector& direction, const Vector& start, Sup
   hit.normal = primitive(normal_of(location.portal));
   hit.height = dot(hit.normal, location.portal[0]) / 4;
   if (hit.hits) {
-    hit.factor = ratio(hit.height - dot(hit.normal, start), dot(hit.normal, direction));
+    hit.factor = kernels::ratio(hit.height - dot(hit.normal, start), dot(hit.normal, direction));
   }
   return hit;
 }
@@ -152,8 +153,8 @@ RayHit RayShooter::shoot_flat(const Vector& direction, const Vector& start, Supp
   return hit;
 }
 
-RayHit shoot_ray(const Hierarchy& a, const Hierarchy& b, const Vector& direction, const Vector& start) {
+RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction, const Vector& start) {
   return RayShooter(a, b).shoot(direction, start);
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -13,7 +13,7 @@
 #include "kernels/vector.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// Below, h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
 struct RayHit {
@@ -28,7 +28,7 @@ struct RayHit {
   Vector normal;
   mpz_class height;           ///< h(normal)
   std::uint64_t queries = 0;  ///< support queries of P
-  Steps steps = 0;            ///< steps of the hierarchies in these queries
+  polytope::Steps steps = 0;  ///< steps of the hierarchies in these queries
 };
 
 struct SupportOfSum;
@@ -37,10 +37,10 @@ struct SupportOfSum;
 /// integers of any size; bodies of any rank.
 class RayShooter {
  public:
-  RayShooter(const Hierarchy& a, const Hierarchy& b);
+  RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b);
   /// After `patience` support queries a search becomes a descent of both hierarchies, which takes O(log m log n) steps whatever the shapes,
   /// but more than a usual search. Answers do not depend on it.
-  RayShooter(const Hierarchy& a, const Hierarchy& b, std::uint64_t patience);
+  RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b, std::uint64_t patience);
 
   /// From `start`, in lattice units. Moving A by t moves P by -t: shoot from t instead; nothing is prepared anew.
   /// Throws std::invalid_argument when the direction is zero.
@@ -53,8 +53,8 @@ class RayShooter {
   [[nodiscard]] RayHit shoot_solid(const Vector& direction, const Vector& start, SupportOfSum& support) const;
   [[nodiscard]] RayHit shoot_flat(const Vector& direction, const Vector& start, SupportOfSum& support) const;
 
-  const Hierarchy* a_;
-  const Hierarchy* b_;
+  const polytope::Hierarchy* a_;
+  const polytope::Hierarchy* b_;
   std::uint64_t patience_;
   /// A basis of the directions orthogonal to P; empty for a solid P. A flat P is thickened by the segments from -t to t.
   std::vector<Vector> thickness_;
@@ -63,6 +63,6 @@ class RayShooter {
 };
 
 /// Shoots one ray.
-RayHit shoot_ray(const Hierarchy& a, const Hierarchy& b, const Vector& direction, const Vector& start = {0, 0, 0});
+RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction, const Vector& start = {0, 0, 0});
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -6,7 +6,7 @@
 
 #include "reference/polytope/hierarchy_descent.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 Vector times_4(const Vector& v) { return {4 * v.x, 4 * v.y, 4 * v.z}; }
@@ -27,7 +27,7 @@ Vector highest(const SmallSum& sum, const Vector& u) {
   return dot(u, anchor - p) > 0 ? anchor : p;
 }
 
-Portal pierce(const SmallSum& sum, const PushedRay& ray, Steps& steps) {
+Portal pierce(const SmallSum& sum, const PushedRay& ray, polytope::Steps& steps) {
   const auto support = [&](const Vector& u) {
     steps += sum.b.size() + sum.a.size() + sum.t.size() + sum.anchors->size();
     return highest(sum, u);
@@ -47,14 +47,14 @@ std::vector<Vector> corners_of(const std::vector<Vector>& thickness) {
   return corners;
 }
 
-std::vector<Vector> points_of(const Hierarchy& h, const std::vector<std::uint32_t>& vertices) {
+std::vector<Vector> points_of(const polytope::Hierarchy& h, const std::vector<std::uint32_t>& vertices) {
   std::vector<Vector> points;
   for (const std::uint32_t v : vertices) points.push_back(h.cloud()[v]);
   return points;
 }
 
 /// The highest vertex of a descent, new at its level, and its neighbours there.
-std::vector<Vector> star(const Hierarchy& h, const HierarchyDescent& descent) {
+std::vector<Vector> star(const polytope::Hierarchy& h, const polytope::HierarchyDescent& descent) {
   std::vector<std::uint32_t> vertices = descent.neighbours();
   vertices.push_back(descent.highest());
   return points_of(h, vertices);
@@ -109,11 +109,11 @@ class Levels {
 
   const PushedRay& ray_;
   SupportOfSum& support_;
-  HierarchyDescent down_a_, down_b_;
+  polytope::HierarchyDescent down_a_, down_b_;
   SmallSum sum_;
   Portal portal_;
   Vector normal_;
-  Steps steps_ = 0;
+  polytope::Steps steps_ = 0;
 };
 
 }  // namespace
@@ -122,4 +122,4 @@ Portal refine_by_levels(const std::array<Vector, 4>& anchors, const PushedRay& r
   return Levels(anchors, ray, support).run();
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

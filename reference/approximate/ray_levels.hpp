@@ -9,10 +9,10 @@
 #include "reference/approximate/ray_portal.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// Returns the last portal, which lies in the facet. `anchors` are corners of a tetrahedron in 4 P, with the start of the ray strictly
 /// inside; P is thickened as SupportOfSum says. Adds its steps to `support`.
 Portal refine_by_levels(const std::array<Vector, 4>& anchors, const PushedRay& ray, SupportOfSum& support);
 
-}  // namespace fathom
+}  // namespace fathom::approximate

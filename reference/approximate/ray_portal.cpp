@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fathom {
+namespace fathom::approximate {
 
 int PushedRay::side(const Vector& p, const Vector& q) const {
   const Vector across = cross(direction, q - p);
@@ -72,4 +72,4 @@ std::optional<Portal> refine(Portal portal, const PushedRay& ray, const std::fun
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -13,7 +13,7 @@
 #include "kernels/vector.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// A ray from start + e pushes[0] + e^2 pushes[1] + ... with an infinitesimal e > 0. Direction and pushes span space, so that in
 /// projection along the direction the start lies on no line through two points that differ there.
@@ -33,11 +33,11 @@ inline Vector normal_of(const Portal& p) { return cross(p[1] - p[0], p[2] - p[0]
 
 /// Support queries of 4 P, where P = B (+) (-A) plus the segments from -t to t for each t of `thickness`.
 struct SupportOfSum {
-  const Hierarchy* a;
-  const Hierarchy* b;
+  const polytope::Hierarchy* a;
+  const polytope::Hierarchy* b;
   const std::vector<Vector>* thickness;
   std::uint64_t queries = 0;
-  Steps steps = 0;
+  polytope::Steps steps = 0;
 
   /// A point of P, not scaled and not thickened, that is extreme in direction u.
   Vector of_sum(const Vector& u);
@@ -54,4 +54,4 @@ Portal portal_of_tetrahedron(const std::array<Vector, 4>& corners, const PushedR
 std::optional<Portal> refine(Portal portal, const PushedRay& ray, const std::function<Vector(const Vector&)>& extreme,
                              const Vector* within = nullptr, std::uint64_t patience = std::numeric_limits<std::uint64_t>::max());
 
-}  // namespace fathom
+}  // namespace fathom::approximate

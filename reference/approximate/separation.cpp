@@ -8,7 +8,7 @@
 #include "reference/approximate/grid/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 constexpr std::uint64_t rays_between_reports = 64;
@@ -52,8 +52,8 @@ class Search {
   ApproxSeparation result_;
 };
 
-ApproxSeparation search(Context& context, const Hierarchy& a, const Hierarchy& b, const DirectionGrid& grid, std::uint64_t rays,
-                        const Vector& shift) {
+ApproxSeparation search(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const DirectionGrid& grid,
+                        std::uint64_t rays, const Vector& shift) {
   const RayShooter shooter(a, b);
   Search search;
   for (std::uint64_t i = 0; i < rays; ++i) {
@@ -70,10 +70,10 @@ ApproxPenetration result_of(const BodyPair& pair, const mpq_class& delta, const 
   const mpz_class& unit = pair.placed().denominator;
   const mpq_class shrink = unit * (1 + delta);
   ApproxPenetration result;
-  result.squared = ratio(found.height * found.height, dot(n, n) * unit * unit);
+  result.squared = kernels::ratio(found.height * found.height, dot(n, n) * unit * unit);
   result.bound_squared = found.reach_squared / (shrink * shrink);
   result.direction = n;
-  result.translation = pair.translation(ratio(found.height, dot(n, n)), n);
+  result.translation = pair.translation(kernels::ratio(found.height, dot(n, n)), n);
   BodyPair::Meeting meeting = pair.meeting(n, result.translation);
   result.contact = std::move(meeting.contact);
   result.witness = std::move(meeting.witness);
@@ -83,46 +83,51 @@ ApproxPenetration result_of(const BodyPair& pair, const mpq_class& delta, const 
 }
 
 void require_delta(const mpq_class& delta) {
-  require_lowest_terms(delta);
+  kernels::require_lowest_terms(delta);
   if (delta < least_delta) throw std::invalid_argument("an approximation needs a positive delta, 1e-9 or more");
 }
 
 }  // namespace
 
-ApproxSeparation approx_separation(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta, const Vector& shift) {
-  const DefaultFloatEnvironment environment;
+ApproxSeparation approx_separation(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                                   const mpq_class& delta, const Vector& shift) {
+  const kernels::DefaultFloatEnvironment environment;
   const DirectionGrid grid(context, delta);
   return search(context, a, b, grid, grid.size(), shift);
 }
 
-ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq_class& delta) {
-  const DefaultFloatEnvironment environment;
+ApproxSeparation approx_width(kernels::Context& context, const polytope::Hierarchy& body, const mpq_class& delta) {
+  const kernels::DefaultFloatEnvironment environment;
   const DirectionGrid grid(context, delta);
   return search(context, body, body, grid, grid.size() / 2, {0, 0, 0});
 }
 
+}  // namespace fathom::approximate
+
+namespace fathom {
+
 ApproxDepth Hierarchies::approx_depth(const mpq_class& delta, Monitor* monitor) const {
-  const DefaultFloatEnvironment environment;
-  require_delta(delta);
-  Context context(monitor);
+  const kernels::DefaultFloatEnvironment environment;
+  approximate::require_delta(delta);
+  kernels::Context context(monitor);
   const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
-  return {{pair.facts(), result_of(pair, delta, approx_separation(context, pair.a(), pair.b(), delta))}, delta};
+  return {{pair.facts(), approximate::result_of(pair, delta, approximate::approx_separation(context, pair.a(), pair.b(), delta))}, delta};
 }
 
 ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  require_delta(delta);
+  const kernels::DefaultFloatEnvironment environment;
+  approximate::require_delta(delta);
   return Hierarchies(a, b, monitor).approx_depth(delta, monitor);
 }
 
 ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  require_delta(delta);
-  Context context(monitor);
+  const kernels::DefaultFloatEnvironment environment;
+  approximate::require_delta(delta);
+  kernels::Context context(monitor);
   const BodyPair pair(context, points, points);
   if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
-  return {{pair.facts(), result_of(pair, delta, approx_width(context, pair.a(), delta))}, delta};
+  return {{pair.facts(), approximate::result_of(pair, delta, approximate::approx_width(context, pair.a(), delta))}, delta};
 }
 
 }  // namespace fathom

@@ -12,7 +12,7 @@
 #include "kernels/context.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// In the unit of the lattice. With O on the boundary of P all lengths are 0; then, and outside, normal and ray are zero vectors.
 struct ApproxSeparation {
@@ -27,10 +27,10 @@ struct ApproxSeparation {
 
 /// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
 /// Throws std::invalid_argument unless delta >= least_delta of the grid, 1e-9, and Interrupted.
-ApproxSeparation approx_separation(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta,
-                                   const Vector& shift = {0, 0, 0});
+ApproxSeparation approx_separation(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                                   const mpq_class& delta, const Vector& shift = {0, 0, 0});
 
 /// For a body against itself: P is symmetric about O, and half of the rays suffice.                         [AGHRS, Corollary 3.3]
-ApproxSeparation approx_width(Context& context, const Hierarchy& body, const mpq_class& delta);
+ApproxSeparation approx_width(kernels::Context& context, const polytope::Hierarchy& body, const mpq_class& delta);
 
-}  // namespace fathom
+}  // namespace fathom::approximate

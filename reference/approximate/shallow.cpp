@@ -11,18 +11,19 @@
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 const mpq_class& checked(const mpq_class& delta) {
-  require_lowest_terms(delta);
+  kernels::require_lowest_terms(delta);
   if (delta <= 0 || delta > 2) throw std::invalid_argument("shallow penetration needs a delta with 0 < delta <= 2");
   return delta;
 }
 
 /// The facets that the rays hit, each once.
-std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface, const Hierarchy& a, const Hierarchy& b) {
-  std::set<Vector, NearestPlanes::LexicographicOrder> normals;
+std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface, const polytope::Hierarchy& a,
+                                 const polytope::Hierarchy& b) {
+  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
   for (const NearRay& ray : rays) normals.insert(ray.normal);
   std::vector<SumFacet> facets;
   for (const Vector& n : normals) facets.push_back(surface.facet(a.extreme_face(-n), b.extreme_face(n), n));
@@ -30,7 +31,7 @@ std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurf
 }
 
 /// Whether the sum of the faces with these vertices, which lie in parallel planes, is two-dimensional.
-bool span_a_facet(const Polytope& a, const std::vector<std::uint32_t>& face_a, const Polytope& b,
+bool span_a_facet(const polytope::Polytope& a, const std::vector<std::uint32_t>& face_a, const polytope::Polytope& b,
                   const std::vector<std::uint32_t>& face_b) {
   if (face_a.size() > 2 || face_b.size() > 2) return true;
   if (face_a.size() < 2 || face_b.size() < 2) return false;
@@ -39,11 +40,12 @@ bool span_a_facet(const Polytope& a, const std::vector<std::uint32_t>& face_a, c
 
 }  // namespace
 
-ShallowPenetration::ShallowPenetration(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta)
+ShallowPenetration::ShallowPenetration(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                                       const mpq_class& delta)
     : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(context, delta / 4) {}
 
-ShallowResult ShallowPenetration::query(Context& context, const Vector& shift) const {
-  const DefaultFloatEnvironment environment;
+ShallowResult ShallowPenetration::query(kernels::Context& context, const Vector& shift) const {
+  const kernels::DefaultFloatEnvironment environment;
   ShallowResult result;
   if (shooter_.rank() < 3) return result;
   const NearRays rays = grids_.shoot(context, shooter_, shift);
@@ -66,10 +68,10 @@ ShallowResult ShallowPenetration::query(Context& context, const Vector& shift) c
   return result;
 }
 
-Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift) {
-  Report report;
+kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& shift) {
+  kernels::Report report;
   report.expect(result.inside != result.nearest.empty(), "nearest planes exactly if O is inside P");
-  const Polytope &hull_a = a.polytope(), &hull_b = b.polytope();
+  const polytope::Polytope &hull_a = a.polytope(), &hull_b = b.polytope();
   for (const Vector& n : result.nearest.directions()) {
     const std::vector<std::uint32_t> face_a = a.extreme_face(-n), face_b = b.extreme_face(n);
     report.expect(span_a_facet(hull_a, face_a, hull_b, face_b), "a nearest direction is not that of a facet");
@@ -80,23 +82,27 @@ Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy
   return report;
 }
 
+}  // namespace fathom::approximate
+
+namespace fathom {
+
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
-  const DefaultFloatEnvironment environment;
-  checked(delta);
-  Context context(options.monitor);
-  const PlacedPair pair = place(a, b);
-  Depth depth{facts_of(pair), {}, std::nullopt, {}};
-  if (!answer_apart(context, pair, options.validate, depth)) {
-    const Hulls hulls = hulls_of(context, pair, options.validate, depth);
+  const kernels::DefaultFloatEnvironment environment;
+  approximate::checked(delta);
+  kernels::Context context(options.monitor);
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  Depth depth{depth::facts_of(pair), {}, std::nullopt, {}};
+  if (!depth::answer_apart(context, pair, options.validate, depth)) {
+    const depth::Hulls hulls = depth::hulls_of(context, pair, options.validate, depth);
     context.report("hierarchies");
-    const Hierarchy hierarchy_a(hulls.a), hierarchy_b(hulls.b);
-    const ShallowPenetration bodies(context, hierarchy_a, hierarchy_b, delta);
-    const ShallowResult found = bodies.query(context);
+    const polytope::Hierarchy hierarchy_a(hulls.a), hierarchy_b(hulls.b);
+    const approximate::ShallowPenetration bodies(context, hierarchy_a, hierarchy_b, delta);
+    const approximate::ShallowResult found = bodies.query(context);
     if (!found.inside) throw std::logic_error("O is inside P, and a ray from it found otherwise");
-    if (options.validate) insist(validate(found, hierarchy_a, hierarchy_b));
+    if (options.validate) kernels::insist(approximate::validate(found, hierarchy_a, hierarchy_b));
     context.counters.rays = found.rays;
     context.counters.facets_visited = found.facets;
-    depth.outcome = penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()});
+    depth.outcome = depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()});
   }
   depth.counters = context.counters;
   return depth;

@@ -17,11 +17,11 @@
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 struct ShallowResult {
   bool inside = false;             ///< whether O is in the interior of P; if not, nothing more is found
-  NearestPlanes nearest;           ///< the planes of all nearest facets of P, in lattice units
+  kernels::NearestPlanes nearest;  ///< the planes of all nearest facets of P, in lattice units
   std::uint64_t rays = 0;          ///< shot
   std::uint64_t rays_skipped = 0;  ///< directions of the grids in which no ray was needed
   std::uint64_t ray_steps = 0;     ///< that the rays took
@@ -36,15 +36,16 @@ struct ShallowResult {
 class ShallowPenetration {
  public:
   /// O(m + n + 1 / delta), but for sorting. Throws std::invalid_argument unless 0 < delta <= 2.
-  ShallowPenetration(Context& context, const Hierarchy& a, const Hierarchy& b, const mpq_class& delta = mpq_class(1, 4));
+  ShallowPenetration(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                     const mpq_class& delta = mpq_class(1, 4));
 
   /// The depth of A moved by `shift`, in lattice units: P seen from `shift` in place of O; nothing is prepared anew. Exact.
   /// Throws Interrupted.
-  [[nodiscard]] ShallowResult query(Context& context, const Vector& shift = {0, 0, 0}) const;
+  [[nodiscard]] ShallowResult query(kernels::Context& context, const Vector& shift = {0, 0, 0}) const;
 
  private:
-  const Hierarchy* a_;
-  const Hierarchy* b_;
+  const polytope::Hierarchy* a_;
+  const polytope::Hierarchy* b_;
   RayShooter shooter_;
   SumSurface surface_;
   mpq_class delta_;
@@ -52,6 +53,7 @@ class ShallowPenetration {
 };
 
 /// Checks that each nearest plane is that of a facet of P, at the same distance, seen from `shift`; not that no facet is nearer.
-[[nodiscard]] Report validate(const ShallowResult& result, const Hierarchy& a, const Hierarchy& b, const Vector& shift = {0, 0, 0});
+[[nodiscard]] kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                                       const Vector& shift = {0, 0, 0});
 
-}  // namespace fathom
+}  // namespace fathom::approximate

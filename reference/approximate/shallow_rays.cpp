@@ -8,7 +8,7 @@
 #include "kernels/number/ratio.hpp"
 #include "reference/approximate/grid/directions.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 constexpr std::size_t directions_between_reports = 64;
@@ -18,7 +18,7 @@ const std::array<Vector, 6> six_axes{Vector{1, 0, 0},  Vector{-1, 0, 0}, Vector{
 
 mpq_class square(const mpq_class& q) { return q * q; }
 
-std::vector<Vector> directions(Context& context, const mpq_class& delta) {
+std::vector<Vector> directions(kernels::Context& context, const mpq_class& delta) {
   const DirectionGrid grid(context, delta);
   std::vector<Vector> result;
   result.reserve(grid.size());
@@ -49,7 +49,7 @@ class Search {
     result_.inside = hit.interior;
     if (!hit.interior) return false;
     const mpz_class height = hit.height - dot(hit.normal, start_);
-    const mpq_class plane_squared = ratio(height * height, dot(hit.normal, hit.normal));
+    const mpq_class plane_squared = kernels::ratio(height * height, dot(hit.normal, hit.normal));
     if (known_.empty() || plane_squared < result_.nearest_squared) result_.nearest_squared = plane_squared;
     mpq_class length_squared = square(hit.factor) * dot(u, u);
     known_.push_back({u, std::move(hit.normal), std::move(hit.factor), std::move(length_squared)});
@@ -106,14 +106,14 @@ mpq_class GaugeBound::along(const Vector& u, const Known& known) const {
   mpq_class least = along_axes({to[0], to[1], to[2]});
   for (std::size_t i = 0; i < 3; ++i) {
     if (sgn(to[i]) * sgn(k[i]) <= 0) continue;
-    const mpq_class s = ratio(to[i], k[i]);
+    const mpq_class s = kernels::ratio(to[i], k[i]);
     const mpq_class sum = s * known.gauge + along_axes({to[0] - s * k[0], to[1] - s * k[1], to[2] - s * k[2]});
     if (sum < least) least = sum;
   }
   return least;
 }
 
-RayGrids::RayGrids(Context& context, const mpq_class& delta) {
+RayGrids::RayGrids(kernels::Context& context, const mpq_class& delta) {
   std::vector<Vector> finest = directions(context, delta);
   grids_.push_back({std::max(delta, mpq_class(1)), {six_axes.begin(), six_axes.end()}});
   for (mpq_class coarse = mpq_class(1, 4); coarse > delta; coarse /= 4) {
@@ -123,7 +123,7 @@ RayGrids::RayGrids(Context& context, const mpq_class& delta) {
   if (finest.size() > six_axes.size()) grids_.push_back({delta, std::move(finest)});
 }
 
-NearRays RayGrids::shoot(Context& context, const RayShooter& shooter, const Vector& start) const {
+NearRays RayGrids::shoot(kernels::Context& context, const RayShooter& shooter, const Vector& start) const {
   Search search(shooter, start);
   std::size_t done = 0, all = 0;
   for (const Grid& grid : grids_) all += grid.directions.size();
@@ -137,4 +137,4 @@ NearRays RayGrids::shoot(Context& context, const RayShooter& shooter, const Vect
   return search.result(grids_.back().delta);
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -14,7 +14,7 @@
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// A ray that was shot from O, which is inside P.
 struct NearRay {
@@ -57,10 +57,10 @@ class GaugeBound {
 class RayGrids {
  public:
   /// Throws std::invalid_argument unless delta > 0.
-  RayGrids(Context& context, const mpq_class& delta);
+  RayGrids(kernels::Context& context, const mpq_class& delta);
 
   /// From `start` in place of O, in lattice units. Throws Interrupted.
-  [[nodiscard]] NearRays shoot(Context& context, const RayShooter& shooter, const Vector& start) const;
+  [[nodiscard]] NearRays shoot(kernels::Context& context, const RayShooter& shooter, const Vector& start) const;
 
  private:
   struct Grid {
@@ -70,4 +70,4 @@ class RayGrids {
   std::vector<Grid> grids_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using Index = std::uint32_t;
 
-std::vector<Vector> vertices_of(const Polytope& polytope, Colour colour) {
+std::vector<Vector> vertices_of(const polytope::Polytope& polytope, gaussian::Colour colour) {
   std::vector<Vector> vertices = polytope.vertices;
-  if (colour == Colour::a) {
+  if (colour == gaussian::Colour::a) {
     for (Vector& v : vertices) v = -v;
   }
   return vertices;
@@ -19,21 +19,21 @@ std::vector<Vector> vertices_of(const Polytope& polytope, Colour colour) {
 
 }  // namespace
 
-Summand::Summand(const Polytope& polytope, Colour colour)
+Summand::Summand(const polytope::Polytope& polytope, gaussian::Colour colour)
     : polytope_(&polytope),
-      reflected_(colour == Colour::a),
+      reflected_(colour == gaussian::Colour::a),
       vertices_(vertices_of(polytope, colour)),
       first_spoke_(polytope.vertices.size() + 1),
       spokes_(2 * polytope.edges.size()),
       edge_after_(polytope.corners.size()) {
-  for (const Edge& e : polytope.edges) {
+  for (const polytope::Edge& e : polytope.edges) {
     ++first_spoke_[e.from + 1];
     ++first_spoke_[e.to + 1];
   }
   for (std::size_t v = 1; v < first_spoke_.size(); ++v) first_spoke_[v] += first_spoke_[v - 1];
   std::vector<Index> next(first_spoke_.begin(), first_spoke_.end() - 1);
   for (Index i = 0; i < polytope.edges.size(); ++i) {
-    const Edge& e = polytope.edges[i];
+    const polytope::Edge& e = polytope.edges[i];
     spokes_[next[e.from]++] = {e.to, i};
     spokes_[next[e.to]++] = {e.from, i};
   }
@@ -41,7 +41,7 @@ Summand::Summand(const Polytope& polytope, Colour colour)
     std::sort(spokes_.begin() + first_spoke_[v], spokes_.begin() + first_spoke_[v + 1],
               [](const Spoke& s, const Spoke& t) { return s.other < t.other; });
   }
-  for (const Facet& f : polytope.facets) {
+  for (const polytope::Facet& f : polytope.facets) {
     for (Index i = f.begin; i < f.end; ++i) {
       edge_after_[i] = edge_between(polytope.corners[i], polytope.corners[i + 1 == f.end ? f.begin : i + 1]);
     }
@@ -67,7 +67,7 @@ Face Summand::face_of(std::span<const Index> vertices, const Vector& n) const {
   if (vertices.size() == 1) return {Face::Kind::vertex, v};
   if (vertices.size() == 2) return {Face::Kind::edge, edge_between(v, vertices[1])};
   for (const Spoke& s : star(v)) {
-    const Edge& e = polytope_->edges[s.edge];
+    const polytope::Edge& e = polytope_->edges[s.edge];
     for (const Index f : {e.left, e.right}) {
       if (same_direction(normal(f), n)) return {Face::Kind::facet, f};
     }
@@ -78,10 +78,10 @@ Face Summand::face_of(std::span<const Index> vertices, const Vector& n) const {
 std::vector<FaceEdge> Summand::sides(const Face& face) const {
   if (face.kind == Face::Kind::vertex) return {};
   if (face.kind == Face::Kind::edge) {
-    const Edge& e = polytope_->edges[face.index];
+    const polytope::Edge& e = polytope_->edges[face.index];
     return {{e.from, e.to, face.index}, {e.to, e.from, face.index}};
   }
-  const Facet& f = polytope_->facets[face.index];
+  const polytope::Facet& f = polytope_->facets[face.index];
   const std::vector<Index>& corners = polytope_->corners;
   std::vector<FaceEdge> sides;
   sides.reserve(f.end - f.begin);
@@ -101,13 +101,13 @@ Index Summand::edge_between(Index v, Index w) const { return std::ranges::lower_
 
 /// The facet to the right when the edge is walked from `from`, seen from outside.
 Index Summand::right_of(Index edge, Index from) const {
-  const Edge& e = polytope_->edges[edge];
+  const polytope::Edge& e = polytope_->edges[edge];
   return (e.from == from) != reflected_ ? e.right : e.left;
 }
 
 /// Two edges at one vertex of a solid have at most one facet in common, those of a polygon two.
 Index Summand::common_facet(Index edge, Index other_edge, const Vector& n) const {
-  const Edge &e = polytope_->edges[edge], &other = polytope_->edges[other_edge];
+  const polytope::Edge &e = polytope_->edges[edge], &other = polytope_->edges[other_edge];
   for (const Index f : {e.left, e.right}) {
     if ((f == other.left || f == other.right) && sgn(dot(normal(f), n)) > 0) return f;
   }
@@ -117,8 +117,8 @@ Index Summand::common_facet(Index edge, Index other_edge, const Vector& n) const
 // The arc of the edge runs from the facet on its left to the one on its right, about the edge's direction.
 Turn Summand::turn_at_edge(Index edge, Index from) const {
   const Index facet = right_of(edge, from);
-  if (facet == no_facet) return {};
-  const Edge& e = polytope_->edges[edge];
+  if (facet == polytope::no_facet) return {};
+  const polytope::Edge& e = polytope_->edges[edge];
   const Index* corner = &polytope_->corners[polytope_->facets[facet].begin];
   while (*corner == e.from || *corner == e.to) ++corner;
   return {false, vertices_[*corner] - vertices_[from], {Face::Kind::facet, facet}};
@@ -133,10 +133,10 @@ Turn Summand::turn(const Face& face, Index from, const Vector& d, std::uint64_t*
   *steps += spokes.size() - 1;
   const Vector& origin = vertices_[from];
   Vector best, across;
-  Index edge = no_facet, tied = no_facet;
+  Index edge = polytope::no_facet, tied = polytope::no_facet;
   for (const Spoke& s : spokes) {
     Vector x = vertices_[s.other] - origin;
-    const int order = edge == no_facet ? -1 : sgn(dot(across, x));
+    const int order = edge == polytope::no_facet ? -1 : sgn(dot(across, x));
     if (order > 0) continue;
     if (order == 0) {
       tied = s.edge;
@@ -145,11 +145,11 @@ Turn Summand::turn(const Face& face, Index from, const Vector& d, std::uint64_t*
     best = std::move(x);
     across = cross(d, best);
     edge = s.edge;
-    tied = no_facet;
+    tied = polytope::no_facet;
   }
-  if (tied == no_facet) return {false, std::move(best), {Face::Kind::edge, edge}};
+  if (tied == polytope::no_facet) return {false, std::move(best), {Face::Kind::edge, edge}};
   const Index facet = common_facet(edge, tied, -across);
   return {false, std::move(best), {Face::Kind::facet, facet}};
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -12,7 +12,7 @@
 #include "reference/gaussian/colour.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// A face of a polytope: vertex, edge or facet `index`. A polygon has two facets.
 struct Face {
@@ -38,9 +38,9 @@ class Summand {
  public:
   /// B itself, or -A for colour a: the same numbering, each vertex and normal negated. The polytope, a value that convex_hull
   /// returned, must outlive it. Time O(n log n), space O(n).
-  Summand(const Polytope& polytope, Colour colour);
+  Summand(const polytope::Polytope& polytope, gaussian::Colour colour);
 
-  [[nodiscard]] const Polytope& polytope() const { return *polytope_; }
+  [[nodiscard]] const polytope::Polytope& polytope() const { return *polytope_; }
   [[nodiscard]] const Vector& vertex(std::uint32_t v) const { return vertices_[v]; }
   [[nodiscard]] Vector normal(std::uint32_t facet) const;
   /// A vertex of the face.
@@ -68,7 +68,7 @@ class Summand {
   [[nodiscard]] std::uint32_t common_facet(std::uint32_t edge, std::uint32_t other_edge, const Vector& n) const;
   [[nodiscard]] Turn turn_at_edge(std::uint32_t edge, std::uint32_t from) const;
 
-  const Polytope* polytope_;
+  const polytope::Polytope* polytope_;
   bool reflected_;
   std::vector<Vector> vertices_;
   std::vector<std::uint32_t> first_spoke_;  // of each vertex, and one past the last
@@ -76,4 +76,4 @@ class Summand {
   std::vector<std::uint32_t> edge_after_;   // of each of the polytope's corners: the edge to the next corner of its facet
 };
 
-}  // namespace fathom
+}  // namespace fathom::approximate

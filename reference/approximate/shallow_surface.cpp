@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 /// The sides of a face, each with its direction.
@@ -101,4 +101,4 @@ SumFacet SumSurface::across(const SumEdge& edge, std::uint64_t* steps) const {
   return next;
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

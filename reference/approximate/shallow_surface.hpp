@@ -11,7 +11,7 @@
 #include "reference/approximate/shallow_summand.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// A facet of P: the faces of -A and of B that are extreme in the direction of its normal. The faces alone tell which facet it is.
 struct SumFacet {
@@ -29,7 +29,7 @@ struct SumEdge {
 class SumSurface {
  public:
   /// The polytopes, values that convex_hull returned, must outlive it. P must have an interior. O(m + n) space, nearly O(m + n) time.
-  SumSurface(const Polytope& a, const Polytope& b) : minus_a_(a, Colour::a), b_(b, Colour::b) {}
+  SumSurface(const polytope::Polytope& a, const polytope::Polytope& b) : minus_a_(a, gaussian::Colour::a), b_(b, gaussian::Colour::b) {}
 
   /// The facet with outward normal n, given all vertices of A that minimise <n,.> and all of B that maximise it.
   [[nodiscard]] SumFacet facet(const std::vector<std::uint32_t>& face_a, const std::vector<std::uint32_t>& face_b, const Vector& n) const;
@@ -49,4 +49,4 @@ class SumSurface {
   Summand minus_a_, b_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 constexpr std::uint64_t facets_between_reports = 256;
@@ -29,7 +29,7 @@ using Names = std::unordered_set<Name, HashOfName>;
 
 class Walk {
  public:
-  Walk(Context& context, const SumSurface& surface, const Ball& ball, const VisitFacet& visit)
+  Walk(kernels::Context& context, const SumSurface& surface, const Ball& ball, const VisitFacet& visit)
       : context_(context), surface_(surface), ball_(ball), visit_(visit) {}
 
   void meet(SumFacet facet) {
@@ -60,7 +60,7 @@ class Walk {
     }
   }
 
-  Context& context_;
+  kernels::Context& context_;
   const SumSurface& surface_;
   const Ball& ball_;
   const VisitFacet& visit_;
@@ -85,10 +85,11 @@ bool Ball::meets(const Vector& p, const Vector& q) const {
   return denominator * dot(moment, moment) <= numerator * dot(d, d);
 }
 
-WalkCounts walk(Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit) {
+WalkCounts walk(kernels::Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts,
+                const VisitFacet& visit) {
   Walk walk(context, surface, ball, visit);
   for (const SumFacet& facet : starts) walk.meet(facet);
   return walk.run();
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -11,7 +11,7 @@
 #include "kernels/vector.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// The closed ball of points x with denominator |x - centre|^2 <= numerator.
 struct Ball {
@@ -33,6 +33,7 @@ struct WalkCounts {
 using VisitFacet = std::function<void(const SumFacet& facet)>;
 
 /// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted.
-WalkCounts walk(Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts, const VisitFacet& visit);
+WalkCounts walk(kernels::Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts,
+                const VisitFacet& visit);
 
-}  // namespace fathom
+}  // namespace fathom::approximate

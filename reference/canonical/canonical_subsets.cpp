@@ -12,23 +12,23 @@
 #include "reference/canonical/query_filing.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 namespace {
 
 struct Stored {
-  ChartArcId arc;
+  chart::ChartArcId arc;
   Strip strips;
 };
 
 // What is known of a query's height over one abscissa: stored arcs over it with an id below `above` pass below the query, those with an
 // id from `below` on pass above it. The rest has to be asked.
 struct Reach {
-  ChartArcId above, below = ChartArcId::none();
+  chart::ChartArcId above, below = chart::ChartArcId::none();
 };
 
 // A query with its reach at the left and at the right end of its part in the strip.
 struct Query {
-  ChartArcId arc;
+  chart::ChartArcId arc;
   Strip strips;
   Reach left, right;
 };
@@ -56,12 +56,13 @@ Iterator partition_point_near(Iterator first, Iterator last, Iterator hint, cons
 // Builds T_A or T_B of one hemisphere and answers its queries.
 class CanonicalBuilder {
  public:
-  CanonicalBuilder(Context& context, const PerturbedKernel& kernel, const Charts& charts, Colour stored_of, CanonicalSubsets& out)
+  CanonicalBuilder(kernels::Context& context, const kernels::PerturbedKernel& kernel, const chart::Charts& charts,
+                   gaussian::Colour stored_of, CanonicalSubsets& out)
       : context_(context),
         kernel_(kernel),
         charts_(charts),
         stored_of_(stored_of),
-        query_of_(other(stored_of)),
+        query_of_(gaussian::other(stored_of)),
         stored_arcs_(charts.of[stored_of].arcs),
         root_{0, static_cast<std::uint32_t>(charts.walls.size() + 1)},
         filing_(charts, query_of_),
@@ -69,10 +70,10 @@ class CanonicalBuilder {
 
   void run() {
     std::vector<Query> queries = all_queries();
-    if (stored_of_ == Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
+    if (stored_of_ == gaussian::Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     std::vector<Stored> partial;
     list_.clear();
-    for (const ChartArcId i : stored_arcs_.ids()) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
+    for (const chart::ChartArcId i : stored_arcs_.ids()) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
     if (!list_.empty()) {
       for (Query& q : queries) ask(root_, q.arc, q.left, q.right);
       file();
@@ -83,15 +84,15 @@ class CanonicalBuilder {
   }
 
  private:
-  using Iterator = std::vector<ChartArcId>::const_iterator;
+  using Iterator = std::vector<chart::ChartArcId>::const_iterator;
 
   // The ends of a query are located among the stored arcs.
   std::vector<Query> all_queries() const {
-    const IdVector<ChartArcId, ChartArc>& arcs = charts_.of[query_of_].arcs;
+    const kernels::IdVector<chart::ChartArcId, chart::ChartArc>& arcs = charts_.of[query_of_].arcs;
     std::vector<Query> result;
     result.reserve(arcs.size());
-    for (const ChartArcId i : arcs.ids()) {
-      const ChartArcId left = arcs[i].left_height, right = arcs[i].right_height;
+    for (const chart::ChartArcId i : arcs.ids()) {
+      const chart::ChartArcId left = arcs[i].left_height, right = arcs[i].right_height;
       result.push_back({i, strips_of(charts_, query_of_, i), {left, left}, {right, right}});
     }
     return result;
@@ -120,7 +121,7 @@ class CanonicalBuilder {
       if (list_.empty()) continue;
       for (std::size_t i = 0; i < queries.size(); ++i) {
         Query& q = queries[i];
-        if (!(stored_of_ == Colour::a ? q.strips.overlaps(children[side]) : q.strips.ends_inside(children[side]))) continue;
+        if (!(stored_of_ == gaussian::Colour::a ? q.strips.overlaps(children[side]) : q.strips.ends_inside(children[side]))) continue;
         ask(children[side], q.arc, side == 0 || q.strips.first >= middle ? q.left : at_middle[i],
             side == 1 || q.strips.last <= middle ? q.right : at_middle[i]);
       }
@@ -145,23 +146,24 @@ class CanonicalBuilder {
   void report(Strip strip) {
     if (++nodes_ % 256 != 0) return;
     const double share = static_cast<double>(strip.first) / root_.last;
-    context_.report("canonical subsets", (share + (stored_of_ == Colour::a ? 0 : 1)) / 2);
+    context_.report("canonical subsets", (share + (stored_of_ == gaussian::Colour::a ? 0 : 1)) / 2);
   }
 
   // Calls search(test) with a test of stored arcs: whether the query passes above them on the wall between strips `wall` - 1 and `wall`.
   // Never at infinity: there queries end.
   template <class Search>
-  auto with_test(ChartArcId query, std::uint32_t wall, Search search) {
-    const ChartArc& q = charts_.of[query_of_].arcs[query];
-    const IdVector<ChartArcId, Vec3<double>>& circles = charts_.of[stored_of_].circles;
-    const Wall& w = charts_.walls[WallId(wall - 1)];
-    const VerticalProbe probe(charts_.of[query_of_].circles[query], image(charts_.node(w)), image(charts_.frame.v));
-    return search([&](ChartArcId s) {
-      if (const std::optional<Sign> sign = probe.sign(circles[s])) {
+  auto with_test(chart::ChartArcId query, std::uint32_t wall, Search search) {
+    const chart::ChartArc& q = charts_.of[query_of_].arcs[query];
+    const kernels::IdVector<chart::ChartArcId, Vec3<double>>& circles = charts_.of[stored_of_].circles;
+    const chart::Wall& w = charts_.walls[chart::WallId(wall - 1)];
+    const kernels::VerticalProbe probe(charts_.of[query_of_].circles[query], kernels::image(charts_.node(w)),
+                                       kernels::image(charts_.frame.v));
+    return search([&](chart::ChartArcId s) {
+      if (const std::optional<kernels::Sign> sign = probe.sign(circles[s])) {
         ++probed_;
-        return sign == Sign::positive;
+        return sign == kernels::Sign::positive;
       }
-      return above_on_wall(kernel_, charts_, query_of_, q, stored_of_, stored_arcs_[s], w) == Sign::positive;
+      return chart::above_on_wall(kernel_, charts_, query_of_, q, stored_of_, stored_arcs_[s], w) == kernels::Sign::positive;
     });
   }
 
@@ -177,7 +179,7 @@ class CanonicalBuilder {
   }
 
   // Where the list passes from below to above the query on a wall. Only a gap asks predicates, and the reach learns from the answers.
-  Iterator rank(ChartArcId query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
+  Iterator rank(chart::ChartArcId query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
     if (gap.size() == 0) return gap.first;
     hint = std::clamp(hint, gap.first, gap.last);
     const Iterator found = with_test(query, wall, [&](const auto& test) { return partition_point_near(gap.first, gap.last, hint, test); });
@@ -188,7 +190,7 @@ class CanonicalBuilder {
 
   // The query crosses all arcs that are below it at one end of its part in the strip and above it at the other. Most cross none, and
   // where the one end lies is a good guess for the other.
-  void ask(Strip strip, ChartArcId query, Reach& left, Reach& right) {
+  void ask(Strip strip, chart::ChartArcId query, Reach& left, Reach& right) {
     const Iterator from = std::ranges::lower_bound(std::as_const(list_), std::min(left.above, right.above));
     if (from == list_.cend() || *from >= std::max(left.below, right.below)) return;
     const Gap left_gap = gap(left, from), right_gap = gap(right, from);
@@ -218,22 +220,22 @@ class CanonicalBuilder {
   }
 
   template <class Projection = std::identity>
-  CanonicalSubsets::Range append(Colour colour, const auto& arcs, Projection projection = {}) {
+  CanonicalSubsets::Range append(gaussian::Colour colour, const auto& arcs, Projection projection = {}) {
     const auto to = [&](auto& ids) -> CanonicalSubsets::Range {
       const std::uint64_t first = ids.size();
       for (const auto& arc : arcs) ids.emplace_back(std::invoke(projection, arc).value);
       return {first, ids.size()};
     };
-    return colour == Colour::a ? to(out_.a_) : to(out_.b_);
+    return colour == gaussian::Colour::a ? to(out_.a_) : to(out_.b_);
   }
 
-  Context& context_;
-  const PerturbedKernel& kernel_;
-  const Charts& charts_;
-  Colour stored_of_, query_of_;
-  const IdVector<ChartArcId, ChartArc>& stored_arcs_;
+  kernels::Context& context_;
+  const kernels::PerturbedKernel& kernel_;
+  const chart::Charts& charts_;
+  gaussian::Colour stored_of_, query_of_;
+  const kernels::IdVector<chart::ChartArcId, chart::ChartArc>& stored_arcs_;
   Strip root_;
-  std::vector<ChartArcId> list_;  // arcs stored at the node at hand, in height order
+  std::vector<chart::ChartArcId> list_;  // arcs stored at the node at hand, in height order
   Filing filing_;
   CanonicalSubsets& out_;
   std::uint64_t nodes_ = 0, probed_ = 0;
@@ -256,12 +258,12 @@ CanonicalSubsets::Sums CanonicalSubsets::sums() const {
   return sums;
 }
 
-CanonicalSubsets canonical_subsets(Context& context, const Charts& charts) {
+CanonicalSubsets canonical_subsets(kernels::Context& context, const chart::Charts& charts) {
   context.report("canonical subsets");
-  const PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
+  const kernels::PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
   CanonicalSubsets result;
-  for (const Colour stored_of : both_colours) CanonicalBuilder(context, kernel, charts, stored_of, result).run();
+  for (const gaussian::Colour stored_of : gaussian::both_colours) CanonicalBuilder(context, kernel, charts, stored_of, result).run();
   return result;
 }
 
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -16,17 +16,17 @@
 #include "kernels/report.hpp"
 #include "reference/chart/chart.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 
 /// One (A_i, B_i), by the arcs of the chart. The arcs of colour `stored_of` are a canonical subset of a node of T_A or T_B, in height order
 /// from the lowest to the highest; the others are the queries to which the node's query returned it and that cross the stored arcs in one
 /// sense. All stored arcs span one strip, in which each query meets all of them. Queries that cross a stored arc further left come first:
 /// the order is the same along every stored arc, so the crossings form a grid.                    [proofs/canonical_subsets.md]
 struct CanonicalPair {
-  Colour stored_of;
+  gaussian::Colour stored_of;
   bool rising;  ///< going right, the query arcs cross from below the stored ones to above them
-  std::span<const ChartArcOfA> a;
-  std::span<const ChartArcOfB> b;
+  std::span<const chart::ChartArcOfA> a;
+  std::span<const chart::ChartArcOfB> b;
 
   [[nodiscard]] std::uint64_t crossings() const { return std::uint64_t{a.size()} * b.size(); }
 };
@@ -49,25 +49,25 @@ class CanonicalSubsets {
     std::uint64_t first, last;
   };
   struct Record {
-    Colour stored_of;
+    gaussian::Colour stored_of;
     bool rising;
-    PerColour<Range> arcs;
+    gaussian::PerColour<Range> arcs;
   };
-  std::vector<ChartArcOfA> a_;
-  std::vector<ChartArcOfB> b_;
+  std::vector<chart::ChartArcOfA> a_;
+  std::vector<chart::ChartArcOfB> b_;
   std::vector<Record> records_;
 };
 
 /// Reports the stage "canonical subsets".
-CanonicalSubsets canonical_subsets(Context& context, const Charts& charts);
+CanonicalSubsets canonical_subsets(kernels::Context& context, const chart::Charts& charts);
 
 /// The naive twin: all pairs (edge of A, edge of B) whose perturbed arcs cross in the hemisphere; ascending. Tests every pair on the
 /// sphere, without the charts' walls and orders, under the charts' perturbation.
-std::vector<std::pair<EdgeOfA, EdgeOfB>> crossings_naive(const Charts& charts);
+std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> crossings_naive(const chart::Charts& charts);
 
 /// C1: ids are arcs of the chart, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once.
 /// The grid: every pair crosses in the sense stated, stored arcs are in height order, queries in their order along every stored arc.
 /// O(m n).
-[[nodiscard]] Report validate(const CanonicalSubsets& subsets, const Charts& charts);
+[[nodiscard]] kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& charts);
 
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -7,41 +7,41 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 namespace {
 
-Sign orientation(const ChartArc& arc) { return arc.flipped ? Sign::negative : Sign::positive; }
+kernels::Sign orientation(const chart::ChartArc& arc) { return arc.flipped ? kernels::Sign::negative : kernels::Sign::positive; }
 
 // Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a rising r is still below s and a falling
 // one above it. The crossing has the direction +-(d_q x d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
-bool crosses_first(const PerturbedKernel& kernel, const Charts& charts, Colour of_queries, const ChartArc& q, const ChartArc& r,
-                   const ChartArc& s) {
-  const ColourChart &queries = charts.of[of_queries], &stored = charts.of[other(of_queries)];
-  const Sign sign = kernel.order_at_infinity(queries.circle(q), stored.circle(s), queries.circle(r));
-  return orientation(q) * orientation(r) * orientation(s) * sign == Sign::negative;
+bool crosses_first(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, gaussian::Colour of_queries,
+                   const chart::ChartArc& q, const chart::ChartArc& r, const chart::ChartArc& s) {
+  const chart::ColourChart &queries = charts.of[of_queries], &stored = charts.of[gaussian::other(of_queries)];
+  const kernels::Sign sign = kernel.order_at_infinity(queries.circle(q), stored.circle(s), queries.circle(r));
+  return orientation(q) * orientation(r) * orientation(s) * sign == kernels::Sign::negative;
 }
 
 // The arcs of one side of a pair, or none if one of them is not an arc of the chart.
-std::vector<const ChartArc*> arcs_of(const ColourChart& chart, const auto& ids) {
-  std::vector<const ChartArc*> arcs;
+std::vector<const chart::ChartArc*> arcs_of(const chart::ColourChart& chart, const auto& ids) {
+  std::vector<const chart::ChartArc*> arcs;
   for (const auto id : ids) {
     if (id.value >= chart.arcs.size()) return {};
-    arcs.push_back(&chart.arcs[ChartArcId(id.value)]);
+    arcs.push_back(&chart.arcs[chart::ChartArcId(id.value)]);
   }
   return arcs;
 }
 
-void check_grid(Report& report, const PerturbedKernel& kernel, const Charts& charts, const CanonicalPair& pair,
-                const PerColour<std::vector<const ChartArc*>>& arcs) {
-  const Colour of_stored = pair.stored_of, of_queries = other(of_stored);
-  const std::vector<const ChartArc*>&stored = arcs[of_stored], &queries = arcs[of_queries];
+void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
+                const gaussian::PerColour<std::vector<const chart::ChartArc*>>& arcs) {
+  const gaussian::Colour of_stored = pair.stored_of, of_queries = gaussian::other(of_stored);
+  const std::vector<const chart::ChartArc*>&stored = arcs[of_stored], &queries = arcs[of_queries];
   for (std::size_t i = 1; i < stored.size(); ++i) {
-    report.expect(above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == Sign::positive,
+    report.expect(chart::above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == kernels::Sign::positive,
                   "stored arcs are not in height order");
   }
-  for (const ChartArc* s : stored) {
+  for (const chart::ChartArc* s : stored) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
-      const bool from_below = above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == Sign::negative;
+      const bool from_below = chart::above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == kernels::Sign::negative;
       report.expect(from_below == pair.rising, "a query crosses in the other sense");
       report.expect(k == 0 || crosses_first(kernel, charts, of_queries, *queries[k - 1], *queries[k], *s),
                     "queries are not in the order in which they cross");
@@ -49,30 +49,30 @@ void check_grid(Report& report, const PerturbedKernel& kernel, const Charts& cha
   }
 }
 
-void check_once(Report& report, const std::vector<const ChartArc*>& arcs) {
+void check_once(kernels::Report& report, const std::vector<const chart::ChartArc*>& arcs) {
   report.expect(std::set(arcs.begin(), arcs.end()).size() == arcs.size(), "C1: an edge occurs twice in a set");
 }
 
 }  // namespace
 
-Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
-  Report report;
+kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& charts) {
+  kernels::Report report;
   PredicateCounts uncounted;
-  const PerturbedKernel kernel(charts.perturbation, uncounted);
-  std::map<std::pair<EdgeOfA, EdgeOfB>, int> reported;
+  const kernels::PerturbedKernel kernel(charts.perturbation, uncounted);
+  std::map<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>, int> reported;
   for (std::size_t k = 0; k < subsets.size(); ++k) {
     const CanonicalPair pair = subsets[k];
     report.expect(!pair.a.empty() && !pair.b.empty(), "a canonical pair has an empty side");
-    const PerColour<std::vector<const ChartArc*>> arcs{arcs_of(charts.of.a, pair.a), arcs_of(charts.of.b, pair.b)};
+    const gaussian::PerColour<std::vector<const chart::ChartArc*>> arcs{arcs_of(charts.of.a, pair.a), arcs_of(charts.of.b, pair.b)};
     if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(), "C1: an id is not an arc of the chart")) continue;
     check_once(report, arcs.a);
     check_once(report, arcs.b);
     check_grid(report, kernel, charts, pair, arcs);
-    for (const ChartArc* e : arcs.a) {
-      for (const ChartArc* f : arcs.b) ++reported[{EdgeOfA(e->arc.value), EdgeOfB(f->arc.value)}];
+    for (const chart::ChartArc* e : arcs.a) {
+      for (const chart::ChartArc* f : arcs.b) ++reported[{gaussian::EdgeOfA(e->arc.value), gaussian::EdgeOfB(f->arc.value)}];
     }
   }
-  const auto name = [](const std::pair<EdgeOfA, EdgeOfB>& pair) {
+  const auto name = [](const std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>& pair) {
     return "(" + std::to_string(pair.first.value) + "," + std::to_string(pair.second.value) + ")";
   };
   for (const auto& crossing : crossings_naive(charts)) {
@@ -84,4 +84,4 @@ Report validate(const CanonicalSubsets& subsets, const Charts& charts) {
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -3,23 +3,23 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/gaussian/crossing.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 
-std::vector<std::pair<EdgeOfA, EdgeOfB>> crossings_naive(const Charts& charts) {
-  std::vector<std::pair<EdgeOfA, EdgeOfB>> result;
+std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> crossings_naive(const chart::Charts& charts) {
+  std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> result;
   PredicateCounts uncounted;
-  const PerturbedKernel kernel(charts.perturbation, uncounted);
-  const GaussianDiagram &a = *charts.of.a.diagram, &b = *charts.of.b.diagram;
-  for (const ArcId i : a.arcs.ids()) {
-    for (const ArcId j : b.arcs.ids()) {
-      const Direction& d = a.arcs[i].circle;
-      const Direction& g = b.arcs[j].circle;
-      for (const Sign sign : perturbed_crossings(kernel, a, a.arcs[i], b, b.arcs[j])) {
-        if (sign * kernel.order_at_infinity(d, g, charts.frame.z) == Sign::positive) result.emplace_back(i.value, j.value);
+  const kernels::PerturbedKernel kernel(charts.perturbation, uncounted);
+  const gaussian::GaussianDiagram &a = *charts.of.a.diagram, &b = *charts.of.b.diagram;
+  for (const gaussian::ArcId i : a.arcs.ids()) {
+    for (const gaussian::ArcId j : b.arcs.ids()) {
+      const kernels::Direction& d = a.arcs[i].circle;
+      const kernels::Direction& g = b.arcs[j].circle;
+      for (const kernels::Sign sign : gaussian::perturbed_crossings(kernel, a, a.arcs[i], b, b.arcs[j])) {
+        if (sign * kernel.order_at_infinity(d, g, charts.frame.z) == kernels::Sign::positive) result.emplace_back(i.value, j.value);
       }
     }
   }
   return result;
 }
 
-}  // namespace fathom
+}  // namespace fathom::canonical

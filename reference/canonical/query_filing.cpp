@@ -3,18 +3,19 @@
 
 #include <algorithm>
 
-namespace fathom {
+namespace fathom::canonical {
 
-Strip strips_of(const Charts& charts, Colour colour, ChartArcId arc) {
-  const ColourChart& chart = charts.of[colour];
-  const ChartArc& a = chart.arcs[arc];
+Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::ChartArcId arc) {
+  const chart::ColourChart& chart = charts.of[colour];
+  const chart::ChartArc& a = chart.arcs[arc];
   const auto strips = static_cast<std::uint32_t>(charts.walls.size() + 1);
-  return {a.left != at_infinity ? chart.wall_of[a.left].value + 1 : 0, a.right != at_infinity ? chart.wall_of[a.right].value + 1 : strips};
+  return {a.left != chart::at_infinity ? chart.wall_of[a.left].value + 1 : 0,
+          a.right != chart::at_infinity ? chart.wall_of[a.right].value + 1 : strips};
 }
 
-Filing::Filing(const Charts& charts, Colour query_of) {
+Filing::Filing(const chart::Charts& charts, gaussian::Colour query_of) {
   strips_.reserve(charts.of[query_of].arcs.size());
-  for (const ChartArcId i : charts.of[query_of].arcs.ids()) strips_.push_back(strips_of(charts, query_of, i));
+  for (const chart::ChartArcId i : charts.of[query_of].arcs.ids()) strips_.push_back(strips_of(charts, query_of, i));
 }
 
 // Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later than one above it and a falling arc
@@ -31,4 +32,4 @@ void Filing::sort() {
   });
 }
 
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -8,7 +8,7 @@
 
 #include "reference/chart/chart.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 
 /// A range [first, last) of elementary strips.
 struct Strip {
@@ -21,7 +21,7 @@ struct Strip {
 };
 
 /// The strips over which a chart arc runs. An end at infinity lies strictly inside no strip.
-Strip strips_of(const Charts& charts, Colour colour, ChartArcId arc);
+Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::ChartArcId arc);
 
 /// The queries that one node of a segment tree has answered. Over the node's list of stored arcs stands a balanced tree in heap order,
 /// whose subtrees are the canonical subsets.
@@ -29,15 +29,15 @@ class Filing {
  public:
   struct Entry {
     std::uint64_t subset;  ///< index in the heap, then the sense of crossing in the lowest bit
-    ChartArcId query;
+    chart::ChartArcId query;
   };
 
-  Filing(const Charts& charts, Colour query_of);
+  Filing(const chart::Charts& charts, gaussian::Colour query_of);
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }
 
   /// Files the query under the subsets that make up [low, high) of a list of `size` arcs.
-  void file(std::size_t size, std::size_t low, std::size_t high, bool rising, ChartArcId query) {
+  void file(std::size_t size, std::size_t low, std::size_t high, bool rising, chart::ChartArcId query) {
     const std::size_t leaves = std::bit_ceil(size);
     for (std::size_t first = leaves + low, last = leaves + high; first < last; first /= 2, last /= 2) {
       if (first % 2 == 1) entries_.push_back({2 * first++ + rising, query});
@@ -63,8 +63,8 @@ class Filing {
  private:
   void sort();
 
-  IdVector<ChartArcId, Strip> strips_;  // of the query colour's arcs
+  kernels::IdVector<chart::ChartArcId, Strip> strips_;  // of the query colour's arcs
   std::vector<Entry> entries_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -11,7 +11,7 @@
 #include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
 
-namespace fathom {
+namespace fathom::certificate {
 namespace {
 
 Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, ClaimKind claim) {
@@ -42,15 +42,15 @@ InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b,
 
 // The sign of h(n).
 int support_sign(std::span<const Point> a, std::span<const Point> b, const Vector& n) {
-  const Point &p = a[extreme_points(a, -n).front()], &q = b[extreme_points(b, n).front()];
+  const Point &p = a[solve::extreme_points(a, -n).front()], &q = b[solve::extreme_points(b, n).front()];
   return sgn(mpq_class(n.x * (q.x - p.x) + n.y * (q.y - p.y) + n.z * (q.z - p.z)));
 }
 
 Certificate proof_of_touch(std::span<const Point> a, std::span<const Point> b, const Touch& answer) {
   Certificate certificate = of_bodies(a, b, ClaimKind::touching);
-  const PlacedPair pair = place(a, b);
-  PositionOfOrigin origin = position_of_origin(pair.a, pair.b);
-  if (origin.position != Position::boundary) contradiction("the bodies do not touch");
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
+  if (origin.position != polytope::Position::boundary) contradiction("the bodies do not touch");
   if (is_zero(answer.direction) || support_sign(a, b, answer.direction) != 0) contradiction("no plane through O supports P");
   certificate.directions = {answer.direction};
   certificate.weights_a = std::move(origin.a);
@@ -67,31 +67,35 @@ Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b
 
 }  // namespace
 
+}  // namespace fathom::certificate
+
+namespace fathom {
+
 Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  require_bodies(a, b);
-  if (answer.touch()) return proof_of_touch(a, b, *answer.touch());
-  if (answer.distance()) return proof_of_distance(a, b, *answer.distance());
-  Certificate certificate = of_bodies(a, b, ClaimKind::depth);
+  const kernels::DefaultFloatEnvironment environment;
+  polytope::require_bodies(a, b);
+  if (answer.touch()) return certificate::proof_of_touch(a, b, *answer.touch());
+  if (answer.distance()) return certificate::proof_of_distance(a, b, *answer.distance());
+  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::depth);
   certificate.low = certificate.high = answer.squared();
   for (const Optimum& optimum : answer.optima()) certificate.directions.push_back(optimum.direction);
-  certificate.inner = proof_of_depth(a, b, *answer.penetration(), monitor);
+  certificate.inner = certificate::proof_of_depth(a, b, *answer.penetration(), monitor);
   return certificate;
 }
 
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
                                     const std::optional<Vector>& hint, Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  for (const mpq_class* bound : {&low, &high}) require_lowest_terms(*bound);
+  const kernels::DefaultFloatEnvironment environment;
+  for (const mpq_class* bound : {&low, &high}) kernels::require_lowest_terms(*bound);
   if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
-  Context context(monitor);
-  const PlacedPair pair = place(a, b);
+  kernels::Context context(monitor);
+  const polytope::PlacedPair pair = polytope::place(a, b);
   const mpz_class unit = pair.denominator * pair.denominator;
-  BallExpansion expansion = expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
-  if (expansion.end != ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
+  expanding::BallExpansion expansion = expanding::expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
+  if (expansion.end != expanding::ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
   if (!expansion.low_holds) throw std::invalid_argument("the lower bound exceeds the squared depth");
   if (!expansion.high_holds) throw std::invalid_argument("the upper bound is below the squared depth");
-  Certificate certificate = of_bodies(a, b, ClaimKind::bounds);
+  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::bounds);
   certificate.low = low;
   certificate.high = high;
   certificate.directions = {std::move(expansion.direction)};

@@ -6,9 +6,9 @@
 #include "fathom/certificate.hpp"
 #include "kernels/report.hpp"
 
-namespace fathom {
+namespace fathom::certificate {
 
 /// Checks the proof by the definitions, in rationals and over all pairs: the naive twin of the checkers.
-[[nodiscard]] Report validate(const Certificate& certificate);
+[[nodiscard]] kernels::Report validate(const Certificate& certificate);
 
-}  // namespace fathom
+}  // namespace fathom::certificate

@@ -8,7 +8,7 @@
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 
-namespace fathom {
+namespace fathom::certificate {
 namespace {
 
 mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
@@ -23,7 +23,7 @@ class Check {
  public:
   explicit Check(const Certificate& certificate) : c_(certificate) {}
 
-  Report run() {
+  kernels::Report run() {
     if (!report_.expect(!c_.a.empty() && !c_.b.empty(), "an empty body")) return report_;
     if (!report_.expect(!c_.directions.empty(), "no direction")) return report_;
     for (const Vector& n : c_.directions)
@@ -136,12 +136,12 @@ class Check {
   }
 
   const Certificate& c_;
-  Report report_;
+  kernels::Report report_;
   std::vector<Point> vertices_, tight_;
 };
 
 }  // namespace
 
-Report validate(const Certificate& certificate) { return Check(certificate).run(); }
+kernels::Report validate(const Certificate& certificate) { return Check(certificate).run(); }
 
-}  // namespace fathom
+}  // namespace fathom::certificate

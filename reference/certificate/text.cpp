@@ -2,7 +2,7 @@
 // The certificate as text. Every number is exact and in lowest terms.
 #include "fathom/certificate.hpp"
 
-namespace fathom {
+namespace fathom::certificate {
 namespace {
 
 class Writer {
@@ -96,21 +96,25 @@ void write_weights(Writer& out, std::string_view name, const std::vector<Weight>
 
 }  // namespace
 
+}  // namespace fathom::certificate
+
+namespace fathom {
+
 std::string certificate_text(const Certificate& certificate) {
-  Writer out;
+  certificate::Writer out;
   out.word("fathom-certificate 1").end();
-  if (!certificate.id.empty()) out.word("id").word(escaped(certificate.id)).end();
+  if (!certificate.id.empty()) out.word("id").word(certificate::escaped(certificate.id)).end();
   out.word("a").word(certificate.a.size()).end();
   for (const Point& p : certificate.a) out.words(p).end();
   out.word("b").word(certificate.b.size()).end();
   for (const Point& p : certificate.b) out.words(p).end();
-  write_claim(out, certificate);
+  certificate::write_claim(out, certificate);
   const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
   const bool weights = certificate.claim == ClaimKind::touching;
-  if (inner) write_inner(out, certificate.inner);
+  if (inner) certificate::write_inner(out, certificate.inner);
   if (weights) {
-    write_weights(out, "weights_a", certificate.weights_a);
-    write_weights(out, "weights_b", certificate.weights_b);
+    certificate::write_weights(out, "weights_a", certificate.weights_a);
+    certificate::write_weights(out, "weights_b", certificate.weights_b);
   }
   out.word("end").word(certificate.a.size()).word(certificate.b.size()).word(certificate.directions.size());
   out.word(inner ? certificate.inner.vertices.size() : certificate.weights_a.size());

@@ -13,7 +13,7 @@
 #include "reference/gaussian/colour.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
-namespace fathom {
+namespace fathom::chart {
 
 enum class Hemisphere : std::uint8_t { upper, lower };
 
@@ -21,7 +21,7 @@ inline constexpr std::array both_hemispheres{Hemisphere::upper, Hemisphere::lowe
 
 /// The pole z of a hemisphere and the upward direction v of its chart, <v,z> = 0.
 struct Frame {
-  Direction v, z;
+  kernels::Direction v, z;
 };
 
 /// v = (0,1,0) and z = (0,0,1), or (0,0,-1) for the lower hemisphere; tilted infinitesimally by the perturbation.
@@ -29,25 +29,25 @@ Frame chart_frame(Hemisphere hemisphere);
 
 /// Indices in a chart. The arcs of one colour are numbered in height order: where two overlap in an x-interval, the higher one has the
 /// greater index. Walls are numbered from left to right.
-using ChartArcId = Id<struct ChartArc>;
-using WallId = Id<struct Wall>;
+using ChartArcId = kernels::Id<struct ChartArc>;
+using WallId = kernels::Id<struct Wall>;
 
 /// The chart arcs of A and of B, where both meet.
-template <Colour c>
+template <gaussian::Colour c>
 struct ChartArcTag;
-template <Colour c>
-using ChartArcOf = Id<ChartArcTag<c>>;
-using ChartArcOfA = ChartArcOf<Colour::a>;
-using ChartArcOfB = ChartArcOf<Colour::b>;
+template <gaussian::Colour c>
+using ChartArcOf = kernels::Id<ChartArcTag<c>>;
+using ChartArcOfA = ChartArcOf<gaussian::Colour::a>;
+using ChartArcOfB = ChartArcOf<gaussian::Colour::b>;
 
 /// The end of a chart arc that has no node.
-inline constexpr NodeId at_infinity = NodeId::none();
+inline constexpr gaussian::NodeId at_infinity = gaussian::NodeId::none();
 
 /// The part of an arc in this hemisphere, oriented from left to right.
 struct ChartArc {
-  ArcId arc;           ///< the whole arc
-  NodeId left, right;  ///< or at_infinity
-  bool flipped;        ///< <circle,v> < 0: above and below change places
+  gaussian::ArcId arc;           ///< the whole arc
+  gaussian::NodeId left, right;  ///< or at_infinity
+  bool flipped;                  ///< <circle,v> < 0: above and below change places
   /// For each end: the other colour's arcs over its abscissa, or over the same infinity, pass below the end if their index is below this
   /// height, and above it otherwise.
   ChartArcId left_height, right_height;
@@ -58,52 +58,52 @@ struct NodePlace {
   /// Arcs over the node pass below it if their index is below `height`, and above it otherwise.
   ChartArcId height;
   /// The vertex whose face holds the node.
-  VertexId face;
+  gaussian::VertexId face;
 };
 
 /// The vertical through a node.
 struct Wall {
-  Colour colour;
-  NodeId node;
+  gaussian::Colour colour;
+  gaussian::NodeId node;
   friend bool operator==(const Wall&, const Wall&) = default;
 };
 
 /// The chart of one diagram, and its relation to the other one.
 struct ColourChart {
-  const GaussianDiagram* diagram = nullptr;
-  IdVector<ChartArcId, ChartArc> arcs;
+  const gaussian::GaussianDiagram* diagram = nullptr;
+  kernels::IdVector<ChartArcId, ChartArc> arcs;
   /// The image of each arc's circle, oriented upward. Searches read these.
-  IdVector<ChartArcId, Vec3<double>> circles;
+  kernels::IdVector<ChartArcId, Vec3<double>> circles;
   /// The wall of each node, or none if the node lies in the other hemisphere.
-  IdVector<NodeId, WallId> wall_of;
+  kernels::IdVector<gaussian::NodeId, WallId> wall_of;
   /// The place of each node of this hemisphere in the other diagram.
-  IdVector<NodeId, NodePlace> place_of;
+  kernels::IdVector<gaussian::NodeId, NodePlace> place_of;
 
-  [[nodiscard]] const Direction& node(NodeId i) const { return diagram->nodes[i]; }
-  [[nodiscard]] const Direction& circle(const ChartArc& arc) const { return diagram->arcs[arc.arc].circle; }
+  [[nodiscard]] const kernels::Direction& node(gaussian::NodeId i) const { return diagram->nodes[i]; }
+  [[nodiscard]] const kernels::Direction& circle(const ChartArc& arc) const { return diagram->arcs[arc.arc].circle; }
   /// The vertex whose face lies right above, or right below, the arc in this chart.
-  [[nodiscard]] VertexId vertex_above(const ChartArc& arc) const;
-  [[nodiscard]] VertexId vertex_below(const ChartArc& arc) const;
+  [[nodiscard]] gaussian::VertexId vertex_above(const ChartArc& arc) const;
+  [[nodiscard]] gaussian::VertexId vertex_below(const ChartArc& arc) const;
 };
 
 /// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of the other colour or on the equator,
 /// and no arc lies on a vertical: the perturbation separates whatever coincides on the input.
 struct Charts {
-  Perturbation perturbation;
+  kernels::Perturbation perturbation;
   Frame frame;
-  PerColour<ColourChart> of;
+  gaussian::PerColour<ColourChart> of;
   /// The walls of all nodes in this hemisphere, of both colours. Both segment trees stand on them.
-  IdVector<WallId, Wall> walls;
+  kernels::IdVector<WallId, Wall> walls;
 
-  [[nodiscard]] const Direction& node(const Wall& wall) const { return of[wall.colour].node(wall.node); }
+  [[nodiscard]] const kernels::Direction& node(const Wall& wall) const { return of[wall.colour].node(wall.node); }
 };
 
 /// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
-Charts make_charts(Context& context, const GaussianDiagram& minus_a, const GaussianDiagram& b, const Frame& frame,
-                   const Perturbation& perturbation = {});
+Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b,
+                   const Frame& frame, const kernels::Perturbation& perturbation = {});
 
 /// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each face that the arcs below it come before
 /// those above it; then the arcs are in height order [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.
-[[nodiscard]] Report validate(const Charts& charts);
+[[nodiscard]] kernels::Report validate(const Charts& charts);
 
-}  // namespace fathom
+}  // namespace fathom::chart

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fathom {
+namespace fathom::chart {
 namespace {
 
 // Indices 0, 1, ... grouped by a key below `keys`: those of key k are items[begin[k], begin[k + 1]), ascending.
@@ -39,7 +39,7 @@ void sort_by_height(ColourChart& chart) {
   for (std::uint32_t f = 0; f < faces; ++f) {
     if (waiting[f] == 0) ready.push_back(f);
   }
-  IdVector<ChartArcId, ChartArc> sorted;
+  kernels::IdVector<ChartArcId, ChartArc> sorted;
   sorted.reserve(arcs.size());
   for (std::size_t k = 0; k < ready.size(); ++k) {
     const std::uint32_t face = ready[k];
@@ -53,4 +53,4 @@ void sort_by_height(ColourChart& chart) {
   chart.arcs = std::move(sorted);
 }
 
-}  // namespace fathom
+}  // namespace fathom::chart

@@ -9,14 +9,14 @@
 
 #include "reference/chart/chart_predicates.hpp"
 
-namespace fathom {
+namespace fathom::chart {
 namespace {
 
 // The arcs of one colour that cross the sweep line, by id, which is from bottom to top. A balanced tree in heap order; each node holds the
 // greatest id in its subtree.
 class SweepLine {
  public:
-  SweepLine(const PerturbedKernel& kernel, const Charts& charts, Colour colour)
+  SweepLine(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour)
       : kernel_(kernel),
         charts_(charts),
         colour_(colour),
@@ -36,7 +36,7 @@ class SweepLine {
     }
   }
 
-  [[nodiscard]] NodePlace locate(NodeId node) const {
+  [[nodiscard]] NodePlace locate(gaussian::NodeId node) const {
     const ChartArcId below = highest_below(node);
     if (!below.is_none()) return {below.next(), chart_.vertex_above(chart_.arcs[below])};
     if (!highest_[1].is_none()) return {ChartArcId(0), chart_.vertex_below(chart_.arcs[lowest()])};
@@ -44,17 +44,17 @@ class SweepLine {
   }
 
  private:
-  [[nodiscard]] bool passes_below(ChartArcId arc, NodeId node, const Vec3<double>& at) const {
-    if (const std::optional<Sign> side = sure_side_of_arc(at, chart_.circles[arc])) {
+  [[nodiscard]] bool passes_below(ChartArcId arc, gaussian::NodeId node, const Vec3<double>& at) const {
+    if (const std::optional<kernels::Sign> side = kernels::sure_side_of_arc(at, chart_.circles[arc])) {
       kernel_.count_calls(Predicate::side_of_arc, 1);
-      return side == Sign::positive;
+      return side == kernels::Sign::positive;
     }
-    return node_above_arc(kernel_, charts_, other(colour_), node, colour_, chart_.arcs[arc]) == Sign::positive;
+    return node_above_arc(kernel_, charts_, gaussian::other(colour_), node, colour_, chart_.arcs[arc]) == kernels::Sign::positive;
   }
 
   // Of the arcs on the sweep line the highest that passes below the node. Asks a predicate only where both subtrees hold arcs.
-  [[nodiscard]] ChartArcId highest_below(NodeId node) const {
-    const Vec3<double> at = image(charts_.of[other(colour_)].node(node));
+  [[nodiscard]] ChartArcId highest_below(gaussian::NodeId node) const {
+    const Vec3<double> at = kernels::image(charts_.of[gaussian::other(colour_)].node(node));
     ChartArcId below = ChartArcId::none();
     std::size_t i = 1;
     while (i < leaves_) {
@@ -75,9 +75,9 @@ class SweepLine {
     return highest_[i];
   }
 
-  const PerturbedKernel& kernel_;
+  const kernels::PerturbedKernel& kernel_;
   const Charts& charts_;
-  Colour colour_;
+  gaussian::Colour colour_;
   const ColourChart& chart_;
   std::size_t leaves_;
   std::vector<ChartArcId> highest_;
@@ -91,47 +91,48 @@ class Incidence {
       if (arc.left != at_infinity) visit(arc.left);
       if (arc.right != at_infinity) visit(arc.right);
     };
-    for (const ChartArc& arc : chart.arcs) ends(arc, [&](NodeId node) { ++begin_[node]; });
+    for (const ChartArc& arc : chart.arcs) ends(arc, [&](gaussian::NodeId node) { ++begin_[node]; });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     arcs_.resize(begin_.back());
-    for (const ChartArcId i : chart.arcs.ids()) ends(chart.arcs[i], [&](NodeId node) { arcs_[--begin_[node]] = i; });
+    for (const ChartArcId i : chart.arcs.ids()) ends(chart.arcs[i], [&](gaussian::NodeId node) { arcs_[--begin_[node]] = i; });
   }
 
-  [[nodiscard]] std::span<const ChartArcId> at(NodeId node) const {
+  [[nodiscard]] std::span<const ChartArcId> at(gaussian::NodeId node) const {
     return std::span(arcs_).subspan(begin_[node], begin_[node.next()] - begin_[node]);
   }
 
  private:
-  IdVector<NodeId, std::uint32_t> begin_;
+  kernels::IdVector<gaussian::NodeId, std::uint32_t> begin_;
   std::vector<ChartArcId> arcs_;
 };
 
 // The ends of arcs on one side, with what is noted there.
 struct Ends {
-  NodeId ChartArc::*node;
+  gaussian::NodeId ChartArc::*node;
   ChartArcId ChartArc::*height;
 };
 constexpr Ends left_ends{&ChartArc::left, &ChartArc::left_height};
 constexpr Ends right_ends{&ChartArc::right, &ChartArc::right_height};
 
 // The arcs of each colour that reach to one infinity are sorted there by id. Merges both colours by height.
-void locate_at_infinity(const PerturbedKernel& kernel, Charts& charts, const Ends& side) {
+void locate_at_infinity(const kernels::PerturbedKernel& kernel, Charts& charts, const Ends& side) {
   const bool at_left = side.node == left_ends.node;
-  PerColour<std::vector<ChartArcId>> ends;
-  for (const Colour c : both_colours) {
-    const IdVector<ChartArcId, ChartArc>& arcs = charts.of[c].arcs;
+  gaussian::PerColour<std::vector<ChartArcId>> ends;
+  for (const gaussian::Colour c : gaussian::both_colours) {
+    const kernels::IdVector<ChartArcId, ChartArc>& arcs = charts.of[c].arcs;
     std::ranges::copy_if(arcs.ids(), std::back_inserter(ends[c]), [&](ChartArcId i) { return arcs[i].*side.node == at_infinity; });
   }
-  PerColour<std::size_t> next{};
-  PerColour<ChartArcId> height{};  // the id after the last arc that was taken
-  const auto arc = [&](Colour c) -> ChartArc& { return charts.of[c].arcs[ends[c][next[c]]]; };
+  gaussian::PerColour<std::size_t> next{};
+  gaussian::PerColour<ChartArcId> height{};  // the id after the last arc that was taken
+  const auto arc = [&](gaussian::Colour c) -> ChartArc& { return charts.of[c].arcs[ends[c][next[c]]]; };
   while (next.a < ends.a.size() || next.b < ends.b.size()) {
-    Colour lower = next.a < ends.a.size() ? Colour::a : Colour::b;
+    gaussian::Colour lower = next.a < ends.a.size() ? gaussian::Colour::a : gaussian::Colour::b;
     if (next.a < ends.a.size() && next.b < ends.b.size()) {
-      const bool a_above = above_far_left(kernel, charts, Colour::a, arc(Colour::a), Colour::b, arc(Colour::b)) == Sign::positive;
-      lower = a_above == at_left ? Colour::b : Colour::a;
+      const bool a_above = above_far_left(kernel, charts, gaussian::Colour::a, arc(gaussian::Colour::a), gaussian::Colour::b,
+                                          arc(gaussian::Colour::b)) == kernels::Sign::positive;
+      lower = a_above == at_left ? gaussian::Colour::b : gaussian::Colour::a;
     }
-    arc(lower).*side.height = height[other(lower)];
+    arc(lower).*side.height = height[gaussian::other(lower)];
     height[lower] = ends[lower][next[lower]++].next();
   }
 }
@@ -139,12 +140,12 @@ void locate_at_infinity(const PerturbedKernel& kernel, Charts& charts, const End
 }  // namespace
 
 // A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located.
-void locate_nodes(const PerturbedKernel& kernel, Charts& charts, Colour colour) {
-  IdVector<NodeId, NodePlace>& places = charts.of[colour].place_of;
+void locate_nodes(const kernels::PerturbedKernel& kernel, Charts& charts, gaussian::Colour colour) {
+  kernels::IdVector<gaussian::NodeId, NodePlace>& places = charts.of[colour].place_of;
   places.assign(charts.of[colour].diagram->nodes.size(), {});
-  const IdVector<ChartArcId, ChartArc>& arcs = charts.of[other(colour)].arcs;
-  const Incidence incidence(charts.of[other(colour)]);
-  SweepLine line(kernel, charts, other(colour));
+  const kernels::IdVector<ChartArcId, ChartArc>& arcs = charts.of[gaussian::other(colour)].arcs;
+  const Incidence incidence(charts.of[gaussian::other(colour)]);
+  SweepLine line(kernel, charts, gaussian::other(colour));
   for (const ChartArcId i : arcs.ids()) {
     if (arcs[i].left == at_infinity) line.insert(i);
   }
@@ -163,8 +164,8 @@ void locate_nodes(const PerturbedKernel& kernel, Charts& charts, Colour colour) 
   }
 }
 
-void locate_ends(const PerturbedKernel& kernel, Charts& charts) {
-  for (const Colour c : both_colours) {
+void locate_ends(const kernels::PerturbedKernel& kernel, Charts& charts) {
+  for (const gaussian::Colour c : gaussian::both_colours) {
     ColourChart& chart = charts.of[c];
     for (ChartArc& arc : chart.arcs) {
       if (arc.left != at_infinity) arc.left_height = chart.place_of[arc.left].height;
@@ -174,4 +175,4 @@ void locate_ends(const PerturbedKernel& kernel, Charts& charts) {
   for (const Ends& side : {left_ends, right_ends}) locate_at_infinity(kernel, charts, side);
 }
 
-}  // namespace fathom
+}  // namespace fathom::chart

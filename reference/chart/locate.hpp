@@ -4,13 +4,13 @@
 
 #include "reference/chart/chart.hpp"
 
-namespace fathom {
+namespace fathom::chart {
 
 /// Fills in place_of for the nodes of a colour, by a plane sweep over all walls and the other colour's arcs, which must be in height
 /// order. O((m + n) log(m + n)) steps; each node asks at most about as many predicates as the logarithm of the arcs over its abscissa.
-void locate_nodes(const PerturbedKernel& kernel, Charts& charts, Colour colour);
+void locate_nodes(const kernels::PerturbedKernel& kernel, Charts& charts, gaussian::Colour colour);
 
 /// Fills in the heights of all arcs' ends: from the places of the nodes, and at infinity by merging both colours' lists. Linear.
-void locate_ends(const PerturbedKernel& kernel, Charts& charts);
+void locate_ends(const kernels::PerturbedKernel& kernel, Charts& charts);
 
-}  // namespace fathom
+}  // namespace fathom::chart

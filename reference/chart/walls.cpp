@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fathom {
+namespace fathom::chart {
 namespace {
 
 struct Candidate {
@@ -16,12 +16,12 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const Charts& charts) {
   std::vector<Candidate> result;
-  const Vec3<double> v = image(charts.frame.v), z = image(charts.frame.z), right = cross(v, z);
-  for (const Colour c : both_colours) {
+  const Vec3<double> v = kernels::image(charts.frame.v), z = kernels::image(charts.frame.z), right = cross(v, z);
+  for (const gaussian::Colour c : gaussian::both_colours) {
     const ColourChart& chart = charts.of[c];
-    for (const NodeId i : chart.wall_of.ids()) {
+    for (const gaussian::NodeId i : chart.wall_of.ids()) {
       if (chart.wall_of[i].is_none()) continue;
-      const Vec3<double> n = image(chart.node(i));
+      const Vec3<double> n = kernels::image(chart.node(i));
       const double x = dot(n, right) / dot(n, z);
       result.push_back({std::isnan(x) ? 0 : x, {c, i}});
     }
@@ -33,9 +33,9 @@ bool close_together(double x, double y) { return !(std::abs(y - x) > 0x1p-40 * (
 
 }  // namespace
 
-void raise_walls(const PerturbedKernel& kernel, Charts& charts) {
+void raise_walls(const kernels::PerturbedKernel& kernel, Charts& charts) {
   const auto left_of = [&](const Candidate& s, const Candidate& t) {
-    return s.wall != t.wall && kernel.x_order(charts.node(s.wall), charts.node(t.wall), charts.frame.v) == Sign::positive;
+    return s.wall != t.wall && kernel.x_order(charts.node(s.wall), charts.node(t.wall), charts.frame.v) == kernels::Sign::positive;
   };
   std::vector<Candidate> all = candidates(charts);
   std::ranges::sort(all, {}, &Candidate::x);
@@ -53,4 +53,4 @@ void raise_walls(const PerturbedKernel& kernel, Charts& charts) {
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::chart

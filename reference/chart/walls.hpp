@@ -4,10 +4,10 @@
 
 #include "reference/chart/chart.hpp"
 
-namespace fathom {
+namespace fathom::chart {
 
 /// Fills in the walls, and in wall_of their ids, for the nodes whose wall_of is not none. Sorts exactly, in O(N log N); where abscissae
 /// are well apart, with one predicate a wall.
-void raise_walls(const PerturbedKernel& kernel, Charts& charts);
+void raise_walls(const kernels::PerturbedKernel& kernel, Charts& charts);
 
-}  // namespace fathom
+}  // namespace fathom::chart

@@ -7,18 +7,18 @@
 #include "reference/polytope/distance.hpp"
 #include "reference/polytope/position.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 constexpr std::size_t worth_a_thread = 2048;  // points
 
 // In the direction of the nearest point of P the height is -distance: no shorter translation brings A to B.
-Distance distance(Context& context, const PlacedPair& pair, bool checked) {
-  const NearestPoints nearest = nearest_points(pair.a, pair.b);
-  if (checked) insist(validate(nearest, pair.a.points(), pair.b.points()));
+Distance distance(kernels::Context& context, const polytope::PlacedPair& pair, bool checked) {
+  const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
+  if (checked) kernels::insist(polytope::validate(nearest, pair.a.points(), pair.b.points()));
   context.counters.scans += nearest.scans;
   const Vector& n = nearest.normal;
-  const mpq_class factor = ratio(nearest.height, dot(n, n) * pair.denominator);
+  const mpq_class factor = kernels::ratio(nearest.height, dot(n, n) * pair.denominator);
   return {factor * factor * dot(n, n),
           n,
           {factor * n.x, factor * n.y, factor * n.z},
@@ -27,31 +27,34 @@ Distance distance(Context& context, const PlacedPair& pair, bool checked) {
 
 }  // namespace
 
-BodyFacts facts_of(const PlacedPair& pair) { return {affine_rank(pair.a.points()) < 3, affine_rank(pair.b.points()) < 3, 0, 0}; }
+BodyFacts facts_of(const polytope::PlacedPair& pair) {
+  return {polytope::affine_rank(pair.a.points()) < 3, polytope::affine_rank(pair.b.points()) < 3, 0, 0};
+}
 
-bool answer_apart(Context& context, const PlacedPair& pair, bool checked, Depth& depth) {
-  const PositionOfOrigin origin = position_of_origin(pair.a, pair.b);
-  if (checked) insist(validate(origin, pair.a.points(), pair.b.points()));
+bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, Depth& depth) {
+  const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
+  if (checked) kernels::insist(polytope::validate(origin, pair.a.points(), pair.b.points()));
   context.counters.scans += origin.scans;
   switch (origin.position) {
-    case Position::inside: return false;
-    case Position::boundary: depth.outcome = Touch{*origin.normal, combination(pair, pair.a.points(), origin.a)}; break;
-    case Position::outside: depth.outcome = distance(context, pair, checked); break;
+    case polytope::Position::inside: return false;
+    case polytope::Position::boundary: depth.outcome = Touch{*origin.normal, combination(pair, pair.a.points(), origin.a)}; break;
+    case polytope::Position::outside: depth.outcome = distance(context, pair, checked); break;
   }
   return true;
 }
 
-Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts& facts) {
+Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, BodyFacts& facts) {
   context.report("hulls");
   Hulls hulls;
   const bool one_body = pair.a.points() == pair.b.points();
-  run_both(
-      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, context, [&](Context&) { hulls.a = convex_hull(pair.a.points()); },
-      [&](Context&) { hulls.b = one_body ? hulls.a : convex_hull(pair.b.points()); });
+  kernels::run_both(
+      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, context,
+      [&](kernels::Context&) { hulls.a = polytope::convex_hull(pair.a.points()); },
+      [&](kernels::Context&) { hulls.b = one_body ? hulls.a : polytope::convex_hull(pair.b.points()); });
   const auto& [a, b] = hulls;
   if (checked) {
-    insist(validate(a, pair.a.points()));
-    insist(validate(b, pair.b.points()));
+    kernels::insist(polytope::validate(a, pair.a.points()));
+    kernels::insist(polytope::validate(b, pair.b.points()));
   }
   facts.extreme_a = static_cast<std::uint32_t>(a.vertices.size());
   facts.extreme_b = static_cast<std::uint32_t>(b.vertices.size());
@@ -65,4 +68,4 @@ Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts
   return hulls;
 }
 
-}  // namespace fathom
+}  // namespace fathom::depth

@@ -8,19 +8,19 @@
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 /// Returns whether the bodies are flat; does not count extreme points.
-BodyFacts facts_of(const PlacedPair& pair);
+BodyFacts facts_of(const polytope::PlacedPair& pair);
 
 /// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate. If `checked`, validates what it finds.
-[[nodiscard]] bool answer_apart(Context& context, const PlacedPair& pair, bool checked, Depth& depth);
+[[nodiscard]] bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, Depth& depth);
 
 /// The hulls of both bodies.
 struct Hulls {
-  Polytope a, b;
+  polytope::Polytope a, b;
 };
 /// Computes the hulls; sets the counts of extreme points in `facts`, and the counters. If `checked`, validates the hulls.
-Hulls hulls_of(Context& context, const PlacedPair& pair, bool checked, BodyFacts& facts);
+Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, BodyFacts& facts);
 
-}  // namespace fathom
+}  // namespace fathom::depth

@@ -7,7 +7,7 @@
 #include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 // A face of a convex polytope given by its extreme points: one is a vertex, two an edge, more a facet.
@@ -20,12 +20,12 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   throw std::logic_error("the faces in an optimal direction do not span a facet");
 }
 
-ExtremeFace face(const PointCloud& body, const Vector& u) {
+ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
   ExtremeFace face;
-  face.ids = extreme_points(body, u);
+  face.ids = kernels::extreme_points(body, u);
   for (const std::uint32_t i : face.ids) face.points.push_back(body[i]);
   if (face.ids.size() == 1) return face;
-  Polytope hull = convex_hull(face.points);
+  polytope::Polytope hull = polytope::convex_hull(face.points);
   for (std::uint32_t& id : hull.input_ids) id = face.ids[id];
   return {std::move(hull.vertices), std::move(hull.input_ids)};
 }
@@ -37,7 +37,7 @@ Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z +
 Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 // The point of the edge a0 a1 that lies over the line b0 b1, seen along n. The edges are not parallel.
-Point over_line(const PlacedPair& pair, const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& n) {
+Point over_line(const polytope::PlacedPair& pair, const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& n) {
   const Vector along = a[1] - a[0], across = cross(b[1] - b[0], n);
   const mpz_class divisor = dot(along, across), share = dot(Vector(b[0] - a[0]), across);
   return pair.position(scaled(divisor, a[0]) + scaled(share, along), divisor);
@@ -45,9 +45,9 @@ Point over_line(const PlacedPair& pair, const std::vector<Vector>& a, const std:
 
 }  // namespace
 
-FacingFaces facing_faces(const PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
+FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
 
-Point combination(const PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights) {
+Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights) {
   Point sum;
   for (const Weight& w : weights) {
     const Point p = pair.position(points[w.index]);
@@ -58,23 +58,23 @@ Point combination(const PlacedPair& pair, std::span<const Vector> points, const 
   return sum;
 }
 
-Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
-  const mpq_class factor = ratio(dot(n, faces.b.points.front() - faces.a.points.front()), dot(n, n) * pair.denominator);
+Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
+  const mpq_class factor = kernels::ratio(dot(n, faces.b.points.front() - faces.a.points.front()), dot(n, n) * pair.denominator);
   return {n, {factor * n.x, factor * n.y, factor * n.z}, {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
 }
 
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
-std::optional<Witness> meeting_points(const PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d) {
+std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d) {
   std::vector<Vector> moved_a, scaled_b;
   for (const Vector& p : faces.a.points) moved_a.push_back(scaled(d, p) + v);
   for (const Vector& p : faces.b.points) scaled_b.push_back(scaled(d, p));
-  const PlacedPair moved = place_integers(std::move(moved_a), std::move(scaled_b));
-  const PositionOfOrigin common = position_of_origin(moved.a, moved.b);
-  if (common.position == Position::outside) return std::nullopt;
+  const polytope::PlacedPair moved = polytope::place_integers(std::move(moved_a), std::move(scaled_b));
+  const polytope::PositionOfOrigin common = polytope::position_of_origin(moved.a, moved.b);
+  if (common.position == polytope::Position::outside) return std::nullopt;
   return Witness{combination(pair, faces.a.points, common.a), combination(pair, faces.b.points, common.b)};
 }
 
-Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces) {
+Witness witness(const polytope::PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces) {
   const Point& t = optimum.translation;
   const std::vector<Vector>&a = faces.a.points, &b = faces.b.points;
   if (b.size() == 1) {
@@ -91,7 +91,7 @@ Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFace
   return {p, plus(p, t)};
 }
 
-Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>& nearest) {
+Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest) {
   Penetration result;
   for (const Vector& n : nearest) {
     const FacingFaces faces = facing_faces(pair, n);
@@ -103,4 +103,4 @@ Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>&
   return result;
 }
 
-}  // namespace fathom
+}  // namespace fathom::depth

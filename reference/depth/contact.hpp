@@ -12,7 +12,7 @@
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 /// A face of a body: its extreme points in the order of their indices, those of the input; of equal points the lowest index.
 struct ExtremeFace {
@@ -24,23 +24,23 @@ struct ExtremeFace {
 struct FacingFaces {
   ExtremeFace a, b;
 };
-FacingFaces facing_faces(const PlacedPair& pair, const Vector& n);
+FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 
 /// Returns the optimum in direction n, the outward normal of a facet of P, given the faces in that direction. Throws std::logic_error if
 /// these do not span a facet.
-Optimum optimum(const PlacedPair& pair, const Vector& n, const FacingFaces& faces);
+Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
 /// Returns points a of the face of A and b of the face of B with b - a = translation. They exist for a nearest facet: the foot point of O
 /// lies in it.
-Witness witness(const PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces);
+Witness witness(const polytope::PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces);
 
 /// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or nullopt if there are none.
-std::optional<Witness> meeting_points(const PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
+std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
 
 /// Returns the rational position of a convex combination of lattice points.
-Point combination(const PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
+Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
 /// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order.
-Penetration penetration_along(const PlacedPair& pair, const std::vector<Vector>& nearest);
+Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest);
 
-}  // namespace fathom
+}  // namespace fathom::depth

@@ -14,18 +14,18 @@
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 // The directions of the edges of a face with these extreme points, counter-clockwise seen against n; a segment has two: there and back.
 std::vector<Vector> edge_directions(const std::vector<Vector>& points, const Vector& n) {
   if (points.size() == 1) return {};
   if (points.size() == 2) return {points[1] - points[0], points[0] - points[1]};
-  const Polytope face = convex_hull(points);
+  const polytope::Polytope face = polytope::convex_hull(points);
   const bool reversed = dot(face.facets.front().normal, n) < 0;
   std::vector<Vector> directions;
   directions.reserve(face.edges.size());
-  for (const Edge& edge : face.edges) {
+  for (const polytope::Edge& edge : face.edges) {
     const Vector along = face.vertices[edge.to] - face.vertices[edge.from];
     directions.push_back(reversed ? -along : along);
   }
@@ -39,12 +39,12 @@ const Vector& extreme(const std::vector<Vector>& points, const Vector& u) {
 // The squared distance of the plane <normal, x> = <normal, p>.
 mpq_class squared_distance(const Vector& normal, const Vector& p) {
   const mpz_class height = dot(normal, p);
-  return ratio(height * height, dot(normal, normal));
+  return kernels::ratio(height * height, dot(normal, normal));
 }
 
 // The normal of the facet beyond the edge of the facet with normal n that runs through p along d, counter-clockwise seen from outside: the
 // first plane about the edge, turned away from n, that has no point of P above it. Every step turns farther back.
-Vector normal_beyond(Differences& differences, const Vector& n, const Vector& p, const Vector& d) {
+Vector normal_beyond(polytope::Differences& differences, const Vector& n, const Vector& p, const Vector& d) {
   Vector normal = cross(differences[differences.extreme(-n)] - p, d);
   for (;;) {
     const Vector highest = differences[differences.extreme(normal)] - p;
@@ -54,7 +54,7 @@ Vector normal_beyond(Differences& differences, const Vector& n, const Vector& p,
 }
 
 // The least squared distance, other than `nearest`, of the facets that share an edge with the nearest facet `optimum`.
-void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
+void look_around(polytope::Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
   const Vector& n = optimum.direction;
   std::vector<Vector> minus_a, b;
   for (const std::uint32_t i : optimum.contact.a) minus_a.push_back(-differences.a[i]);
@@ -70,29 +70,16 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
 
 }  // namespace
 
-std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
-                                                Monitor* monitor) {
-  const DefaultFloatEnvironment environment;
-  Context context(monitor);
-  const PlacedPair pair = place(a, b);
-  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared * unit;
-  Differences differences{pair.a, pair.b};
-  std::optional<mpq_class> least;
-  for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
-  if (!least) return std::nullopt;  // whatever can be reached from a nearest facet is one
-  return mpq_class(next_nearest_by_expansion(context, pair.a, pair.b, nearest, *least) / unit);
-}
-
 std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b) {
-  const DefaultFloatEnvironment environment;
-  const PlacedPair pair = place(a, b);
-  const Polytope hull_a = convex_hull(pair.a.points()), hull_b = convex_hull(pair.b.points());
+  const kernels::DefaultFloatEnvironment environment;
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  const polytope::Polytope hull_a = polytope::convex_hull(pair.a.points()), hull_b = polytope::convex_hull(pair.b.points());
   std::vector<Vector> differences;
   for (const Vector& p : hull_a.vertices)
     for (const Vector& q : hull_b.vertices) differences.push_back(q - p);
-  const Polytope p = convex_hull(differences);
+  const polytope::Polytope p = polytope::convex_hull(differences);
   std::vector<mpq_class> squares;
-  for (const Facet& facet : p.facets) {
+  for (const polytope::Facet& facet : p.facets) {
     const Vector& corner = p.vertices[p.corners[facet.begin]];
     if (p.rank < 3 || dot(facet.normal, corner) <= 0) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
     squares.push_back(squared_distance(facet.normal, corner));
@@ -102,6 +89,23 @@ std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, 
   const auto next = std::ranges::upper_bound(squares, squares.front());
   if (next == squares.end()) return std::nullopt;
   return mpq_class(*next / mpq_class(pair.denominator * pair.denominator));
+}
+
+}  // namespace fathom::depth
+
+namespace fathom {
+
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
+                                                Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(monitor);
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared * unit;
+  polytope::Differences differences{pair.a, pair.b};
+  std::optional<mpq_class> least;
+  for (const Optimum& optimum : penetration.optima) depth::look_around(differences, optimum, nearest, least);
+  if (!least) return std::nullopt;  // whatever can be reached from a nearest facet is one
+  return mpq_class(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, *least) / unit);
 }
 
 }  // namespace fathom

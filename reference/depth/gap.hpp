@@ -4,9 +4,9 @@
 
 #include "fathom/depth.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 /// Looks at all facets of the hull of all vertex differences. Throws std::invalid_argument unless the bodies penetrate.
 std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b);
 
-}  // namespace fathom
+}  // namespace fathom::depth

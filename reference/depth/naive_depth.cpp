@@ -6,27 +6,29 @@
 #include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 namespace {
 
 /// Only extreme points of the bodies can make extreme points of P.
-Polytope hull_of_differences(std::span<const Vector> a, std::span<const Vector> b) {
-  const Polytope hull_a = convex_hull(a), hull_b = convex_hull(b);
+polytope::Polytope hull_of_differences(std::span<const Vector> a, std::span<const Vector> b) {
+  const polytope::Polytope hull_a = polytope::convex_hull(a), hull_b = polytope::convex_hull(b);
   std::vector<Vector> differences;
   differences.reserve(hull_a.vertices.size() * hull_b.vertices.size());
   for (const Vector& p : hull_a.vertices)
     for (const Vector& q : hull_b.vertices) differences.push_back(q - p);
-  return convex_hull(differences);
+  return polytope::convex_hull(differences);
 }
 
 /// The facet lies in the plane <normal, x> = this.
-mpz_class offset(const Polytope& p, const Facet& facet) { return dot(facet.normal, p.vertices[p.corners[facet.begin]]); }
+mpz_class offset(const polytope::Polytope& p, const polytope::Facet& facet) {
+  return dot(facet.normal, p.vertices[p.corners[facet.begin]]);
+}
 
-NaiveDepth in_solid(const Polytope& p) {
+NaiveDepth in_solid(const polytope::Polytope& p) {
   std::vector<mpz_class> offsets;
   offsets.reserve(p.facets.size());
-  for (const Facet& facet : p.facets) offsets.push_back(offset(p, facet));
+  for (const polytope::Facet& facet : p.facets) offsets.push_back(offset(p, facet));
   const mpz_class least = *std::ranges::min_element(offsets);
   if (least < 0) return {Status::disjoint, 0, {}};
   if (least == 0) return {Status::touching, 0, {}};
@@ -34,7 +36,7 @@ NaiveDepth in_solid(const Polytope& p) {
   NaiveDepth result{Status::penetrating, 0, {}};
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     const Vector& normal = p.facets[i].normal;
-    const mpq_class squared = ratio(offsets[i] * offsets[i], dot(normal, normal));
+    const mpq_class squared = kernels::ratio(offsets[i] * offsets[i], dot(normal, normal));
     const bool first = result.directions.empty();
     if (!first && squared > result.squared) continue;
     if (!first && squared < result.squared) result.directions.clear();
@@ -46,21 +48,21 @@ NaiveDepth in_solid(const Polytope& p) {
 }
 
 /// The polygon's plane passes through O, and O is not to the right of an edge on facet 0's cycle.
-bool polygon_contains_origin(const Polytope& p) {
-  const Facet& front = p.facets.front();
+bool polygon_contains_origin(const polytope::Polytope& p) {
+  const polytope::Facet& front = p.facets.front();
   if (offset(p, front) != 0) return false;
-  return std::ranges::all_of(p.edges, [&](const Edge& edge) {
+  return std::ranges::all_of(p.edges, [&](const polytope::Edge& edge) {
     const Vector &from = p.vertices[edge.from], &to = p.vertices[edge.to];
     return det(from, to, front.normal) >= 0;  // the sense of the triangle O, from, to, seen from the normal's side
   });
 }
 
-bool segment_contains_origin(const Polytope& p) {
+bool segment_contains_origin(const polytope::Polytope& p) {
   const Vector &from = p.vertices[0], &to = p.vertices[1];
   return is_zero(cross(from, to)) && dot(from, to) <= 0;
 }
 
-bool flat_contains_origin(const Polytope& p) {
+bool flat_contains_origin(const polytope::Polytope& p) {
   switch (p.rank) {
     case 0: return is_zero(p.vertices.front());
     case 1: return segment_contains_origin(p);
@@ -71,9 +73,9 @@ bool flat_contains_origin(const Polytope& p) {
 }  // namespace
 
 NaiveDepth naive_depth(std::span<const Vector> a, std::span<const Vector> b) {
-  const Polytope p = hull_of_differences(a, b);
+  const polytope::Polytope p = hull_of_differences(a, b);
   if (p.rank == 3) return in_solid(p);
   return {flat_contains_origin(p) ? Status::touching : Status::disjoint, 0, {}};
 }
 
-}  // namespace fathom
+}  // namespace fathom::depth

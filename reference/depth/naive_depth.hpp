@@ -11,7 +11,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 /// squared: depth^2 in the unit of the input, in lowest terms; 0 unless penetrating. directions: primitive outward normals of the nearest
 /// facets of P, sorted lexicographically; empty unless penetrating.
@@ -25,4 +25,4 @@ struct NaiveDepth {
 /// Bodies of any rank. Throws std::invalid_argument when one is empty.
 NaiveDepth naive_depth(std::span<const Vector> a, std::span<const Vector> b);
 
-}  // namespace fathom
+}  // namespace fathom::depth

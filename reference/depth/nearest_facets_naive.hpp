@@ -7,13 +7,13 @@
 #include "kernels/nearest.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 /// Every facet normal against every vertex, every edge against every edge by an exact test of its arcs, all in exact arithmetic. O(mn).
-NearestPlanes nearest_facets_naive(const Polytope& a, const Polytope& b);
+kernels::NearestPlanes nearest_facets_naive(const polytope::Polytope& a, const polytope::Polytope& b);
 
 /// A twin as other libraries would write it: every edge against every edge, with the double filter. O(mn), a few nanoseconds a pair.
 /// `exponent` bounds the coordinates: |c| <= 2^exponent.
-NearestPlanes nearest_facets_scan(const Polytope& a, const Polytope& b, long exponent);
+kernels::NearestPlanes nearest_facets_scan(const polytope::Polytope& a, const polytope::Polytope& b, long exponent);
 
-}  // namespace fathom
+}  // namespace fathom::depth

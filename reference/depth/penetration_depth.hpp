@@ -9,16 +9,16 @@
 #include "kernels/predicates/perturbation.hpp"
 #include "reference/polytope/placed_pair.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 
 struct ExactOptions {
   ClosestLines closest_lines = ClosestLines::cutting;
-  std::uint64_t seed = 1;     ///< of the closest lines' random order
-  bool validate = false;      ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
-  Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
+  std::uint64_t seed = 1;              ///< of the closest lines' random order
+  bool validate = false;               ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
+  kernels::Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
 };
 
 /// Returns the answer, with the counters of `context`.
-Depth penetration_depth(Context& context, const PlacedPair& pair, const ExactOptions& options = {});
+Depth penetration_depth(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options = {});
 
-}  // namespace fathom
+}  // namespace fathom::depth

@@ -10,7 +10,7 @@
 #include "reference/expanding/start.hpp"
 #include "reference/expanding/surface.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 // A squared distance from O, as a quotient, and a binary64 number that the distance does not exceed.
@@ -36,7 +36,7 @@ class Waiting {
 
 class Expander {
  public:
-  Expander(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget)
+  Expander(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t budget)
       : context_(context), a_(a), b_(b), exponent_(a.exponent()), budget_(budget), differences_{a, b} {
     if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("an expanding polytope of an empty body");
     if (a.exponent() != b.exponent()) throw std::invalid_argument("an expanding polytope of clouds that differ in their exponents");
@@ -78,7 +78,7 @@ class Expander {
     Radius radius = radius_of(next.get_num(), next.get_den());
     return grow([&](std::uint32_t t) { return beyond(t, radius, true); },
                 [&](const ExactPlane& plane) {
-                  const mpq_class squared = ratio(plane.height * plane.height, dot(plane.normal, plane.normal));
+                  const mpq_class squared = kernels::ratio(plane.height * plane.height, dot(plane.normal, plane.normal));
                   if (squared != depth) {
                     next = squared;
                     radius = radius_of(next.get_num(), next.get_den());
@@ -131,18 +131,18 @@ class Expander {
 
   InnerPolytope inner() { return inner_polytope(*surface_); }
 
-  NearestPlanes nearest;
+  kernels::NearestPlanes nearest;
   std::size_t points = 0;
 
  private:
-  SurfaceVertex vertex(Difference d) const {
+  SurfaceVertex vertex(polytope::Difference d) const {
     Vector exact = b_[d.second] - a_[d.first];
-    const Vec3<double> rounded = image(exact, exponent_);
+    const Vec3<double> rounded = kernels::image(exact, exponent_);
     return {d, std::move(exact), rounded};
   }
 
   [[nodiscard]] Radius radius_of(const mpz_class& numerator, const mpz_class& denominator) const {
-    return {numerator, denominator, root_from_above(numerator, denominator, exponent_)};
+    return {numerator, denominator, kernels::root_from_above(numerator, denominator, exponent_)};
   }
 
   void wait_for(std::uint32_t t) { waiting_.add(estimated_distance(t), t); }
@@ -154,10 +154,10 @@ class Expander {
 
   // Decides nothing but the order.
   double estimated_distance(std::uint32_t t) {
-    const RoundedPlane& rounded = surface_->triangle(t).rounded;
+    const kernels::RoundedPlane& rounded = surface_->triangle(t).rounded;
     if (rounded.trustworthy()) return rounded.estimated_distance();
     const ExactPlane& plane = surface_->plane(t);
-    const double distance = root_from_above(plane.height * plane.height, dot(plane.normal, plane.normal), exponent_);
+    const double distance = kernels::root_from_above(plane.height * plane.height, dot(plane.normal, plane.normal), exponent_);
     return plane.height < 0 ? -distance : distance;
   }
 
@@ -180,14 +180,14 @@ class Expander {
     return std::nullopt;
   }
 
-  Difference likely_extreme(std::uint32_t t) {
-    const RoundedPlane& plane = surface_->triangle(t).rounded;
+  polytope::Difference likely_extreme(std::uint32_t t) {
+    const kernels::RoundedPlane& plane = surface_->triangle(t).rounded;
     Vec3<double> n = plane.estimated_normal();
     if (!plane.trustworthy()) {
       const Vector& exact = surface_->plane(t).normal;
-      n = image(exact, binary_exponent({&exact, 1}));
+      n = kernels::image(exact, kernels::binary_exponent({&exact, 1}));
     }
-    return {likely_extreme_point(a_, -n), likely_extreme_point(b_, n)};
+    return {kernels::likely_extreme_point(a_, -n), kernels::likely_extreme_point(b_, n)};
   }
 
   bool expand(SurfaceVertex above, std::uint32_t t) {
@@ -198,19 +198,19 @@ class Expander {
     return true;
   }
 
-  Context& context_;
-  const PointCloud& a_;
-  const PointCloud& b_;
+  kernels::Context& context_;
+  const kernels::PointCloud& a_;
+  const kernels::PointCloud& b_;
   long exponent_;
   std::size_t budget_;
-  Differences differences_;
+  polytope::Differences differences_;
   std::optional<Surface> surface_;
   Waiting waiting_;
 };
 
 }  // namespace
 
-Expansion nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget) {
+Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t budget) {
   Expander expander(context, a, b, budget);
   Expansion result;
   result.end = expander.start() ? expander.find_nearest() : ExpansionEnd::not_inside;
@@ -221,8 +221,8 @@ Expansion nearest_by_expansion(Context& context, const PointCloud& a, const Poin
   return result;
 }
 
-BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
-                             const std::optional<Vector>& hint, std::size_t budget) {
+BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, const mpq_class& low,
+                             const mpq_class& high, const std::optional<Vector>& hint, std::size_t budget) {
   Expander expander(context, a, b, budget);
   BallExpansion result;
   result.end = expander.start() ? expander.fill_ball(low, result.low_holds) : ExpansionEnd::not_inside;
@@ -234,8 +234,8 @@ BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointC
   return result;
 }
 
-mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& nearest,
-                                    const mpq_class& bound) {
+mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                    const mpq_class& nearest, const mpq_class& bound) {
   Expander expander(context, a, b, unlimited);
   mpq_class next = bound;
   const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
@@ -243,4 +243,4 @@ mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const
   return next;
 }
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -16,7 +16,7 @@
 #include "kernels/report.hpp"
 #include "reference/polytope/placed_pair.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 
 /// A budget without a limit on the points that are added to Q.
 inline constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
@@ -30,7 +30,7 @@ enum class ExpansionEnd {
 struct Expansion {
   ExpansionEnd end = ExpansionEnd::spent;
   /// proved: the directions of all facets of P nearest to O, with their squared distance. Exact.
-  NearestPlanes nearest;
+  kernels::NearestPlanes nearest;
   /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly farther from O.
   InnerPolytope inner;
   std::size_t points = 0;  ///< added to Q beyond the first four
@@ -38,11 +38,12 @@ struct Expansion {
 
 /// The clouds must have the same exponent and be non-empty. Always ends: gives up if Q would need more than `budget` points. Throws
 /// Interrupted.
-Expansion nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, std::size_t budget = unlimited);
+Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                               std::size_t budget = unlimited);
 
 /// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it is no nearer than the nearest planes,
 /// touches them in one facet each, and these support P. Quadratic in the size of Q.
-[[nodiscard]] Report validate(const Expansion& expansion, const PointCloud& a, const PointCloud& b);
+[[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b);
 
 /// A proof of low <= depth^2 <= high, all in the clouds' unit.
 struct BallExpansion {
@@ -53,14 +54,14 @@ struct BallExpansion {
 };
 
 /// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows `high`; `hint`, if given, is tried first.
-BallExpansion expand_to_ball(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& low, const mpq_class& high,
-                             const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
+BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, const mpq_class& low,
+                             const mpq_class& high, const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
 
 /// Requires O in the interior of P, `nearest` = depth^2, and `bound`, a larger squared distance of a facet plane of P. Returns the squared
 /// distance of a facet plane, larger than `nearest` and at most `bound`, such that no facet at a distance strictly between holds the foot
 /// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in the interior of P.  [proofs/gap.md,
 /// lemma 2]
-mpq_class next_nearest_by_expansion(Context& context, const PointCloud& a, const PointCloud& b, const mpq_class& nearest,
-                                    const mpq_class& bound);
+mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                    const mpq_class& nearest, const mpq_class& bound);
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -5,14 +5,14 @@
 
 #include "reference/expanding/expanding_polytope.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 class Check {
  public:
-  Check(const Expansion& expansion, const PointCloud& a, const PointCloud& b) : expansion_(expansion), a_(a), b_(b) {}
+  Check(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b) : expansion_(expansion), a_(a), b_(b) {}
 
-  Report run() {
+  kernels::Report run() {
     if (!report_.expect(expansion_.end == ExpansionEnd::proved && !expansion_.nearest.empty(), "nothing is proved")) return report_;
     if (!resolve()) return report_;
     for (const std::vector<std::uint32_t>& facet : expansion_.inner.facets) check(facet);
@@ -71,21 +71,23 @@ class Check {
   }
 
   void check(const Vector& n) {
-    const mpz_class height =
-        dot(n, b_[extreme_points_naive(b_.points(), n).front()]) - dot(n, a_[extreme_points_naive(a_.points(), -n).front()]);
+    const mpz_class height = dot(n, b_[kernels::extreme_points_naive(b_.points(), n).front()]) -
+                             dot(n, a_[kernels::extreme_points_naive(a_.points(), -n).front()]);
     report_.expect(height > 0 && order(n, height) == 0, "a direction is not that of a nearest plane");
   }
 
   const Expansion& expansion_;
-  const PointCloud& a_;
-  const PointCloud& b_;
-  Report report_;
+  const kernels::PointCloud& a_;
+  const kernels::PointCloud& b_;
+  kernels::Report report_;
   std::vector<Vector> vertices_;
-  std::set<Vector, NearestPlanes::LexicographicOrder> tight_;
+  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> tight_;
 };
 
 }  // namespace
 
-Report validate(const Expansion& expansion, const PointCloud& a, const PointCloud& b) { return Check(expansion, a, b).run(); }
+kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b) {
+  return Check(expansion, a, b).run();
+}
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -7,7 +7,7 @@
 
 #include "reference/expanding/surface.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -116,4 +116,4 @@ class Merging {
 
 InnerPolytope inner_polytope(Surface& surface) { return Merging(surface).run(); }
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -4,11 +4,11 @@
 
 #include "fathom/depth.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 
 class Surface;
 
 /// The facets of a surface: coplanar triangles become one polygon, corners inside facets or edges are dropped.
 InnerPolytope inner_polytope(Surface& surface);
 
-}  // namespace fathom
+}  // namespace fathom::expanding

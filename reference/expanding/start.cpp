@@ -5,16 +5,17 @@
 
 #include <vector>
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 const Vector axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 // The first extreme difference, over `directions`, that lies farther in its direction than `from`.
-std::optional<Difference> first_beyond(Differences& differences, const Vector& from, const std::vector<Vector>& directions) {
+std::optional<polytope::Difference> first_beyond(polytope::Differences& differences, const Vector& from,
+                                                 const std::vector<Vector>& directions) {
   for (const Vector& u : directions) {
     if (is_zero(u)) continue;
-    const Difference d = differences.extreme(u);
+    const polytope::Difference d = differences.extreme(u);
     if (dot(u, differences[d]) > dot(u, from)) return d;
   }
   return std::nullopt;
@@ -30,9 +31,9 @@ Vector some_normal(const Vector& line) {
 
 }  // namespace
 
-std::optional<std::array<Difference, 4>> starting_tetrahedron(Differences& differences) {
+std::optional<std::array<polytope::Difference, 4>> starting_tetrahedron(polytope::Differences& differences) {
   const Vector some = differences[{0, 0}];
-  const Difference first = differences.extreme(is_zero(some) ? axes[0] : -some);
+  const polytope::Difference first = differences.extreme(is_zero(some) ? axes[0] : -some);
   const Vector p = differences[first];
   const auto second = first_beyond(differences, p, {-p, axes[0], -axes[0]});
   if (!second) return std::nullopt;
@@ -47,4 +48,4 @@ std::optional<std::array<Difference, 4>> starting_tetrahedron(Differences& diffe
   return std::array{first, *second, *third, *fourth};
 }
 
-}  // namespace fathom
+}  // namespace fathom::expanding

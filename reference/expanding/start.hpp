@@ -7,9 +7,9 @@
 
 #include "reference/polytope/differences.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 
 /// Returns four differences that do not lie in one plane, found in directions that lead towards O, or nullopt if P is flat. Exact.
-std::optional<std::array<Difference, 4>> starting_tetrahedron(Differences& differences);
+std::optional<std::array<polytope::Difference, 4>> starting_tetrahedron(polytope::Differences& differences);
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
@@ -43,7 +43,7 @@ Surface::Surface(std::array<SurfaceVertex, 4> corners, long exponent) : exponent
 
 std::uint32_t Surface::add(const std::array<std::uint32_t, 3>& corners) {
   const auto t = static_cast<std::uint32_t>(triangles_.size());
-  const RoundedPlane rounded(vertices_[corners[0]].rounded, vertices_[corners[1]].rounded, vertices_[corners[2]].rounded);
+  const kernels::RoundedPlane rounded(vertices_[corners[0]].rounded, vertices_[corners[1]].rounded, vertices_[corners[2]].rounded);
   triangles_.push_back({corners, {}, rounded, true, nullptr});
   ++alive_;
   return t;
@@ -68,7 +68,7 @@ const ExactPlane& Surface::plane(std::uint32_t t) {
 }
 
 int Surface::side(std::uint32_t t, const SurfaceVertex& vertex) {
-  if (const auto sure = triangles_[t].rounded.side(vertex.rounded)) return to_int(*sure);
+  if (const auto sure = triangles_[t].rounded.side(vertex.rounded)) return kernels::to_int(*sure);
   const ExactPlane& p = plane(t);
   return sgn(mpz_class(dot(p.normal, vertex.exact) - p.height));
 }
@@ -117,4 +117,4 @@ std::vector<std::uint32_t> Surface::insert(SurfaceVertex vertex, std::uint32_t s
   return fresh;
 }
 
-}  // namespace fathom
+}  // namespace fathom::expanding

@@ -12,13 +12,13 @@
 #include "kernels/vector.hpp"
 #include "reference/polytope/differences.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 
 /// A vertex of the surface: the difference b - a of two input points.
 struct SurfaceVertex {
-  Difference from;       ///< indices of a and of b
-  Vector exact;          ///< b - a
-  Vec3<double> rounded;  ///< its image
+  polytope::Difference from;  ///< indices of a and of b
+  Vector exact;               ///< b - a
+  Vec3<double> rounded;       ///< its image
 };
 
 /// The plane <normal, x> = height; the normal points outwards and is not reduced.
@@ -31,7 +31,7 @@ struct ExactPlane {
 struct Triangle {
   std::array<std::uint32_t, 3> corners;
   std::array<std::uint32_t, 3> across;
-  RoundedPlane rounded;
+  kernels::RoundedPlane rounded;
   bool alive = true;  ///< still part of the surface
   std::unique_ptr<ExactPlane> exact;
 };
@@ -73,4 +73,4 @@ class Surface {
   std::vector<std::uint32_t> fan_;  // of each vertex on the horizon: the new triangle whose edge on the horizon begins there
 };
 
-}  // namespace fathom
+}  // namespace fathom::expanding

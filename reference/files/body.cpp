@@ -3,7 +3,7 @@
 
 #include "fathom/files.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 std::string sentence(const std::string& file, std::size_t line, const std::string& message) {
@@ -12,7 +12,11 @@ std::string sentence(const std::string& file, std::size_t line, const std::strin
 
 }  // namespace
 
+}  // namespace fathom::files
+
+namespace fathom {
+
 InputError::InputError(std::string file, std::size_t line, const std::string& message)
-    : std::runtime_error(sentence(file, line, message)), file_(std::move(file)), line_(line) {}
+    : std::runtime_error(files::sentence(file, line, message)), file_(std::move(file)), line_(line) {}
 
 }  // namespace fathom

@@ -10,7 +10,7 @@
 #include "kernels/printable.hpp"
 #include "reference/files/case_places.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 using Json = nlohmann::json;
@@ -148,7 +148,7 @@ bool Listener::number(CasePlace place, const std::string& text, Assign assign) {
   } else if (place == CasePlace::id) {
     fields.id = text;
   } else if (place != CasePlace::other) {
-    return wrong(place, printable(text, readable));
+    return wrong(place, kernels::printable(text, readable));
   }
   return done();
 }
@@ -181,7 +181,7 @@ bool Listener::string(std::string& text) {
   } else {
     good = place == CasePlace::other;
   }
-  return good ? done() : wrong(place, "\"" + printable(text, readable) + "\"");
+  return good ? done() : wrong(place, "\"" + kernels::printable(text, readable) + "\"");
 }
 
 bool Listener::start_array(std::size_t) {
@@ -261,13 +261,13 @@ bool Listener::parse_error(std::size_t position, const std::string& last_token, 
   const std::size_t column = set_fault_line(position > 0 ? position - 1 : 0);
   fields.fault.clear();  // what is no JSON at all is told as such
   if (error.id == number_overflow) {
-    fault(path(), "a number within the range of binary64", shown(last_token));
+    fault(path(), "a number within the range of binary64", kernels::shown(last_token));
     return false;
   }
   std::string_view reason = error.what();
   const std::size_t dash = reason.find(" - ");
   if (dash != std::string_view::npos) reason.remove_prefix(dash + 3);
-  fault("", "JSON", "a syntax error at column " + std::to_string(column) + ": " + printable(reason, readable_reason));
+  fault("", "JSON", "a syntax error at column " + std::to_string(column) + ": " + kernels::printable(reason, readable_reason));
   return false;
 }
 
@@ -280,4 +280,4 @@ CaseFields read_case_fields(std::string_view text) {
   return std::move(listener.fields);
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -11,7 +11,7 @@
 #include "kernels/vector.hpp"
 #include "reference/files/pose.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 /// One of the two bodies as it is written.
 struct BodyFields {
@@ -33,4 +33,4 @@ struct CaseFields {
 /// may be nested, in skipped fields too.
 CaseFields read_case_fields(std::string_view text);
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/files/case_places.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 std::string expected_at(CasePlace place) {
   switch (place) {
@@ -37,4 +37,4 @@ bool may_be_null(CasePlace place) {
          place == CasePlace::body_rounding;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace fathom {
+namespace fathom::files {
 
 enum class CasePlace {
   whole,
@@ -33,4 +33,4 @@ CasePlace field_of_body(std::string_view key);
 /// Returns whether null there means the same as no field.
 bool may_be_null(CasePlace place);
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -10,7 +10,7 @@
 #include "reference/files/case_fields.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n\v\f";
@@ -71,13 +71,17 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
 
 }  // namespace
 
+}  // namespace fathom::files
+
+namespace fathom {
+
 CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line) {
-  const DefaultFloatEnvironment environment;
-  CaseFields fields = read_case_fields(text);
+  const kernels::DefaultFloatEnvironment environment;
+  files::CaseFields fields = files::read_case_fields(text);
   Case result{fields.id.value_or(std::to_string(line)), {}, {}};
   std::string fault = std::move(fields.fault);
-  if (fault.empty()) fault = place(fields.a, fields.rounded, "a", result.a);
-  if (fault.empty()) fault = place(fields.b, fields.rounded, "b", result.b);
+  if (fault.empty()) fault = files::place(fields.a, fields.rounded, "a", result.a);
+  if (fault.empty()) fault = files::place(fields.b, fields.rounded, "b", result.b);
   std::string id = result.id;
   if (fault.empty()) return {line, std::move(id), std::move(result)};
   return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
@@ -106,8 +110,8 @@ class CaseStream::Reader {
   std::istream* input_;
   std::string name_;
   CaseLayout layout_;
-  std::size_t line_ = 0, case_line_ = 1;  ///< of the line read last; of the case
-  LineRead kept_ = LineRead::whole;       ///< or why the current case is lost
+  std::size_t line_ = 0, case_line_ = 1;           ///< of the line read last; of the case
+  files::LineRead kept_ = files::LineRead::whole;  ///< or why the current case is lost
   std::optional<std::string> pending_;
   bool any_ = false, finished_ = false;
 };
@@ -117,9 +121,9 @@ bool CaseStream::Reader::next_line(std::string& line) {
   if (pending_) {
     line = *std::exchange(pending_, std::nullopt);
   } else {
-    const LineRead read = read_line(*input_, line);
-    if (read == LineRead::none) return false;
-    if (kept_ == LineRead::whole) kept_ = read;
+    const files::LineRead read = files::read_line(*input_, line);
+    if (read == files::LineRead::none) return false;
+    if (kept_ == files::LineRead::whole) kept_ = read;
   }
   ++line_;
   return true;
@@ -132,7 +136,7 @@ void CaseStream::Reader::take_back(std::string line) {
 
 // `text` is a lone brace. Whatever starts with an unindented brace is a case of its own: this one was cut short.
 void CaseStream::Reader::read_rest_of_case(std::string& text) {
-  Nesting nesting;
+  files::Nesting nesting;
   nesting.take(text);
   for (std::string line; !nesting.closed() && next_line(line);) {
     if (line.starts_with('{')) return take_back(std::move(line));
@@ -146,13 +150,13 @@ void CaseStream::Reader::read_document(std::string& text) {
 }
 
 void CaseStream::Reader::append(std::string& text, const std::string& line) {
-  if (kept_ == LineRead::whole && text.size() + line.size() >= longest_line) kept_ = LineRead::too_long;
+  if (kept_ == files::LineRead::whole && text.size() + line.size() >= files::longest_line) kept_ = files::LineRead::too_long;
   try {
-    if (kept_ == LineRead::whole) (text += '\n') += line;
+    if (kept_ == files::LineRead::whole) (text += '\n') += line;
   } catch (const std::bad_alloc&) {
-    kept_ = LineRead::no_memory;
+    kept_ = files::LineRead::no_memory;
   }
-  if (kept_ != LineRead::whole) std::string().swap(text);
+  if (kept_ != files::LineRead::whole) std::string().swap(text);
 }
 
 CaseItem CaseStream::Reader::refuse_long() {
@@ -169,17 +173,17 @@ std::optional<CaseItem> CaseStream::Reader::next() {
   if (finished_) return std::nullopt;
   for (std::string text; next_line(text);) {
     if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-    if (kept_ == LineRead::whole && is_blank(text)) continue;
+    if (kept_ == files::LineRead::whole && files::is_blank(text)) continue;
     any_ = true;
     case_line_ = line_;
     if (layout_ == CaseLayout::document) {
       read_document(text);
-    } else if (is_lone_brace(text)) {
+    } else if (files::is_lone_brace(text)) {
       read_rest_of_case(text);
     }
-    const LineRead kept = std::exchange(kept_, LineRead::whole);
-    if (kept == LineRead::no_memory) throw std::bad_alloc();
-    return kept == LineRead::too_long ? refuse_long() : parse_case(text, name_, case_line_);
+    const files::LineRead kept = std::exchange(kept_, files::LineRead::whole);
+    if (kept == files::LineRead::no_memory) throw std::bad_alloc();
+    return kept == files::LineRead::too_long ? refuse_long() : parse_case(text, name_, case_line_);
   }
   finished_ = true;
   if (input_->bad()) return failure(line_ + 1, "expected a line, found that the input cannot be read further");
@@ -196,12 +200,12 @@ CaseStream::~CaseStream() = default;
 
 CaseStream CaseStream::open(const std::string& path, std::istream& standard_input) {
   if (path == "-") return {standard_input, "<stdin>"};
-  if (extension(path) == "json") {
-    std::string text = read_file(path);
-    const CaseLayout layout = holds_one_value(text) ? CaseLayout::document : CaseLayout::lines;
+  if (files::extension(path) == "json") {
+    std::string text = files::read_file(path);
+    const CaseLayout layout = files::holds_one_value(text) ? CaseLayout::document : CaseLayout::lines;
     return CaseStream(std::make_unique<Reader>(std::make_unique<std::istringstream>(std::move(text)), path, layout));
   }
-  require_readable(path);
+  files::require_readable(path);
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!file->is_open()) throw InputError(path, 0, "expected a readable file, found one that cannot be opened");
   return CaseStream(std::make_unique<Reader>(std::move(file), path, CaseLayout::lines));

@@ -7,7 +7,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
@@ -44,7 +44,7 @@ class Log {
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] std::size_t number() const { return number_; }
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
-    throw InputError(name_, number_, "expected " + expected + ", found " + (found.empty() ? "the end of the text" : shown(found)));
+    throw InputError(name_, number_, "expected " + expected + ", found " + (found.empty() ? "the end of the text" : kernels::shown(found)));
   }
 
  private:
@@ -195,4 +195,4 @@ std::vector<FclFailure> read_fcl_text(std::string_view text, const std::string& 
   return failures;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -10,7 +10,7 @@
 #include "fathom/files.hpp"
 #include "reference/files/pose.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 /// A shape in its own frame, and where it stands.
 struct FclShape {
@@ -32,4 +32,4 @@ struct FclFailure {
 /// last row that is not 0 0 0 1, or no failure in the text at all.
 std::vector<FclFailure> read_fcl_text(std::string_view text, const std::string& name);
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -10,7 +10,7 @@
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 std::optional<MeshFormat> format_of_name(const std::string& name) {
@@ -47,7 +47,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 }  // namespace
 
 void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value) {
-  if (quick_number(token, decimals, value)) return;
+  if (kernels::quick_number(token, decimals, value)) return;
   if (token.empty()) scanner.fail("a number", token);
   ParsedNumber number = parse_number(token, decimals);
   if (!number.value) throw InputError(scanner.file(), scanner.line(), number.error);
@@ -64,26 +64,30 @@ void read_point(TextScanner& scanner, Decimals decimals, Point& point) {
   read_coordinate(scanner, decimals, point.z);
 }
 
+}  // namespace fathom::files
+
+namespace fathom {
+
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals, MeshFormat format) {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
   switch (format) {
-    case MeshFormat::off: return parse_off(bytes, name, decimals);
-    case MeshFormat::obj: return parse_obj(bytes, name, decimals);
-    case MeshFormat::ply: return parse_ply(bytes, name, decimals);
-    case MeshFormat::stl: return parse_stl(bytes, name, decimals);
-    default: return parse_xyz(bytes, name, decimals);
+    case MeshFormat::off: return files::parse_off(bytes, name, decimals);
+    case MeshFormat::obj: return files::parse_obj(bytes, name, decimals);
+    case MeshFormat::ply: return files::parse_ply(bytes, name, decimals);
+    case MeshFormat::stl: return files::parse_stl(bytes, name, decimals);
+    default: return files::parse_xyz(bytes, name, decimals);
   }
 }
 
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals) {
   if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
-  std::optional<MeshFormat> format = format_of_name(name);
-  if (!format) format = format_of_content(bytes);
+  std::optional<MeshFormat> format = files::format_of_name(name);
+  if (!format) format = files::format_of_content(bytes);
   if (format) return parse_mesh(bytes, name, decimals, *format);
-  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + shown(bytes));
+  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + kernels::shown(bytes));
 }
 
-Body read_mesh(const std::string& path, Decimals decimals) { return parse_mesh(read_file(path), path, decimals); }
+Body read_mesh(const std::string& path, Decimals decimals) { return parse_mesh(files::read_file(path), path, decimals); }
 
 }  // namespace fathom

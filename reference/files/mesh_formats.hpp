@@ -11,7 +11,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/files/text_scanner.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 Body parse_off(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals);
@@ -38,4 +38,4 @@ void reserve_within(std::vector<T>& items, std::uint64_t announced, std::size_t 
   items.reserve(static_cast<std::size_t>(announced < possible ? announced : possible));
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -4,7 +4,7 @@
 
 #include "reference/files/mesh_formats.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 // The vertex number that opens a corner "i", "i/j", "i//k" or "i/j/k". False: no such corner.
@@ -56,4 +56,4 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
   return body;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

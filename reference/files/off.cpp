@@ -3,7 +3,7 @@
 // Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
 #include "reference/files/mesh_formats.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 // "ST", "C" and "N" in front say which columns follow x y z. "4" and "n" change the meaning of the coordinates themselves.
@@ -55,4 +55,4 @@ Body parse_off(std::string_view text, const std::string& name, Decimals decimals
   return body;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -7,7 +7,7 @@
 #include "reference/files/ply_header.hpp"
 #include "reference/files/ply_values.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 bool is_list(const PlyProperty& property) { return property.count_type.has_value(); }
@@ -114,4 +114,4 @@ Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimal
   return read_elements(BinaryValues(bytes, name, header), header, vertices);
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -6,7 +6,7 @@
 
 #include "reference/files/text_scanner.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 struct TypeName {
@@ -148,4 +148,4 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

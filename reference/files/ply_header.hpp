@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fathom {
+namespace fathom::files {
 
 enum class PlyEncoding { ascii, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -40,4 +40,4 @@ struct PlyHeader {
 /// Throws InputError for anything but a complete header. Its lines end in LF, CR LF or CR, all like the first.
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& name);
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -14,7 +14,7 @@
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/ply_header.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 /// One of the items of an element, for messages.
 struct PlyItem {
@@ -126,4 +126,4 @@ class BinaryValues {
   PlyItem item_{};
 };
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -5,7 +5,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 mpq_class applied(const std::array<mpq_class, 4>& row, const Point& p) {
@@ -25,4 +25,4 @@ Point placed(const Point& p, const Pose& pose) { return {applied(pose[0], p), ap
 
 bool round_to_binary64(Point& point) { return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z); }
 
-}  // namespace fathom
+}  // namespace fathom::files

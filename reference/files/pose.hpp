@@ -6,7 +6,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::files {
 
 /// Rows of a 3 x 4 matrix (M | t). M may be any matrix: it need be neither orthonormal nor regular.
 using Pose = std::array<std::array<mpq_class, 4>, 3>;
@@ -17,4 +17,4 @@ Point placed(const Point& p, const Pose& pose);
 /// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too large; then the point is unusable.
 bool round_to_binary64(Point& point);
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -13,7 +13,7 @@
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& found) {
@@ -39,7 +39,7 @@ struct Descriptor {
 
 // A null byte would silently end the name.
 void require_plain_name(const std::string& path) {
-  if (path.find('\0') != std::string::npos) refuse(shown(path), "a null byte in its name");
+  if (path.find('\0') != std::string::npos) refuse(kernels::shown(path), "a null byte in its name");
 }
 
 // What is left of the limits on a line while it is read.
@@ -128,4 +128,4 @@ std::string extension(std::string_view path) {
   return result;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace fathom {
+namespace fathom::files {
 
 /// The longest line of a stream, and the longest case, which may span many lines, in bytes: endless input must not use up the memory.
 inline constexpr std::size_t longest_line = std::size_t{256} << 20;
@@ -29,4 +29,4 @@ void require_readable(const std::string& path);
 /// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
 std::string extension(std::string_view path);
 
-}  // namespace fathom
+}  // namespace fathom::files

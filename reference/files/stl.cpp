@@ -7,7 +7,7 @@
 
 #include "reference/files/mesh_formats.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 constexpr std::size_t header_size = 84, facet_size = 50, normal_size = 12, corners = 3;
@@ -125,4 +125,4 @@ Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimal
   return reads_as_text && !is_binary_stl(bytes) ? parse_text(bytes, name, decimals) : parse_binary(bytes, name);
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

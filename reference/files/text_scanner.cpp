@@ -8,7 +8,7 @@
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r' || c == '\n'; }
@@ -78,7 +78,7 @@ std::uint64_t TextScanner::count(const std::string& what) {
 }
 
 void TextScanner::fail(const std::string& expected, std::string_view token) const {
-  throw InputError(file_, line_, "expected " + expected + ", found " + (token.empty() ? "the end of the line" : shown(token)));
+  throw InputError(file_, line_, "expected " + expected + ", found " + (token.empty() ? "the end of the line" : kernels::shown(token)));
 }
 
 void TextScanner::fail_at_end(const std::string& expected) const {
@@ -91,4 +91,4 @@ bool parse_count(std::string_view token, std::uint64_t& value) {
   return !token.empty() && error == std::errc() && stop == end;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fathom {
+namespace fathom::files {
 
 /// What a scan skips besides blanks.
 struct ScanRules {
@@ -54,4 +54,4 @@ class TextScanner {
 /// Returns whether `token` is decimal digits that fit 64 bits; if so, sets `value`.
 bool parse_count(std::string_view token, std::uint64_t& value);
 
-}  // namespace fathom
+}  // namespace fathom::files

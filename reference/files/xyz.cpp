@@ -5,7 +5,7 @@
 
 #include "reference/files/mesh_formats.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -64,4 +64,4 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
   return body;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace fathom {
+namespace fathom::gaussian {
 
 /// Colour a is the diagram of -A, colour b that of B.
 enum class Colour : std::uint8_t { a, b };
@@ -23,4 +23,4 @@ struct PerColour {
   [[nodiscard]] const T& operator[](Colour c) const { return c == Colour::a ? a : b; }
 };
 
-}  // namespace fathom
+}  // namespace fathom::gaussian

@@ -5,24 +5,25 @@
 #include <string>
 #include <utility>
 
-namespace fathom {
+namespace fathom::gaussian {
 namespace {
 
-static_assert(NodeId::none().value == no_facet, "the arc of a segment's edge has no nodes");
+static_assert(NodeId::none().value == polytope::no_facet, "the arc of a segment's edge has no nodes");
 
 // For B: the face on the side of d = to - from is the edge's head, since <u,d> > 0 prefers it. Between the normals of the left and of
 // the right facet the arc runs on the circle of left x right, a positive multiple of d. Reflection negates both normals and both
 // points: the circle stays, head and tail change places.
-GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
+GaussianDiagram diagram(const polytope::Polytope& polytope, bool reflected) {
   GaussianDiagram result;
   result.rank = polytope.rank;
   result.nodes.reserve(polytope.facets.size());
-  for (const Facet& facet : polytope.facets) {
-    result.nodes.emplace_back(reflected ? -facet.normal : facet.normal, reflected ? Role::node_of_a : Role::fixed);
+  for (const polytope::Facet& facet : polytope.facets) {
+    result.nodes.emplace_back(reflected ? -facet.normal : facet.normal, reflected ? kernels::Role::node_of_a : kernels::Role::fixed);
   }
   result.arcs.reserve(polytope.edges.size());
-  for (const Edge& edge : polytope.edges) {
-    Direction circle(polytope.vertices[edge.to] - polytope.vertices[edge.from], reflected ? Role::circle_of_a : Role::fixed);
+  for (const polytope::Edge& edge : polytope.edges) {
+    kernels::Direction circle(polytope.vertices[edge.to] - polytope.vertices[edge.from],
+                              reflected ? kernels::Role::circle_of_a : kernels::Role::fixed);
     Arc arc{std::move(circle), NodeId(edge.left), NodeId(edge.right), VertexId(edge.to), VertexId(edge.from)};
     if (reflected) std::swap(arc.above, arc.below);
     result.arcs.push_back(std::move(arc));
@@ -31,7 +32,7 @@ GaussianDiagram diagram(const Polytope& polytope, bool reflected) {
 }
 
 // All indices of nodes and vertices exist; then the other laws may be looked at.
-bool in_range(const GaussianDiagram& diagram, const Polytope& polytope) {
+bool in_range(const GaussianDiagram& diagram, const polytope::Polytope& polytope) {
   const auto node = [&](NodeId n) { return diagram.rank == 1 ? n.is_none() : n.value < diagram.nodes.size(); };
   const auto face = [&](VertexId v) { return v.value < polytope.vertices.size(); };
   return std::all_of(diagram.arcs.begin(), diagram.arcs.end(),
@@ -51,7 +52,7 @@ bool faces_close_up(const GaussianDiagram& diagram) {
   return left == entered;
 }
 
-void check_ends(Report& report, const GaussianDiagram& diagram, const Arc& arc, const Vector& step, const std::string& name) {
+void check_ends(kernels::Report& report, const GaussianDiagram& diagram, const Arc& arc, const Vector& step, const std::string& name) {
   const Vector& from = diagram.nodes[arc.from].exact();
   const Vector& to = diagram.nodes[arc.to].exact();
   if (diagram.rank == 2) {
@@ -65,12 +66,12 @@ void check_ends(Report& report, const GaussianDiagram& diagram, const Arc& arc, 
 
 }  // namespace
 
-GaussianDiagram gaussian_diagram(const Polytope& polytope) { return diagram(polytope, false); }
+GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope) { return diagram(polytope, false); }
 
-GaussianDiagram gaussian_diagram_of_reflection(const Polytope& polytope) { return diagram(polytope, true); }
+GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope) { return diagram(polytope, true); }
 
-Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
-  Report report;
+kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
+  kernels::Report report;
   const bool sizes = diagram.nodes.size() == polytope.facets.size() && diagram.arcs.size() == polytope.edges.size();
   if (!report.expect(diagram.rank == polytope.rank && sizes, "the polytope's rank, one node a facet and one arc an edge")) return report;
   if (!report.expect(in_range(diagram, polytope), "nodes and faces of every arc exist, and a full circle has no nodes")) return report;
@@ -95,4 +96,4 @@ Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool r
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::gaussian

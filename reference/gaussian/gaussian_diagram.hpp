@@ -11,19 +11,19 @@
 #include "reference/gaussian/colour.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::gaussian {
 
 /// Indices in a diagram. Node i is facet i of the polytope, arc i is edge i.
-using NodeId = Id<struct NodeTag>;
-using ArcId = Id<struct Arc>;
+using NodeId = kernels::Id<struct NodeTag>;
+using ArcId = kernels::Id<struct Arc>;
 /// A face of the diagram is known by the polytope's vertex.
-using VertexId = Id<struct VertexTag>;
+using VertexId = kernels::Id<struct VertexTag>;
 
 /// The edges of A and of B, where both meet: arc i of a diagram is edge i.
 template <Colour c>
 struct EdgeTag;
 template <Colour c>
-using EdgeOf = Id<EdgeTag<c>>;
+using EdgeOf = kernels::Id<EdgeTag<c>>;
 using EdgeOfA = EdgeOf<Colour::a>;
 using EdgeOfB = EdgeOf<Colour::b>;
 
@@ -32,7 +32,7 @@ using EdgeOfB = EdgeOf<Colour::b>;
 /// Rank 2: a half-circle, from = 0 and to = 1 antipodal; the order of its interior is that of rank 3 in the limit: it passes through
 /// circle x from. Rank 1: a full circle, no nodes: both are none.
 struct Arc {
-  Direction circle;
+  kernels::Direction circle;
   NodeId from, to;
   /// The faces beside the arc, as vertices: `above` where <u,circle> > 0, `below` where < 0.
   VertexId above, below;
@@ -40,19 +40,19 @@ struct Arc {
 
 struct GaussianDiagram {
   int rank = 0;
-  IdVector<NodeId, Direction> nodes;
-  IdVector<ArcId, Arc> arcs;
+  kernels::IdVector<NodeId, kernels::Direction> nodes;
+  kernels::IdVector<ArcId, Arc> arcs;
 };
 
 /// The diagram of the polytope itself: what B contributes.
-GaussianDiagram gaussian_diagram(const Polytope& polytope);
+GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope);
 
 /// The diagram of -polytope: what A contributes. Node i is the negated normal of facet i, face i the vertex i, negated.
-GaussianDiagram gaussian_diagram_of_reflection(const Polytope& polytope);
+GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope);
 
 /// Checks every node against its facet, the orientation of every arc, that both faces beside an arc are equally extreme at its ends, that
 /// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `reflected` tells which diagram of the polytope it
 /// should be.
-[[nodiscard]] Report validate(const GaussianDiagram& diagram, const Polytope& polytope, bool reflected);
+[[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected);
 
-}  // namespace fathom
+}  // namespace fathom::gaussian

@@ -8,12 +8,12 @@
 #include "kernels/filters/corner_bound.hpp"
 #include "reference/lines/grid.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// Ascending positions in one chain of a grid; not empty.
 using ChainLines = std::span<const std::uint32_t>;
 
-inline BlockSide side_of(ChainLines lines) { return {lines.front(), lines[lines.size() / 2], lines.back()}; }
+inline kernels::BlockSide side_of(ChainLines lines) { return {lines.front(), lines[lines.size() / 2], lines.back()}; }
 
 /// The block tests of one grid.
 class Clearing {
@@ -21,22 +21,23 @@ class Clearing {
   explicit Clearing(const Grid& grid) : grid_(grid), rows_(grid.row_images()), columns_(grid.column_images()) {}
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] const LineImages& rows() const { return rows_; }
-  [[nodiscard]] const LineImages& columns() const { return columns_; }
+  [[nodiscard]] const kernels::LineImages& rows() const { return rows_; }
+  [[nodiscard]] const kernels::LineImages& columns() const { return columns_; }
 
   /// The vertex test, for all lines between the block's first and last ones. `bound` is the images' bound of `nearest`, which may not be
   /// empty unless the bound is infinite. The answer is that of exact arithmetic: it does not depend on rounding.
-  [[nodiscard]] bool vertex_clears(const Block& block, const NearestPlanes& nearest, const LineBound& bound) const;
+  [[nodiscard]] bool vertex_clears(const kernels::Block& block, const kernels::NearestPlanes& nearest,
+                                   const kernels::LineBound& bound) const;
 
   /// The least estimate of a pair's squared distance over the corners and the middle: for the order of a search, not a bound.
-  [[nodiscard]] double estimate(const Block& block) const;
+  [[nodiscard]] double estimate(const kernels::Block& block) const;
 
  private:
   Grid grid_;
-  LineImages rows_, columns_;
+  kernels::LineImages rows_, columns_;
 };
 
 /// The vertex test on a whole grid, without images of its chains: can it beat the best at all? O(1).
-[[nodiscard]] bool vertex_clears(const Grid& grid, const NearestPlanes& nearest, const LineBound& bound);
+[[nodiscard]] bool vertex_clears(const Grid& grid, const kernels::NearestPlanes& nearest, const kernels::LineBound& bound);
 
-}  // namespace fathom
+}  // namespace fathom::lines

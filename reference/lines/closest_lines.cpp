@@ -6,7 +6,7 @@
 #include "reference/lines/cutting.hpp"
 #include "reference/lines/sampled.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 // Canonical pairs with at most this many crossings are scanned without asking the vertex test first.
@@ -26,7 +26,7 @@ std::vector<Arc> strided(std::span<const Arc> arcs, std::mt19937_64& random) {
 // One global best over all canonical pairs: small pairs first, then the large ones, promising ones first.
 class Family {
  public:
-  Family(Context& context, const CanonicalSubsets& subsets, const LineScene& scene, NearestPlanes& nearest,
+  Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene, kernels::NearestPlanes& nearest,
          const ClosestLinesOptions& options)
       : context_(context), subsets_(subsets), scene_(scene), search_(context, scene, nearest, options.seed), options_(options) {}
 
@@ -38,7 +38,7 @@ class Family {
   }
 
   void run() {
-    const CanonicalSubsets::Sums sums = subsets_.sums();
+    const canonical::CanonicalSubsets::Sums sums = subsets_.sums();
     report(0, 1);
     std::uint64_t done = 0;
     const auto finished = [&](std::size_t i) {
@@ -77,7 +77,7 @@ class Family {
 
   // Deals with a pair that is small; tells whether it is large.
   bool start(std::size_t i) {
-    const CanonicalPair pair = subsets_[i];
+    const canonical::CanonicalPair pair = subsets_[i];
     if (pair.crossings() > options_.scanned) return true;
     if (pair.crossings() <= tiny || !clears(i)) search_.scan(pair.a, pair.b);
     return false;
@@ -85,14 +85,14 @@ class Family {
 
   // Looks at a part of the pair, and estimates how near its nearest crossing is.
   double promise(std::size_t i) {
-    const CanonicalPair pair = subsets_[i];
-    const std::vector<ChartArcOfA> of_a = strided(pair.a, search_.random());
-    const std::vector<ChartArcOfB> of_b = strided(pair.b, search_.random());
+    const canonical::CanonicalPair pair = subsets_[i];
+    const std::vector<chart::ChartArcOfA> of_a = strided(pair.a, search_.random());
+    const std::vector<chart::ChartArcOfB> of_b = strided(pair.b, search_.random());
     search_.scan(of_a, of_b);
     double least = std::numeric_limits<double>::infinity();
-    for (const ChartArcOfA e : of_a) {
-      for (const ChartArcOfB f : of_b) {
-        least = std::min(least, estimated_squared_distance(scene_.a.images(), e.value, scene_.b.images(), f.value));
+    for (const chart::ChartArcOfA e : of_a) {
+      for (const chart::ChartArcOfB f : of_b) {
+        least = std::min(least, kernels::estimated_squared_distance(scene_.a.images(), e.value, scene_.b.images(), f.value));
       }
     }
     return least;
@@ -106,8 +106,8 @@ class Family {
     }
   }
 
-  Context& context_;
-  const CanonicalSubsets& subsets_;
+  kernels::Context& context_;
+  const canonical::CanonicalSubsets& subsets_;
   const LineScene& scene_;
   LineSearch search_;
   const ClosestLinesOptions& options_;
@@ -115,8 +115,8 @@ class Family {
 
 }  // namespace
 
-void closest_lines(Context& context, const CanonicalSubsets& subsets, const LineScene& scene, NearestPlanes& nearest,
-                   const ClosestLinesOptions& options) {
+void closest_lines(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
+                   kernels::NearestPlanes& nearest, const ClosestLinesOptions& options) {
   Family family(context, subsets, scene, nearest, options);
   if (options.engine == ClosestLines::naive) {
     family.scan_all();
@@ -125,12 +125,12 @@ void closest_lines(Context& context, const CanonicalSubsets& subsets, const Line
   }
 }
 
-Report validate_separation(const CanonicalSubsets& subsets, const LineScene& scene) {
-  Report report;
+kernels::Report validate_separation(const canonical::CanonicalSubsets& subsets, const LineScene& scene) {
+  kernels::Report report;
   for (std::size_t k = 0; k < subsets.size(); ++k) {
-    const CanonicalPair pair = subsets[k];
-    for (const ChartArcOfA e : pair.a) {
-      for (const ChartArcOfB f : pair.b) {
+    const canonical::CanonicalPair pair = subsets[k];
+    for (const chart::ChartArcOfA e : pair.a) {
+      for (const chart::ChartArcOfB f : pair.b) {
         const Vector w = cross(scene.a.direction(e), scene.b.direction(f));
         const mpz_class height = dot(scene.b.point(f) - scene.a.point(e), w);
         report.expect(sgn(height) * sgn(dot(w, scene.pole)) >= 0 && (is_zero(w) || height != 0),
@@ -142,4 +142,4 @@ Report validate_separation(const CanonicalSubsets& subsets, const LineScene& sce
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -11,7 +11,7 @@
 #include "reference/lines/engines.hpp"
 #include "reference/lines/line_scene.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 struct ClosestLinesOptions {
   ClosestLines engine = ClosestLines::cutting;
@@ -27,11 +27,11 @@ struct ClosestLinesOptions {
 
 /// Offers the nearest planes of all canonical pairs to `nearest`, which holds one global best; what it already holds helps. Reports the
 /// stage "closest lines".
-void closest_lines(Context& context, const CanonicalSubsets& subsets, const LineScene& scene, NearestPlanes& nearest,
-                   const ClosestLinesOptions& options = {});
+void closest_lines(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
+                   kernels::NearestPlanes& nearest, const ClosestLinesOptions& options = {});
 
 /// C4 as a sign: for each pair of each canonical pair, <p_e - p_e', w> > 0 for the normal w of both edges with <w,z> > 0, z the pole.
 /// Skips parallel edges, and crossings on the equator, which have no such w. O(sum |A_i| |B_i|).                    [AGHRS, Lemma 2.3]
-[[nodiscard]] Report validate_separation(const CanonicalSubsets& subsets, const LineScene& scene);
+[[nodiscard]] kernels::Report validate_separation(const canonical::CanonicalSubsets& subsets, const LineScene& scene);
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using Node = CellTree::Node;
@@ -155,8 +155,8 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   ++search.counters().frame_tests;
   CellTree &rows = tree(GridAxis::rows), &columns = tree(GridAxis::columns);
   const double bound = search.bound().above;
-  const bool clear =
-      frames_beyond(rows.sketch(row), columns.sketch(column), bound) && frames_beyond(rows.frame(row), columns.frame(column), bound);
+  const bool clear = kernels::frames_beyond(rows.sketch(row), columns.sketch(column), bound) &&
+                     kernels::frames_beyond(rows.frame(row), columns.frame(column), bound);
   frames_held_ += clear;
   search.counters().frame_clears += clear;
   return clear;
@@ -164,9 +164,9 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
 
 double Blocks::estimate(GridAxis side, Node cell, Node opposite) const { return clearing_.estimate(block(side, cell, opposite)); }
 
-Block Blocks::block(GridAxis side, Node cell, Node opposite) const {
+kernels::Block Blocks::block(GridAxis side, Node cell, Node opposite) const {
   const auto [row, column] = rows_and_columns(side, cell, opposite);
-  return {side_of(tree(GridAxis::rows).run(row)), side_of(tree(GridAxis::columns).run(column))};
+  return {kernels::side_of(tree(GridAxis::rows).run(row)), kernels::side_of(tree(GridAxis::columns).run(column))};
 }
 
 std::vector<Cell> cut(Blocks& blocks, GridAxis side, Node cell, const std::vector<Node>& list, const CuttingSize& size,
@@ -179,4 +179,4 @@ void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize&
   Engine(grid, search, size).run();
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

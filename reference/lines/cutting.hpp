@@ -12,7 +12,7 @@
 #include "reference/lines/engines.hpp"
 #include "reference/lines/line_search.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// A grid with the cells of both chains. `side` tells whose lines a cell holds; a run of the other chain is `opposite`.
 class Blocks {
@@ -33,7 +33,7 @@ class Blocks {
  private:
   bool frames_clear(CellTree::Node row, CellTree::Node column, LineSearch& search);
 
-  [[nodiscard]] Block block(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
+  [[nodiscard]] kernels::Block block(GridAxis side, CellTree::Node cell, CellTree::Node opposite) const;
 
   Clearing clearing_;
   std::array<CellTree, 2> trees_;
@@ -57,4 +57,4 @@ std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellTree::Node cell, const 
 /// Offers the grid's nearest planes to the search's best.
 void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size = {});
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/lines/edge_lines.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
-template <Colour c>
-EdgeLines<c>::EdgeLines(const Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
+template <gaussian::Colour c>
+EdgeLines<c>::EdgeLines(const polytope::Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
   for (const Edge i : ids()) images_.push_back(point(i), direction(i));
-  if (exponent < TruncatedLines::worth_it) return;
+  if (exponent < kernels::TruncatedLines::worth_it) return;
   for (const Edge i : ids()) truncated_.push_back(point(i), direction(i));
 }
 
-template <Colour c>
+template <gaussian::Colour c>
 Vector EdgeLines<c>::direction(Edge edge) const {
   const auto& e = polytope_->edges[edge.value];
   return polytope_->vertices[e.to] - polytope_->vertices[e.from];
 }
 
-template class EdgeLines<Colour::a>;
-template class EdgeLines<Colour::b>;
+template class EdgeLines<gaussian::Colour::a>;
+template class EdgeLines<gaussian::Colour::b>;
 
-bool offer_edges(const EdgeLinesOfA& a, EdgeOfA e, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest) {
+bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f, kernels::NearestPlanes& nearest) {
   const Vector w = cross(a.direction(e), b.direction(f));
   if (is_zero(w)) return false;
   const mpz_class height = dot(b.point(f) - a.point(e), w);
   return height > 0 ? nearest.offer(w, height) : nearest.offer(-w, mpz_class(-height));
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -8,36 +8,36 @@
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// The lines through the edges of the body of one colour, exact and as images. Line i carries edge i. The polytope must outlive it.
-template <Colour c>
+template <gaussian::Colour c>
 class EdgeLines {
  public:
-  using Edge = EdgeOf<c>;
+  using Edge = gaussian::EdgeOf<c>;
 
   /// `exponent` bounds the coordinates of both bodies: |c| <= 2^exponent.
-  EdgeLines(const Polytope& polytope, long exponent);
+  EdgeLines(const polytope::Polytope& polytope, long exponent);
 
   [[nodiscard]] std::size_t size() const { return polytope_->edges.size(); }
-  [[nodiscard]] IdsBelow<Edge> ids() const { return IdsBelow<Edge>(size()); }
+  [[nodiscard]] kernels::IdsBelow<Edge> ids() const { return kernels::IdsBelow<Edge>(size()); }
   [[nodiscard]] const Vector& point(Edge edge) const { return polytope_->vertices[polytope_->edges[edge.value].from]; }
   [[nodiscard]] Vector direction(Edge edge) const;
-  [[nodiscard]] const LineImages& images() const { return images_; }
+  [[nodiscard]] const kernels::LineImages& images() const { return images_; }
   /// Empty unless the coordinates are long.
-  [[nodiscard]] const TruncatedLines& truncated() const { return truncated_; }
+  [[nodiscard]] const kernels::TruncatedLines& truncated() const { return truncated_; }
 
  private:
-  const Polytope* polytope_;
-  LineImages images_;
-  TruncatedLines truncated_;
+  const polytope::Polytope* polytope_;
+  kernels::LineImages images_;
+  kernels::TruncatedLines truncated_;
 };
 
-using EdgeLinesOfA = EdgeLines<Colour::a>;
-using EdgeLinesOfB = EdgeLines<Colour::b>;
+using EdgeLinesOfA = EdgeLines<gaussian::Colour::a>;
+using EdgeLinesOfB = EdgeLines<gaussian::Colour::b>;
 
 /// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact arithmetic. Skips parallel edges, which
 /// span no plane. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2. Returns whether the plane is among the nearest now.
-bool offer_edges(const EdgeLinesOfA& a, EdgeOfA e, const EdgeLinesOfB& b, EdgeOfB f, NearestPlanes& nearest);
+bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f, kernels::NearestPlanes& nearest);
 
-}  // namespace fathom
+}  // namespace fathom::lines

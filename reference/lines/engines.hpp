@@ -6,7 +6,7 @@
 
 #include "fathom/depth.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// How finely the cutting engine cuts. Only the work depends on it.
 struct CuttingSize {
@@ -21,4 +21,4 @@ struct SampledSize {
   std::uint64_t base = 2048;
 };
 
-}  // namespace fathom
+}  // namespace fathom::lines

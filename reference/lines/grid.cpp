@@ -3,11 +3,11 @@
 
 #include <string>
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
-LineImages gathered(const LineImages& all, const auto& chosen) {
-  LineImages images;
+kernels::LineImages gathered(const kernels::LineImages& all, const auto& chosen) {
+  kernels::LineImages images;
   images.gather(all, chosen);
   return images;
 }
@@ -15,7 +15,7 @@ LineImages gathered(const LineImages& all, const auto& chosen) {
 // One crossing of the grid with all it must satisfy.
 class CrossingCheck {
  public:
-  CrossingCheck(const Grid& grid, Report& report) : grid_(grid), report_(report) {}
+  CrossingCheck(const Grid& grid, kernels::Report& report) : grid_(grid), report_(report) {}
 
   void check(std::size_t i, std::size_t j) {
     const Vector w = cross(grid_.row_direction(i), grid_.column_direction(j));
@@ -24,9 +24,10 @@ class CrossingCheck {
     };
     expect(dot(w, grid_.scene().pole) >= 0, "lies in the other hemisphere");
     if (i + 1 < grid_.rows())
-      expect(sign_of(dot(w, grid_.row_direction(i + 1))) * grid_.row_sense() != Sign::negative, "is out of order with the next row");
+      expect(kernels::sign_of(dot(w, grid_.row_direction(i + 1))) * grid_.row_sense() != kernels::Sign::negative,
+             "is out of order with the next row");
     if (j + 1 < grid_.columns())
-      expect(sign_of(dot(w, grid_.column_direction(j + 1))) * grid_.column_sense() != Sign::negative,
+      expect(kernels::sign_of(dot(w, grid_.column_direction(j + 1))) * grid_.column_sense() != kernels::Sign::negative,
              "is out of order with the next column");
     if (is_zero(w)) return;
     const Vector s = grid_.column_point(j) - grid_.row_point(i);
@@ -39,14 +40,18 @@ class CrossingCheck {
 
  private:
   const Grid& grid_;
-  Report& report_;
+  kernels::Report& report_;
 };
 
 }  // namespace
 
 // With circles pointing upward, a crossing lies below the next stored arc, above the next query if they rise, and below it if they fall.
-Sign Grid::row_sense() const { return pair_.stored_of == Colour::a && !pair_.rising ? Sign::positive : Sign::negative; }
-Sign Grid::column_sense() const { return pair_.stored_of == Colour::a && pair_.rising ? Sign::positive : Sign::negative; }
+kernels::Sign Grid::row_sense() const {
+  return pair_.stored_of == gaussian::Colour::a && !pair_.rising ? kernels::Sign::positive : kernels::Sign::negative;
+}
+kernels::Sign Grid::column_sense() const {
+  return pair_.stored_of == gaussian::Colour::a && pair_.rising ? kernels::Sign::positive : kernels::Sign::negative;
+}
 
 // With both circles pointing upward in the chart, a stored arc d and a query e that rises through it have <d x e, z> > 0. Reversing all
 // rows where the outward normal is e x d makes row x column outward everywhere.
@@ -55,26 +60,26 @@ Vector Grid::row_direction(std::size_t i) const {
   return rows_turned() ? -d : d;
 }
 
-LineImages Grid::turned_rows(const auto& chosen) const {
-  LineImages images = gathered(scene_->a.images(), chosen);
+kernels::LineImages Grid::turned_rows(const auto& chosen) const {
+  kernels::LineImages images = gathered(scene_->a.images(), chosen);
   for (std::size_t i = 0; rows_turned() && i < images.size(); ++i) images.reverse(i);
   return images;
 }
 
-LineImages Grid::row_images() const { return turned_rows(pair_.a); }
+kernels::LineImages Grid::row_images() const { return turned_rows(pair_.a); }
 
-LineImages Grid::column_images() const { return gathered(scene_->b.images(), pair_.b); }
+kernels::LineImages Grid::column_images() const { return gathered(scene_->b.images(), pair_.b); }
 
-LineImages Grid::row_images(const std::array<std::size_t, 3>& chosen) const {
+kernels::LineImages Grid::row_images(const std::array<std::size_t, 3>& chosen) const {
   return turned_rows(std::array{row(chosen[0]), row(chosen[1]), row(chosen[2])});
 }
 
-LineImages Grid::column_images(const std::array<std::size_t, 3>& chosen) const {
+kernels::LineImages Grid::column_images(const std::array<std::size_t, 3>& chosen) const {
   return gathered(scene_->b.images(), std::array{column(chosen[0]), column(chosen[1]), column(chosen[2])});
 }
 
-Report validate(const Grid& grid) {
-  Report report;
+kernels::Report validate(const Grid& grid) {
+  kernels::Report report;
   CrossingCheck check(grid, report);
   for (std::size_t i = 0; i < grid.rows(); ++i) {
     for (std::size_t j = 0; j < grid.columns(); ++j) check.check(i, j);
@@ -82,4 +87,4 @@ Report validate(const Grid& grid) {
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

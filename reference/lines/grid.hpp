@@ -13,7 +13,7 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/lines/line_scene.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 enum class GridAxis : std::uint8_t { rows, columns };
 
@@ -28,12 +28,12 @@ constexpr std::pair<T&, T&> rows_and_columns(GridAxis axis, T& own, T& opposite)
 /// A view: the pair's sets and the scene must outlive it.
 class Grid {
  public:
-  Grid(const CanonicalPair& pair, const LineScene& scene) : pair_(pair), scene_(&scene) {}
+  Grid(const canonical::CanonicalPair& pair, const LineScene& scene) : pair_(pair), scene_(&scene) {}
 
   [[nodiscard]] std::size_t rows() const { return pair_.a.size(); }
   [[nodiscard]] std::size_t columns() const { return pair_.b.size(); }
-  [[nodiscard]] ChartArcOfA row(std::size_t i) const { return pair_.a[i]; }
-  [[nodiscard]] ChartArcOfB column(std::size_t j) const { return pair_.b[j]; }
+  [[nodiscard]] chart::ChartArcOfA row(std::size_t i) const { return pair_.a[i]; }
+  [[nodiscard]] chart::ChartArcOfB column(std::size_t j) const { return pair_.b[j]; }
   [[nodiscard]] const LineScene& scene() const { return *scene_; }
 
   /// The oriented directions, and a point of each edge.
@@ -42,20 +42,20 @@ class Grid {
   [[nodiscard]] const Vector& row_point(std::size_t i) const { return scene_->a.point(row(i)); }
   [[nodiscard]] const Vector& column_point(std::size_t j) const { return scene_->b.point(column(j)); }
   /// Images of the oriented lines: of both chains, or of three members each.
-  [[nodiscard]] LineImages row_images() const;
-  [[nodiscard]] LineImages column_images() const;
-  [[nodiscard]] LineImages row_images(const std::array<std::size_t, 3>& chosen) const;
-  [[nodiscard]] LineImages column_images(const std::array<std::size_t, 3>& chosen) const;
+  [[nodiscard]] kernels::LineImages row_images() const;
+  [[nodiscard]] kernels::LineImages column_images() const;
+  [[nodiscard]] kernels::LineImages row_images(const std::array<std::size_t, 3>& chosen) const;
+  [[nodiscard]] kernels::LineImages column_images(const std::array<std::size_t, 3>& chosen) const;
 
   /// The sign of <w, next row>, and of <w, next column>, at each crossing w: what it means that the chains are in order.
-  [[nodiscard]] Sign row_sense() const;
-  [[nodiscard]] Sign column_sense() const;
+  [[nodiscard]] kernels::Sign row_sense() const;
+  [[nodiscard]] kernels::Sign column_sense() const;
 
  private:
-  [[nodiscard]] bool rows_turned() const { return (pair_.stored_of == Colour::a) != pair_.rising; }
-  [[nodiscard]] LineImages turned_rows(const auto& chosen) const;
+  [[nodiscard]] bool rows_turned() const { return (pair_.stored_of == gaussian::Colour::a) != pair_.rising; }
+  [[nodiscard]] kernels::LineImages turned_rows(const auto& chosen) const;
 
-  CanonicalPair pair_;
+  canonical::CanonicalPair pair_;
   const LineScene* scene_;
 };
 
@@ -63,6 +63,6 @@ class Grid {
 /// closed what the perturbation opened), and all crossings lie in the hemisphere. Membership: at each crossing that is not parallel, no
 /// neighbour's point lies farther out than the crossing's own, and O lies below it: so p - q is a vertex of P and the vertex test holds.
 /// O(rows columns).
-[[nodiscard]] Report validate(const Grid& grid);
+[[nodiscard]] kernels::Report validate(const Grid& grid);
 
-}  // namespace fathom
+}  // namespace fathom::lines

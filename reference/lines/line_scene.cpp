@@ -3,23 +3,23 @@
 
 #include <algorithm>
 
-namespace fathom {
+namespace fathom::lines {
 
-template <Colour c>
-ChartLines<c>::ChartLines(const ColourChart& chart, const EdgeLines<c>& lines) : chart_(&chart), lines_(&lines) {
-  std::vector<ArcId> whole(chart.arcs.size());
-  std::ranges::transform(chart.arcs, whole.begin(), &ChartArc::arc);
+template <gaussian::Colour c>
+ChartLines<c>::ChartLines(const chart::ColourChart& chart, const EdgeLines<c>& lines) : chart_(&chart), lines_(&lines) {
+  std::vector<gaussian::ArcId> whole(chart.arcs.size());
+  std::ranges::transform(chart.arcs, whole.begin(), &chart::ChartArc::arc);
   images_.gather(lines.images(), whole);
-  for (const ChartArcId i : chart.arcs.ids()) {
+  for (const chart::ChartArcId i : chart.arcs.ids()) {
     if (chart.arcs[i].flipped) images_.reverse(i.value);
   }
 }
 
-template class ChartLines<Colour::a>;
-template class ChartLines<Colour::b>;
+template class ChartLines<gaussian::Colour::a>;
+template class ChartLines<gaussian::Colour::b>;
 
-bool offer_arcs(const LineScene& scene, ChartArcOfA e, ChartArcOfB f, NearestPlanes& nearest) {
+bool offer_arcs(const LineScene& scene, chart::ChartArcOfA e, chart::ChartArcOfB f, kernels::NearestPlanes& nearest) {
   return offer_edges(scene.a.lines(), scene.a.edge(e), scene.b.lines(), scene.b.edge(f), nearest);
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -7,41 +7,41 @@
 #include "reference/chart/chart.hpp"
 #include "reference/lines/edge_lines.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// The lines of one colour's chart arcs, directed upward in the chart: <d,v> > 0. Line i carries the edge of chart arc i.
-template <Colour c>
+template <gaussian::Colour c>
 class ChartLines {
  public:
-  using Arc = ChartArcOf<c>;
+  using Arc = chart::ChartArcOf<c>;
 
-  ChartLines(const ColourChart& chart, const EdgeLines<c>& lines);
+  ChartLines(const chart::ColourChart& chart, const EdgeLines<c>& lines);
 
-  [[nodiscard]] EdgeOf<c> edge(Arc i) const { return EdgeOf<c>(arc(i).arc.value); }
+  [[nodiscard]] gaussian::EdgeOf<c> edge(Arc i) const { return gaussian::EdgeOf<c>(arc(i).arc.value); }
   [[nodiscard]] const Vector& point(Arc i) const { return lines_->point(edge(i)); }
   [[nodiscard]] Vector direction(Arc i) const { return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i)); }
-  [[nodiscard]] const LineImages& images() const { return images_; }
+  [[nodiscard]] const kernels::LineImages& images() const { return images_; }
   [[nodiscard]] const EdgeLines<c>& lines() const { return *lines_; }
 
  private:
-  [[nodiscard]] const ChartArc& arc(Arc i) const { return chart_->arcs[ChartArcId(i.value)]; }
+  [[nodiscard]] const chart::ChartArc& arc(Arc i) const { return chart_->arcs[chart::ChartArcId(i.value)]; }
 
-  const ColourChart* chart_;
+  const chart::ColourChart* chart_;
   const EdgeLines<c>* lines_;
-  LineImages images_;
+  kernels::LineImages images_;
 };
 
 /// The lines of both bodies in one hemisphere. The charts and the lines must outlive it.
 struct LineScene {
   Vector pole;
-  ChartLines<Colour::a> a;
-  ChartLines<Colour::b> b;
+  ChartLines<gaussian::Colour::a> a;
+  ChartLines<gaussian::Colour::b> b;
 
-  LineScene(const Charts& charts, const EdgeLinesOfA& lines_a, const EdgeLinesOfB& lines_b)
+  LineScene(const chart::Charts& charts, const EdgeLinesOfA& lines_a, const EdgeLinesOfB& lines_b)
       : pole(charts.frame.z.exact()), a(charts.of.a, lines_a), b(charts.of.b, lines_b) {}
 };
 
 /// As offer_edges, of the edges of two chart arcs.
-bool offer_arcs(const LineScene& scene, ChartArcOfA e, ChartArcOfB f, NearestPlanes& nearest);
+bool offer_arcs(const LineScene& scene, chart::ChartArcOfA e, chart::ChartArcOfB f, kernels::NearestPlanes& nearest);
 
-}  // namespace fathom
+}  // namespace fathom::lines

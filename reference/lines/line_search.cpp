@@ -3,27 +3,27 @@
 
 #include <limits>
 
-namespace fathom {
+namespace fathom::lines {
 
-LineSearch::LineSearch(Context& context, const LineScene& scene, NearestPlanes& nearest, std::uint64_t seed)
+LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed)
     : context_(context), scene_(scene), nearest_(nearest), random_(seed) {
   counters().seed = seed;
   tighten();
 }
 
-void LineSearch::scan(std::span<const ChartArcOfA> of_a, std::span<const ChartArcOfB> of_b) {
-  const LineImages &a = scene_.a.images(), &b = scene_.b.images();
+void LineSearch::scan(std::span<const chart::ChartArcOfA> of_a, std::span<const chart::ChartArcOfB> of_b) {
+  const kernels::LineImages &a = scene_.a.images(), &b = scene_.b.images();
   // The longer side runs in the inner loop.
   if (of_a.size() <= of_b.size()) {
     block_.gather(b, of_b);
-    for (const ChartArcOfA e : of_a) {
-      not_farther(a, e.value, block_, bound_.above, unsure_);
+    for (const chart::ChartArcOfA e : of_a) {
+      kernels::not_farther(a, e.value, block_, bound_.above, unsure_);
       for (const std::uint32_t k : unsure_) offer(e, of_b[k]);
     }
   } else {
     block_.gather(a, of_a);
-    for (const ChartArcOfB f : of_b) {
-      not_farther(b, f.value, block_, bound_.above, unsure_);
+    for (const chart::ChartArcOfB f : of_b) {
+      kernels::not_farther(b, f.value, block_, bound_.above, unsure_);
       for (const std::uint32_t k : unsure_) offer(of_a[k], f);
     }
   }
@@ -32,10 +32,10 @@ void LineSearch::scan(std::span<const ChartArcOfA> of_a, std::span<const ChartAr
   work(pairs);
 }
 
-void LineSearch::scan(const Clearing& clearing, LineRun rows, LineRun columns) {
+void LineSearch::scan(const Clearing& clearing, kernels::LineRun rows, kernels::LineRun columns) {
   const Grid& grid = clearing.grid();
   for (std::size_t i = rows.first; i < rows.last; ++i) {
-    not_farther(clearing.rows(), i, clearing.columns(), columns, bound_.above, unsure_);
+    kernels::not_farther(clearing.rows(), i, clearing.columns(), columns, bound_.above, unsure_);
     for (const std::uint32_t j : unsure_) offer(grid.row(i), grid.column(j));
   }
   const std::uint64_t pairs = std::uint64_t{rows.size()} * columns.size();
@@ -43,9 +43,9 @@ void LineSearch::scan(const Clearing& clearing, LineRun rows, LineRun columns) {
   work(pairs);
 }
 
-void LineSearch::offer(ChartArcOfA e, ChartArcOfB f) {
-  if (truncated_bound_ && surely_farther(scene_.a.lines().truncated(), scene_.a.edge(e).value, scene_.b.lines().truncated(),
-                                         scene_.b.edge(f).value, *truncated_bound_)) {
+void LineSearch::offer(chart::ChartArcOfA e, chart::ChartArcOfB f) {
+  if (truncated_bound_ && kernels::surely_farther(scene_.a.lines().truncated(), scene_.a.edge(e).value, scene_.b.lines().truncated(),
+                                                  scene_.b.edge(f).value, *truncated_bound_)) {
     return;
   }
   ++counters().pairs_exact;
@@ -65,10 +65,10 @@ void LineSearch::work(std::uint64_t amount) {
 }
 
 void LineSearch::tighten() {
-  bound_ = nearest_.empty() ? LineBound{std::numeric_limits<double>::infinity(), 0}
-                            : line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
-  const TruncatedLines& a = scene_.a.lines().truncated();
+  bound_ = nearest_.empty() ? kernels::LineBound{std::numeric_limits<double>::infinity(), 0}
+                            : kernels::line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  const kernels::TruncatedLines& a = scene_.a.lines().truncated();
   if (!nearest_.empty() && !a.empty()) truncated_bound_ = a.bound(nearest_.numerator(), nearest_.denominator());
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

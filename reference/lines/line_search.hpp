@@ -8,23 +8,23 @@
 #include "kernels/context.hpp"
 #include "reference/lines/clearing.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// One for each hemisphere. `nearest` holds the best so far of all.
 class LineSearch {
  public:
-  LineSearch(Context& context, const LineScene& scene, NearestPlanes& nearest, std::uint64_t seed);
+  LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed);
 
   /// All pairs of two sets of arcs.
-  void scan(std::span<const ChartArcOfA> of_a, std::span<const ChartArcOfB> of_b);
+  void scan(std::span<const chart::ChartArcOfA> of_a, std::span<const chart::ChartArcOfB> of_b);
   /// All pairs of a run of rows and a run of columns.
-  void scan(const Clearing& clearing, LineRun rows, LineRun columns);
+  void scan(const Clearing& clearing, kernels::LineRun rows, kernels::LineRun columns);
   /// One pair, in exact arithmetic, unless the first bits of long coordinates show already that it is farther.
-  void offer(ChartArcOfA e, ChartArcOfB f);
+  void offer(chart::ChartArcOfA e, chart::ChartArcOfB f);
 
   /// The squared distance of the nearest planes so far, in images and exact.
-  [[nodiscard]] const LineBound& bound() const { return bound_; }
-  [[nodiscard]] const NearestPlanes& nearest() const { return nearest_; }
+  [[nodiscard]] const kernels::LineBound& bound() const { return bound_; }
+  [[nodiscard]] const kernels::NearestPlanes& nearest() const { return nearest_; }
   [[nodiscard]] Counters& counters() const { return context_.counters; }
   /// How often the best has become nearer.
   [[nodiscard]] std::uint64_t improvements() const { return improvements_; }
@@ -36,16 +36,16 @@ class LineSearch {
  private:
   void tighten();
 
-  Context& context_;
+  kernels::Context& context_;
   const LineScene& scene_;
-  NearestPlanes& nearest_;
-  LineBound bound_;
+  kernels::NearestPlanes& nearest_;
+  kernels::LineBound bound_;
   std::optional<mpz_class> truncated_bound_;  // where coordinates are long
-  LineImages block_;
+  kernels::LineImages block_;
   std::vector<std::uint32_t> unsure_;
   std::mt19937_64 random_;
   std::uint64_t improvements_ = 0;
   std::uint64_t since_check_ = 0;
 };
 
-}  // namespace fathom
+}  // namespace fathom::lines

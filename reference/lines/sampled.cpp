@@ -8,7 +8,7 @@
 
 #include "kernels/filters/line_frame.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using Lines = std::vector<std::uint32_t>;
@@ -31,7 +31,7 @@ class Engine {
  private:
   struct Cell {
     Lines lines, conflicts;
-    LineFrame frame;
+    kernels::LineFrame frame;
   };
 
   // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the quota or by `few`.
@@ -81,7 +81,7 @@ class Engine {
   }
 
   Cell cell(GridAxis side, Lines lines, Lines conflicts) {
-    const LineFrame frame = line_frame(images(side), lines);
+    const kernels::LineFrame frame = kernels::line_frame(images(side), lines);
     return {std::move(lines), std::move(conflicts), frame};
   }
 
@@ -104,30 +104,30 @@ class Engine {
     Counters& counters = search_.counters();
     ++counters.block_tests;
     search_.work(16);
-    const BlockSide own = side_of(cell.lines), one{line, line, line};
+    const kernels::BlockSide own = side_of(cell.lines), one{line, line, line};
     const auto [rows, columns] = rows_and_columns(side, own, one);
     if (clearing_.vertex_clears({rows, columns}, search_.nearest(), search_.bound())) {
       ++counters.vertex_clears;
       return true;
     }
     ++counters.frame_tests;
-    const LineFrame opposite = line_frame(images(other(side)), {&line, 1});
+    const kernels::LineFrame opposite = kernels::line_frame(images(other(side)), {&line, 1});
     const auto [row_frame, column_frame] = rows_and_columns(side, cell.frame, opposite);
-    const bool clear = frames_beyond(row_frame, column_frame, search_.bound().above);
+    const bool clear = kernels::frames_beyond(row_frame, column_frame, search_.bound().above);
     counters.frame_clears += clear;
     return clear;
   }
 
   void scan(const Lines& rows, const Lines& columns) {
     const Grid& grid = clearing_.grid();
-    std::vector<ChartArcOfA> of_a;
-    std::vector<ChartArcOfB> of_b;
+    std::vector<chart::ChartArcOfA> of_a;
+    std::vector<chart::ChartArcOfB> of_b;
     for (const std::uint32_t i : rows) of_a.push_back(grid.row(i));
     for (const std::uint32_t j : columns) of_b.push_back(grid.column(j));
     search_.scan(of_a, of_b);
   }
 
-  const LineImages& images(GridAxis side) const { return side == GridAxis::rows ? clearing_.rows() : clearing_.columns(); }
+  const kernels::LineImages& images(GridAxis side) const { return side == GridAxis::rows ? clearing_.rows() : clearing_.columns(); }
 
   Clearing clearing_;
   LineSearch& search_;
@@ -141,4 +141,4 @@ void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize
   Engine(grid, search, size).run();
 }
 
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -10,9 +10,9 @@
 #include "reference/lines/engines.hpp"
 #include "reference/lines/line_search.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 
 /// As closest_by_cutting.
 void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size = {});
 
-}  // namespace fathom
+}  // namespace fathom::lines

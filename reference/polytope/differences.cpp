@@ -3,12 +3,12 @@
 
 #include <map>
 
-namespace fathom {
+namespace fathom::polytope {
 
 Difference Differences::extreme(const Vector& u) {
   ++scans;
   if (is_zero(u)) return {0, 0};
-  return {extreme_points(a, -u).front(), extreme_points(b, u).front()};
+  return {kernels::extreme_points(a, -u).front(), kernels::extreme_points(b, u).front()};
 }
 
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
@@ -21,7 +21,7 @@ std::vector<Weight> weights_of(std::span<const Difference> differences, std::spa
 }
 
 mpz_class support_naive(std::span<const Vector> a, std::span<const Vector> b, const Vector& u) {
-  return dot(u, b[extreme_points_naive(b, u).front()] - a[extreme_points_naive(a, -u).front()]);
+  return dot(u, b[kernels::extreme_points_naive(b, u).front()] - a[kernels::extreme_points_naive(a, -u).front()]);
 }
 
 std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points, std::span<const Weight> weights) {
@@ -38,4 +38,4 @@ std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points
   return total == 1 ? std::optional(sum) : std::nullopt;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

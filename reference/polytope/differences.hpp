@@ -11,15 +11,15 @@
 
 #include "kernels/filters/support.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// The difference b - a, by the indices of a in A and of b in B.
 using Difference = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The clouds must outlive it.
 struct Differences {
-  const PointCloud& a;
-  const PointCloud& b;
+  const kernels::PointCloud& a;
+  const kernels::PointCloud& b;
   std::size_t scans = 0;  ///< linear scans over both clouds so far
 
   [[nodiscard]] Vector operator[](Difference d) const { return b[d.second] - a[d.first]; }
@@ -38,4 +38,4 @@ mpz_class support_naive(std::span<const Vector> a, std::span<const Vector> b, co
 /// The weighted sum; nullopt unless the weights are convex weights of the points.
 std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points, std::span<const Weight> weights);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -12,7 +12,7 @@
 #include "kernels/number/ratio.hpp"
 #include "reference/polytope/position_search.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 struct Corner {
@@ -74,14 +74,14 @@ std::vector<Weight> shares(const std::vector<Corner>& corners, const Foot& z, st
   std::vector<mpq_class> weights;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     differences.push_back(corners[i].ids);
-    weights.push_back(ratio(z.weights[i], z.denominator));
+    weights.push_back(kernels::ratio(z.weights[i], z.denominator));
   }
   return weights_of(differences, weights, side);
 }
 
 }  // namespace
 
-NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
+NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");
   if (a.exponent() != b.exponent()) throw std::invalid_argument("nearest_points: the clouds differ in their exponents");
   Differences differences{a, b};
@@ -100,8 +100,8 @@ NearestPoints nearest_points(const PointCloud& a, const PointCloud& b) {
   }
 }
 
-Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b) {
-  Report report;
+kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b) {
+  kernels::Report report;
   const Vector& n = answer.normal;
   if (!report.expect(!a.empty() && !b.empty(), "an empty body")) return report;
   if (!report.expect(!is_zero(n) && primitive(n) == n, "the normal is not a primitive vector")) return report;
@@ -111,10 +111,10 @@ Report validate(const NearestPoints& answer, std::span<const Vector> a, std::spa
   report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
   report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
   if (!in_a || !in_b) return report;
-  const mpq_class factor = ratio(answer.height, dot(n, n));
+  const mpq_class factor = kernels::ratio(answer.height, dot(n, n));
   const Vec3<mpq_class> foot_of_o{factor * n.x, factor * n.y, factor * n.z};
   report.expect(*in_b - *in_a == foot_of_o, "the weighted points do not differ by the foot of O");
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

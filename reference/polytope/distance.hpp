@@ -13,7 +13,7 @@
 #include "kernels/vector.hpp"
 #include "reference/polytope/position.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// The least |b - a|. The nearest point of P is z = (h(n) / <n,n>) n for n = `normal`, as for a penetrating pair, with h(n) < 0.
 struct NearestPoints {
@@ -25,9 +25,9 @@ struct NearestPoints {
 
 /// The clouds must have the same exponent and be non-empty, and O must lie outside P. Exact.
 /// Throws std::invalid_argument otherwise.
-NearestPoints nearest_points(const PointCloud& a, const PointCloud& b);
+NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b);
 
 /// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic only.
-[[nodiscard]] Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b);
+[[nodiscard]] kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

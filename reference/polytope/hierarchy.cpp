@@ -8,7 +8,7 @@
 #include "kernels/float_environment.hpp"
 #include "reference/polytope/hierarchy_descent.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -24,7 +24,7 @@ std::vector<Index> face_of_cycle(const HierarchyDescent& descent, const Polytope
   std::vector<Index> face{descent.highest()};
   for (const Index v : p.rank == 2 ? descent.neighbours() : std::vector{1 - descent.highest()}) {
     ++steps;
-    if (descent.view().rise(descent.highest(), v) == Sign::zero) face.push_back(v);
+    if (descent.view().rise(descent.highest(), v) == kernels::Sign::zero) face.push_back(v);
   }
   return face.size() == 3 ? all_vertices(p) : face;  // then the polygon's plane is level
 }
@@ -43,7 +43,7 @@ std::vector<Index> face_at_edge(const Polytope& p, Index v, Index w, const Vecto
 }  // namespace
 
 Hierarchy::Hierarchy(const Polytope& polytope) : polytope_(&polytope), cloud_(polytope.vertices) {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (polytope.rank == 3) coarsening_ = coarsen(polytope);
 }
 
@@ -60,7 +60,7 @@ std::size_t Hierarchy::size() const {
 }
 
 std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (polytope_->rank == 0 || is_zero(u)) return 0;
   HierarchyDescent descent(*this);
   descent.start(u);
@@ -70,7 +70,7 @@ std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
 }
 
 std::vector<std::uint32_t> Hierarchy::extreme_face(const Vector& u, Steps* steps) const {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (polytope_->rank == 0 || is_zero(u)) return all_vertices(*polytope_);
   HierarchyDescent descent(*this);
   descent.start(u);
@@ -84,4 +84,4 @@ std::vector<std::uint32_t> Hierarchy::extreme_face(const Vector& u, Steps* steps
   return face;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -14,7 +14,7 @@
 #include "reference/polytope/hierarchy_build.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A count of exact sign decisions, the same on every machine.
 using Steps = std::uint64_t;
@@ -26,7 +26,7 @@ class Hierarchy {
 
   [[nodiscard]] const Polytope& polytope() const { return *polytope_; }
   /// The vertices, as the filters read them.
-  [[nodiscard]] const PointCloud& cloud() const { return cloud_; }
+  [[nodiscard]] const kernels::PointCloud& cloud() const { return cloud_; }
   [[nodiscard]] std::size_t levels() const;
   /// Returns the number of stored items: vertices, edges of all levels, links and changes.
   [[nodiscard]] std::size_t size() const;
@@ -42,12 +42,12 @@ class Hierarchy {
 
  private:
   const Polytope* polytope_;
-  PointCloud cloud_;
+  kernels::PointCloud cloud_;
   Coarsening coarsening_;
 };
 
 /// Checks every level of a hierarchy of rank 3 against the hull of its vertices: the same edges; removed vertices independent, of
 /// degree at most greatest_degree, with all their edges listed. O(levels) hulls: for tests.
-[[nodiscard]] Report validate(const Hierarchy& hierarchy);
+[[nodiscard]] kernels::Report validate(const Hierarchy& hierarchy);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -6,7 +6,7 @@
 
 #include "reference/polytope/hierarchy_surface.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -87,4 +87,4 @@ class Builder {
 
 Coarsening coarsen(const Polytope& polytope) { return Builder(polytope).run(); }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

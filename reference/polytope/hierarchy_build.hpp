@@ -9,7 +9,7 @@
 
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A vertex is removed only while at most this many edges meet in it.
 inline constexpr std::uint32_t greatest_degree = 8;
@@ -54,4 +54,4 @@ struct Coarsening {
 /// Of a polytope of rank 3. Exact, linear time.
 Coarsening coarsen(const Polytope& polytope);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -33,7 +33,7 @@ std::vector<Index> HierarchyDescent::coarsest() const {
 Index HierarchyDescent::highest() const { return highest_; }
 
 bool HierarchyDescent::climb(Index v) {
-  if (rise(highest_, v) != Sign::positive) return false;
+  if (rise(highest_, v) != kernels::Sign::positive) return false;
   highest_ = v;
   return true;
 }
@@ -87,13 +87,13 @@ bool HierarchyDescent::step_down_polygon() {
 void HierarchyDescent::choose_sides() {
   left_ = right_ = {highest_};
   for (const Coarsening::Link& link : c_->links_of(highest_)) {
-    const Side s{link.vertex, c_->edges[link.edge].changes, rise(highest_, link.vertex) == Sign::zero};
+    const Side s{link.vertex, c_->edges[link.edge].changes, rise(highest_, link.vertex) == kernels::Sign::zero};
     const bool first = left_.other == highest_;
     if (first || s.level) left_ = right_ = s;
     if (s.level) return;
     if (first) continue;
-    if (turn(left_.other, s.other) == Sign::negative) left_ = s;
-    else if (turn(right_.other, s.other) == Sign::positive) right_ = s;
+    if (turn(left_.other, s.other) == kernels::Sign::negative) left_ = s;
+    else if (turn(right_.other, s.other) == kernels::Sign::positive) right_ = s;
   }
 }
 
@@ -106,15 +106,15 @@ void HierarchyDescent::collect(Side& s) {
 }
 
 /// Whether the apex hides edge s, on the left (negative sense) or on the right.
-bool HierarchyDescent::hides(Index apex, const Side& s, Sign sense) {
-  return s.level ? rise(highest_, apex) == Sign::zero : turn(s.other, apex) == sense;
+bool HierarchyDescent::hides(Index apex, const Side& s, kernels::Sign sense) {
+  return s.level ? rise(highest_, apex) == kernels::Sign::zero : turn(s.other, apex) == sense;
 }
 
 /// The edge from the highest vertex to an apex.
 HierarchyDescent::Side HierarchyDescent::side_to(Index apex) {
   const std::span<const Coarsening::Link> links = c_->links_of(apex);
   const auto link = std::ranges::find(links, highest_, &Coarsening::Link::vertex);
-  return {apex, c_->edges[link->edge].changes, rise(highest_, apex) == Sign::zero};
+  return {apex, c_->edges[link->edge].changes, rise(highest_, apex) == kernels::Sign::zero};
 }
 
 bool HierarchyDescent::step_down_solid() {
@@ -128,10 +128,10 @@ bool HierarchyDescent::step_down_solid() {
     return true;
   }
   for (Index i = 0; i < count_; ++i) {
-    if (hides(apexes_[i], left_, Sign::negative)) left_ = side_to(apexes_[i]);
-    if (hides(apexes_[i], right_, Sign::positive)) right_ = side_to(apexes_[i]);
+    if (hides(apexes_[i], left_, kernels::Sign::negative)) left_ = side_to(apexes_[i]);
+    if (hides(apexes_[i], right_, kernels::Sign::positive)) right_ = side_to(apexes_[i]);
   }
   return false;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

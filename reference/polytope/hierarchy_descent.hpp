@@ -11,7 +11,7 @@
 #include "kernels/filters/planar_view.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// Refers to the hierarchy, which must outlive it. Each step down takes a constant number of sign decisions.
 class HierarchyDescent {
@@ -35,7 +35,7 @@ class HierarchyDescent {
 
   /// Rank 3, at the finest level: another highest vertex, adjacent to `highest`, if there is one.
   [[nodiscard]] const std::uint32_t* tied() const { return left_.level ? &left_.other : right_.level ? &right_.other : nullptr; }
-  [[nodiscard]] const PlanarView& view() const { return *view_; }
+  [[nodiscard]] const kernels::PlanarView& view() const { return *view_; }
   [[nodiscard]] Steps steps() const { return steps_; }
 
  private:
@@ -46,19 +46,19 @@ class HierarchyDescent {
     bool level = false;
   };
 
-  Sign rise(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->rise(p, q); }
-  Sign turn(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->turn(highest_, p, q); }
+  kernels::Sign rise(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->rise(p, q); }
+  kernels::Sign turn(std::uint32_t p, std::uint32_t q) { return ++steps_, view_->turn(highest_, p, q); }
   bool climb(std::uint32_t v);
   void choose_sides();
   void collect(Side& s);
-  bool hides(std::uint32_t apex, const Side& s, Sign sense);
+  bool hides(std::uint32_t apex, const Side& s, kernels::Sign sense);
   Side side_to(std::uint32_t apex);
   bool step_down_solid();
   bool step_down_polygon();
 
   const Hierarchy* hierarchy_;
   const Coarsening* c_;
-  std::optional<PlanarView> view_;
+  std::optional<kernels::PlanarView> view_;
   Steps steps_ = 0;
   std::uint32_t level_ = 0;
   std::uint32_t highest_ = 0;
@@ -70,4 +70,4 @@ class HierarchyDescent {
   std::uint32_t position_ = 0;
 };
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/polytope/hierarchy_surface.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 using Index = std::uint32_t;
 
@@ -81,15 +81,15 @@ std::vector<Index> HierarchySurface::remove(Index v) {
 /// above it. The corners span less than a half-turn about hole[0], so the order in which the plane meets them is total.
 std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) const {
   std::size_t best = 2;
-  Plane plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
+  kernels::Plane plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
   for (std::size_t i = 3; i < hole.size(); ++i) {
-    if (plane.side(origin_[hole[i]]) != Sign::positive) continue;
+    if (plane.side(origin_[hole[i]]) != kernels::Sign::positive) continue;
     best = i;
-    plane = Plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
+    plane = kernels::Plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
   }
   std::vector<std::size_t> corners;
   for (std::size_t i = 2; i < hole.size(); ++i)
-    if (i == best || plane.side(origin_[hole[i]]) == Sign::zero) corners.push_back(i);
+    if (i == best || plane.side(origin_[hole[i]]) == kernels::Sign::zero) corners.push_back(i);
   return corners;
 }
 
@@ -116,4 +116,4 @@ void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
   for (const Cycle& rest : holes) close(rest, touched);
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -9,7 +9,7 @@
 #include "kernels/filters/plane.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// Half-edges 2 e and 2 e + 1 are the two senses of edge e; 2 e of the polytope's own edges runs as they do. A half-edge's facet lies to
 /// its left, seen from outside.
@@ -37,9 +37,9 @@ class HierarchySurface {
   std::vector<std::size_t> corners_of_facet(const Cycle& hole) const;
   void close(const Cycle& hole, std::vector<std::uint32_t>& touched);
 
-  BoxedPoints points_;
+  kernels::BoxedPoints points_;
   std::vector<std::uint32_t> origin_, next_, previous_;  // of half-edges
   std::vector<std::uint32_t> leaving_, degree_;          // of vertices
 };
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -6,7 +6,7 @@
 
 #include "reference/polytope/hierarchy.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -28,7 +28,7 @@ Edges edges_of(const Coarsening& c, Index level) {
 }
 
 /// The hull of the level's vertices, with the vertices of the finest level for numbers.
-Edges edges_of_hull(const Polytope& polytope, const std::vector<Index>& vertices, Report& report) {
+Edges edges_of_hull(const Polytope& polytope, const std::vector<Index>& vertices, kernels::Report& report) {
   std::vector<Vector> points;
   for (const Index v : vertices) points.push_back(polytope.vertices[v]);
   const Polytope hull = convex_hull(points);
@@ -38,7 +38,7 @@ Edges edges_of_hull(const Polytope& polytope, const std::vector<Index>& vertices
   return edges;
 }
 
-void check_removed(const Coarsening& c, Index level, const Edges& edges, Report& report) {
+void check_removed(const Coarsening& c, Index level, const Edges& edges, kernels::Report& report) {
   std::size_t ends = 0;
   for (const auto& [from, to] : edges) {
     report.expect(c.last[from] > level || c.last[to] > level || level + 1 == c.levels, "adjacent vertices are removed together");
@@ -56,8 +56,8 @@ void check_removed(const Coarsening& c, Index level, const Edges& edges, Report&
 
 }  // namespace
 
-Report validate(const Hierarchy& hierarchy) {
-  Report report;
+kernels::Report validate(const Hierarchy& hierarchy) {
+  kernels::Report report;
   const Coarsening& c = hierarchy.coarsening();
   for (Index level = 0; level < c.levels; ++level) {
     const Edges edges = edges_of(c, level);
@@ -74,4 +74,4 @@ Report validate(const Hierarchy& hierarchy) {
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

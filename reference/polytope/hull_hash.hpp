@@ -11,7 +11,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A hash of all limbs: in a scaled integer the lowest ones are often zero.
 inline std::size_t hash_value(const mpz_class& n) {
@@ -42,4 +42,4 @@ inline DistinctPoints no_points_yet(std::span<const Vector> points, std::size_t 
   return DistinctPoints(expected, HashOfPoint{points}, SamePoint{points});
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -143,4 +143,4 @@ Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTria
   return polytope;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

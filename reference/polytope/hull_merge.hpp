@@ -10,7 +10,7 @@
 #include "reference/polytope/hull_triangles.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// The polytope of rank 3 whose boundary `triangles` cover as hull_triangles states. Exact, O(n log n).    [proofs/polytope.md]
 Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles);
@@ -23,4 +23,4 @@ void start_at_lowest(std::vector<std::uint32_t>& cycle);
 
 void append_facet(Polytope& polytope, Vector normal, std::span<const std::uint32_t> cycle);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

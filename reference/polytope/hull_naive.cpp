@@ -5,7 +5,7 @@
 #include <functional>
 #include <iterator>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -120,4 +120,4 @@ NaiveHull convex_hull_naive(std::span<const Vector> points) {
   return hull;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

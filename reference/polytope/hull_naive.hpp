@@ -10,7 +10,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A hull as sets of input ids (of equal points the lowest), so that it can be compared without regard to numbering.
 struct NaiveHull {
@@ -25,4 +25,4 @@ struct NaiveHull {
 /// By the definitions. Exact. `points` must not be empty.
 NaiveHull convex_hull_naive(std::span<const Vector> points);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -23,18 +23,18 @@
 
 #include "kernels/filters/plane.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
 
 /// CGAL's ConvexHullTraits_2 on indices: the points as `turn` sees them along coordinate `axis`.
 struct PlanarTraits {
-  const BoxedPoints* points;
+  const kernels::BoxedPoints* points;
   int axis;
 
   [[nodiscard]] bool less(Index p, Index q, int major, int minor) const {
-    const auto at = [&](Index i, int c) -> const mpz_class& { return coordinate(points->exact(i), (axis + c) % 3); };
+    const auto at = [&](Index i, int c) -> const mpz_class& { return kernels::coordinate(points->exact(i), (axis + c) % 3); };
     const int c = cmp(at(p, major), at(q, major));
     return c != 0 ? c < 0 : at(p, minor) < at(q, minor);
   }
@@ -54,10 +54,12 @@ struct PlanarTraits {
     return [view = *this](Index p, Index q) { return view.less(p, q, 2, 1); };
   }
   [[nodiscard]] Left_turn_2 left_turn_2_object() const {
-    return [view = *this](Index p, Index q, Index r) { return turn(*view.points, view.axis, p, q, r) == Sign::positive; };
+    return [view = *this](Index p, Index q, Index r) { return kernels::turn(*view.points, view.axis, p, q, r) == kernels::Sign::positive; };
   }
   [[nodiscard]] Orientation_2 orientation_2_object() const {
-    return [view = *this](Index p, Index q, Index r) { return static_cast<CGAL::Orientation>(turn(*view.points, view.axis, p, q, r)); };
+    return [view = *this](Index p, Index q, Index r) {
+      return static_cast<CGAL::Orientation>(kernels::turn(*view.points, view.axis, p, q, r));
+    };
   }
 };
 
@@ -70,34 +72,34 @@ struct Heart {
 
 /// CGAL's ConvexHullTraits_3 on indices.
 struct SpatialTraits {
-  const BoxedPoints* points;
+  const kernels::BoxedPoints* points;
   Heart heart;
 
   using Point_3 = Index;
   struct Plane_3 {
-    Plane plane;
+    kernels::Plane plane;
     Index corner;
     mutable std::optional<int> heart_side{};  // found for the first point on the plane
   };
 
   using Equal_3 = std::equal_to<Index>;
   struct Collinear_3 {
-    const BoxedPoints* points;
-    bool operator()(Index p, Index q, Index r) const { return Plane(*points, p, q, r).degenerate(); }
+    const kernels::BoxedPoints* points;
+    bool operator()(Index p, Index q, Index r) const { return kernels::Plane(*points, p, q, r).degenerate(); }
   };
   struct Coplanar_3 {
-    const BoxedPoints* points;
-    bool operator()(Index p, Index q, Index r, Index s) const { return Plane(*points, p, q, r).side(s) == Sign::zero; }
+    const kernels::BoxedPoints* points;
+    bool operator()(Index p, Index q, Index r, Index s) const { return kernels::Plane(*points, p, q, r).side(s) == kernels::Sign::zero; }
   };
   struct Construct_plane_3 {
-    const BoxedPoints* points;
-    Plane_3 operator()(Index p, Index q, Index r) const { return {Plane(*points, p, q, r), p}; }
+    const kernels::BoxedPoints* points;
+    Plane_3 operator()(Index p, Index q, Index r) const { return {kernels::Plane(*points, p, q, r), p}; }
   };
   struct Less_signed_distance_to_plane_3 {
-    bool operator()(const Plane_3& h, Index s, Index t) const { return h.plane.rise(s, t) == Sign::positive; }
+    bool operator()(const Plane_3& h, Index s, Index t) const { return h.plane.rise(s, t) == kernels::Sign::positive; }
   };
   struct Less_distance_to_point_3 {
-    const BoxedPoints* points;
+    const kernels::BoxedPoints* points;
     bool operator()(Index p, Index s, Index t) const {
       const Vector ps = points->exact(s) - points->exact(p), pt = points->exact(t) - points->exact(p);
       return dot(ps, ps) < dot(pt, pt);
@@ -107,7 +109,7 @@ struct SpatialTraits {
   struct Has_on_positive_side_3 {
     const SpatialTraits* traits;
     bool operator()(const Plane_3& h, Index s) const {
-      if (const Sign side = h.plane.side(s); side != Sign::zero) return side == Sign::positive;
+      if (const kernels::Sign side = h.plane.side(s); side != kernels::Sign::zero) return side == kernels::Sign::positive;
       if (!h.heart_side) h.heart_side = traits->heart_side(h);
       return *h.heart_side > 0;
     }
@@ -118,7 +120,7 @@ struct SpatialTraits {
     const auto from_corner = [&](Index i) { return points->exact(i) - points->exact(h.corner); };
     const Vector to_centroid = from_corner(heart.p) + from_corner(heart.q) + from_corner(heart.r);
     if (const int side = sgn(dot(h.plane.normal(), to_centroid))) return side;
-    return heart.side * sgn(dot(h.plane.normal(), Plane(*points, heart.p, heart.q, heart.r).normal()));
+    return heart.side * sgn(dot(h.plane.normal(), kernels::Plane(*points, heart.p, heart.q, heart.r).normal()));
   }
 
   using Traits_xy_3 = PlanarTraits;
@@ -139,26 +141,26 @@ struct SpatialTraits {
 
 /// Moves three points that are not on one line to the front: there convex_hull_3 takes its first triangle. The fourth corner it takes
 /// from the triangle's negative side if any point lies there.
-Heart choose_heart(const BoxedPoints& points, std::vector<Index>& order) {
-  const auto off_line = [&](Index r) { return !Plane(points, order[0], order[1], r).degenerate(); };
+Heart choose_heart(const kernels::BoxedPoints& points, std::vector<Index>& order) {
+  const auto off_line = [&](Index r) { return !kernels::Plane(points, order[0], order[1], r).degenerate(); };
   std::iter_swap(order.begin() + 2, std::find_if(order.begin() + 2, order.end(), off_line));
-  const Plane plane(points, order[0], order[1], order[2]);
-  const bool below = std::ranges::any_of(order, [&](Index s) { return plane.side(s) == Sign::negative; });
+  const kernels::Plane plane(points, order[0], order[1], order[2]);
+  const bool below = std::ranges::any_of(order, [&](Index s) { return plane.side(s) == kernels::Sign::negative; });
   return {order[0], order[1], order[2], below ? -1 : 1};
 }
 
 /// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns all.
-void orient_outward(const BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
-  const Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
-  const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != Sign::zero; });
-  if (plane.side(*off_plane) == Sign::negative) return;
+void orient_outward(const kernels::BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
+  const kernels::Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
+  const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != kernels::Sign::zero; });
+  if (plane.side(*off_plane) == kernels::Sign::negative) return;
   for (HullTriangle& t : triangles) std::swap(t[0], t[1]);
 }
 
 }  // namespace
 
 std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids) {
-  const BoxedPoints boxed(points);
+  const kernels::BoxedPoints boxed(points);
   std::vector<Index> order(ids.begin(), ids.end()), corners;
   std::vector<HullTriangle> triangles;
   const SpatialTraits traits{&boxed, choose_heart(boxed, order)};
@@ -172,10 +174,10 @@ std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::sp
 }
 
 std::vector<std::uint32_t> hull_cycle(std::span<const Vector> points, std::span<const std::uint32_t> ids, int axis) {
-  const BoxedPoints boxed(points);
+  const kernels::BoxedPoints boxed(points);
   std::vector<Index> cycle;
   CGAL::convex_hull_2(ids.begin(), ids.end(), std::back_inserter(cycle), PlanarTraits{&boxed, axis});
   return cycle;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

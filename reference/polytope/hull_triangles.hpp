@@ -9,7 +9,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// Three indices of points, counter-clockwise seen from outside.
 using HullTriangle = std::array<std::uint32_t, 3>;
@@ -24,4 +24,4 @@ std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::sp
 /// `ids` must have distinct projections that affinely span the plane.
 std::vector<std::uint32_t> hull_cycle(std::span<const Vector> points, std::span<const std::uint32_t> ids, int axis);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

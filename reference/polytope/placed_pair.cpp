@@ -10,7 +10,7 @@
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 // A common denominator with at most this many bits never costs much; a longer one is compared with the coordinates.
@@ -143,7 +143,7 @@ PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
 
 void require_bodies(std::span<const Point> a, std::span<const Point> b) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
-  all_coordinates(a, b, [](const mpq_class& q) { return require_lowest_terms(q), true; });
+  all_coordinates(a, b, [](const mpq_class& q) { return kernels::require_lowest_terms(q), true; });
 }
 
 std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b) {
@@ -169,16 +169,16 @@ PlacedPair place(std::span<const Point> a, std::span<const Point> b) {
 }
 
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
-  const long exponent = std::max(binary_exponent(a), binary_exponent(b));
+  const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
   PlacedPair pair;
-  pair.a = PointCloud(std::move(a), exponent);
-  pair.b = PointCloud(std::move(b), exponent);
+  pair.a = kernels::PointCloud(std::move(a), exponent);
+  pair.b = kernels::PointCloud(std::move(b), exponent);
   return pair;
 }
 
 Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
   const mpz_class unit = denominator * divisor;
-  return {origin.x + ratio(v.x, unit), origin.y + ratio(v.y, unit), origin.z + ratio(v.z, unit)};
+  return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit), origin.z + kernels::ratio(v.z, unit)};
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -9,14 +9,14 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not see `origin`;
 /// it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
 struct PlacedPair {
   mpz_class denominator = 1;  ///< > 0
   Point origin;
-  PointCloud a, b;  ///< with one exponent, the least
+  kernels::PointCloud a, b;  ///< with one exponent, the least
 
   /// Of both clouds: |c| <= 2^exponent for every coordinate c.
   [[nodiscard]] long exponent() const { return a.exponent(); }
@@ -41,4 +41,4 @@ std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<cons
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the origin O.
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -11,7 +11,7 @@
 #include "reference/polytope/hull_merge.hpp"
 #include "reference/polytope/hull_triangles.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -99,7 +99,7 @@ Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, con
 int affine_rank(std::span<const Vector> points) { return affine_span(points).rank; }
 
 Polytope convex_hull(std::span<const Vector> points) {
-  const DefaultFloatEnvironment environment;
+  const kernels::DefaultFloatEnvironment environment;
   if (points.empty()) throw std::invalid_argument("convex_hull: no points");
   if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
   const std::vector<Index> ids = distinct_points(points);
@@ -112,4 +112,4 @@ Polytope convex_hull(std::span<const Vector> points) {
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -11,7 +11,7 @@
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 inline constexpr std::uint32_t no_facet = std::numeric_limits<std::uint32_t>::max();
 
@@ -54,6 +54,6 @@ Polytope convex_hull(std::span<const Vector> points);
 /// Checks every law of the types above, Euler's formula, and convexity at every edge and every vertex: so far O(n log n), and
 /// enough for a convex polytope [proofs/polytope.md, lemma 4]. `thorough` checks also that no input point lies outside it, in
 /// O(facets * points). Safe on any value, however broken.
-[[nodiscard]] Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough = true);
+[[nodiscard]] kernels::Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough = true);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

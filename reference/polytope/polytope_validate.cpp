@@ -9,12 +9,12 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/validate_surface.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
 
-void check_counts(const Polytope& p, Report& report) {
+void check_counts(const Polytope& p, kernels::Report& report) {
   const std::size_t v = p.vertices.size(), e = p.edges.size(), f = p.facets.size(), c = p.corners.size();
   switch (p.rank) {
     case 0: report.expect(v == 1 && e == 0 && f == 0 && c == 0, "a point has one vertex and nothing else"); break;
@@ -26,7 +26,7 @@ void check_counts(const Polytope& p, Report& report) {
   report.expect(p.input_ids.size() == v, "there are not as many input ids as vertices");
 }
 
-void check_ranges(const Polytope& p, Report& report) {
+void check_ranges(const Polytope& p, kernels::Report& report) {
   for (const Edge& e : p.edges) {
     report.expect(e.from < p.vertices.size() && e.to < p.vertices.size() && e.from != e.to,
                   "an edge has an end that is no vertex, or equal ends");
@@ -44,7 +44,7 @@ void check_ranges(const Polytope& p, Report& report) {
 }
 
 /// Vertices are input points, each under the lowest index that it has there.
-void check_ids(const Polytope& p, std::span<const Vector> points, Report& report) {
+void check_ids(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   report.expect(std::ranges::adjacent_find(p.input_ids, std::greater_equal<>()) == p.input_ids.end(), "input ids do not ascend");
   DistinctPoints vertices = no_points_yet(points, p.vertices.size());
   for (std::size_t i = 0; i < p.vertices.size(); ++i) {
@@ -59,14 +59,14 @@ void check_ids(const Polytope& p, std::span<const Vector> points, Report& report
   }
 }
 
-void check_segment(const Polytope& p, std::span<const Vector> points, Report& report) {
+void check_segment(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const Vector &u = p.vertices[0], &v = p.vertices[1];
   const auto inside = [&](const Vector& q) { return is_zero(cross(v - u, q - u)) && dot(q - u, q - v) <= 0; };
   report.expect(std::ranges::all_of(points, inside), "an input point lies outside the segment");
 }
 
 /// Facet 1 is facet 0 seen from behind, and the edges are facet 0's sides.
-void check_polygon(const Polytope& p, std::span<const Vector> points, Report& report) {
+void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const auto n = static_cast<Index>(p.vertices.size());
   const auto slot_of = [&](Index begin) {
     std::vector<Index> slots(n, no_facet);
@@ -95,7 +95,7 @@ void check_polygon(const Polytope& p, std::span<const Vector> points, Report& re
 }
 
 /// Whether the half-space or, for a polygon, the half-plane of any facet or side leaves an input point outside.
-void check_containment(const Polytope& p, std::span<const Vector> points, Report& report) {
+void check_containment(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const auto expect_none_beyond = [&](const Vector& n, const Vector& base, const std::string& name) {
     const mpz_class height = dot(n, base);
     const bool none = std::ranges::none_of(points, [&](const Vector& q) { return dot(n, q) > height; });
@@ -115,8 +115,8 @@ void check_containment(const Polytope& p, std::span<const Vector> points, Report
 
 }  // namespace
 
-Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough) {
-  Report report;
+kernels::Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough) {
+  kernels::Report report;
   check_counts(polytope, report);
   if (report.ok()) check_ranges(polytope, report);
   if (!report.ok()) return report;
@@ -133,4 +133,4 @@ Report validate(const Polytope& polytope, std::span<const Vector> points, bool t
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

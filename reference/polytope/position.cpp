@@ -8,7 +8,7 @@
 
 #include "reference/polytope/position_search.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 // Independent vectors that span the same space.
@@ -96,7 +96,7 @@ void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSea
   }
 }
 
-void expect_normal(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_normal(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
   if (!report.expect(answer.normal.has_value(), "a normal is missing")) return;
   const Vector& u = *answer.normal;
   report.expect(!is_zero(u) && primitive(u) == u, "the normal is not a primitive vector");
@@ -105,14 +105,14 @@ void expect_normal(Report& report, const PositionOfOrigin& answer, std::span<con
   else report.expect(h == 0, "the normal does not support P in O");
 }
 
-void expect_common_point(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_common_point(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
   const auto in_a = convex_combination(a, answer.a), in_b = convex_combination(b, answer.b);
   report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
   report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
   if (in_a && in_b) report.expect(*in_a == *in_b, "the weighted points of A and B differ");
 }
 
-void expect_surrounding(Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_surrounding(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
   std::vector<Vector> differences;
   for (const auto& [i, j] : answer.surrounding) {
     if (!report.expect(i < a.size() && j < b.size(), "a surrounding pair has an index out of range")) return;
@@ -123,7 +123,7 @@ void expect_surrounding(Report& report, const PositionOfOrigin& answer, std::spa
 
 }  // namespace
 
-PositionOfOrigin position_of_origin(const PointCloud& a, const PointCloud& b) {
+PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("position_of_origin: an empty body");
   if (a.exponent() != b.exponent()) throw std::invalid_argument("position_of_origin: the clouds differ in their exponents");
   Differences differences{a, b};
@@ -141,8 +141,8 @@ PositionOfOrigin position_of_origin(const PointCloud& a, const PointCloud& b) {
   return answer;
 }
 
-Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
-  Report report;
+kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+  kernels::Report report;
   if (!report.expect(!a.empty() && !b.empty(), "an empty body")) return report;
   const bool inside = answer.position == Position::inside, outside = answer.position == Position::outside;
   if (inside) report.expect(!answer.normal, "a point of the interior has no normal");
@@ -154,4 +154,4 @@ Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

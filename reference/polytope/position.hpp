@@ -14,7 +14,7 @@
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 enum class Position { inside, boundary, outside };
 
@@ -31,9 +31,9 @@ struct PositionOfOrigin {
 };
 
 /// The clouds must have the same exponent and be non-empty.
-PositionOfOrigin position_of_origin(const PointCloud& a, const PointCloud& b);
+PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b);
 
 /// Checks the proof, and nothing but the proof.
-[[nodiscard]] Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b);
+[[nodiscard]] kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -8,7 +8,7 @@
 #include <bit>
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 constexpr std::size_t most = 4;
@@ -122,4 +122,4 @@ NearestInCone nearest_in_cone(std::span<const Lifted> generators, const Lifted& 
   throw std::logic_error("nearest_in_cone: the last generator is not needed, or the generators are dependent");
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -8,7 +8,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// A vector of R^4.
 struct Lifted {
@@ -32,4 +32,4 @@ struct NearestInCone {
 /// The residual is orthogonal to the support and has no positive product with any generator, which proves the point nearest.
 NearestInCone nearest_in_cone(std::span<const Lifted> generators, const Lifted& target);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -7,7 +7,7 @@
 
 #include "kernels/number/ratio.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 constexpr std::size_t small_enough = 2000;  // points; of more, a sample with all forced points is at most 24 sqrt(n) + 26 < n
@@ -26,14 +26,14 @@ struct Selection {
   std::vector<std::uint32_t> a, b;
 };
 
-std::vector<Vector> picked(const PointCloud& cloud, const std::vector<std::uint32_t>& ids) {
+std::vector<Vector> picked(const kernels::PointCloud& cloud, const std::vector<std::uint32_t>& ids) {
   std::vector<Vector> points;
   points.reserve(ids.size());
   for (const std::uint32_t i : ids) points.push_back(cloud[i]);
   return points;
 }
 
-void draw(Selection& selection, const PointCloud& a, const PointCloud& b, std::size_t how_many, std::mt19937_64& random) {
+void draw(Selection& selection, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t how_many, std::mt19937_64& random) {
   for (; how_many > 0; --how_many) {
     const std::uint64_t i = random() % (a.size() + b.size());
     if (i < a.size()) selection.a.push_back(static_cast<std::uint32_t>(i));
@@ -68,7 +68,7 @@ ConeSearch::Nearest ConeSearch::nearest_directly(const Lifted& target, int lift)
     for (std::size_t i = 0; i < next.support.size(); ++i) {
       std::swap(generators[i], generators[next.support[i]]);
       std::swap(z.support[i], z.support[next.support[i]]);
-      z.weights.push_back(ratio(next.weights[i], next.denominator));
+      z.weights.push_back(kernels::ratio(next.weights[i], next.denominator));
     }
     generators.resize(next.support.size());
     z.support.resize(next.support.size());
@@ -78,7 +78,7 @@ ConeSearch::Nearest ConeSearch::nearest_directly(const Lifted& target, int lift)
 }
 
 ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
-  const PointCloud &all_a = differences_.a, &all_b = differences_.b;
+  const kernels::PointCloud &all_a = differences_.a, &all_b = differences_.b;
   const std::size_t root = root_below(all_a.size() + all_b.size());
   std::mt19937_64 random(seed_++);
   Selection forced;
@@ -92,7 +92,7 @@ ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int li
   while (true) {
     Selection chosen = forced;
     draw(chosen, all_a, all_b, basis_size * root, random);
-    const PointCloud a(picked(all_a, chosen.a), all_a.exponent()), b(picked(all_b, chosen.b), all_b.exponent());
+    const kernels::PointCloud a(picked(all_a, chosen.a), all_a.exponent()), b(picked(all_b, chosen.b), all_b.exponent());
     Differences sample{a, b};
     Nearest z = ConeSearch(sample, random()).nearest(target, lift, local_seeds);
     for (Difference& d : z.support) d = {chosen.a[d.first], chosen.b[d.second]};
@@ -100,8 +100,8 @@ ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int li
 
     // The residual is orthogonal to its support, and to the seeds if there is none: they mark the greatest value in the sample.
     const Difference mark = z.support.empty() ? seeds.front() : z.support.front();
-    const std::vector<std::uint32_t> beyond_a = points_beyond(all_a, -z.residual.v, mark.first);
-    const std::vector<std::uint32_t> beyond_b = points_beyond(all_b, z.residual.v, mark.second);
+    const std::vector<std::uint32_t> beyond_a = kernels::points_beyond(all_a, -z.residual.v, mark.first);
+    const std::vector<std::uint32_t> beyond_b = kernels::points_beyond(all_b, z.residual.v, mark.second);
     ++differences_.scans;
     const std::size_t violators = beyond_a.size() + beyond_b.size();
     if (violators == 0) return z;
@@ -111,4 +111,4 @@ ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int li
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -8,7 +8,7 @@
 #include "reference/polytope/differences.hpp"
 #include "reference/polytope/position_cone.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// Searches the cone that all differences of two clouds span.
 class ConeSearch {
@@ -39,4 +39,4 @@ class ConeSearch {
   bool sample_ = false;     // of a larger problem: then the search may not stop early
 };
 
-}  // namespace fathom
+}  // namespace fathom::polytope

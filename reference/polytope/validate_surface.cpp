@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
@@ -54,7 +54,7 @@ bool strictly_convex(const Polytope& p, const Facet& f) {
 }
 
 /// Pairs the sides along the edges. Returns whether every side found its one twin.
-bool pair_sides(Sides& sides, Report& report) {
+bool pair_sides(Sides& sides, kernels::Report& report) {
   const Polytope& p = sides.p;
   for (std::size_t i = 1; i < sides.by_ends.size(); ++i) {
     if (sides.by_ends[i].first == sides.by_ends[i - 1].first) report.faults.push_back("two facets have the same side");
@@ -103,7 +103,7 @@ bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
 
 }  // namespace
 
-void validate_facets(const Polytope& polytope, Report& report) {
+void validate_facets(const Polytope& polytope, kernels::Report& report) {
   for (std::size_t i = 0; i < polytope.facets.size(); ++i) {
     const Facet& f = polytope.facets[i];
     const std::string name = "facet " + std::to_string(i);
@@ -116,7 +116,7 @@ void validate_facets(const Polytope& polytope, Report& report) {
   }
 }
 
-void validate_surface(const Polytope& polytope, Report& report) {
+void validate_surface(const Polytope& polytope, kernels::Report& report) {
   Sides sides(polytope);
   if (!pair_sides(sides, report)) return;
   for (std::size_t i = 0; i < polytope.edges.size(); ++i) {
@@ -139,4 +139,4 @@ void validate_surface(const Polytope& polytope, Report& report) {
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::polytope

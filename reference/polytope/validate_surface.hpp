@@ -5,13 +5,13 @@
 #include "kernels/report.hpp"
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 
 /// Normals primitive, corners on the plane, cycles simple, strictly convex and counter-clockwise. Indices must be in range.
-void validate_facets(const Polytope& polytope, Report& report);
+void validate_facets(const Polytope& polytope, kernels::Report& report);
 
 /// Rank 3 with valid facets: each side of a facet belongs to one edge and each edge to two sides, left and right facets lie to the left and
 /// right, facets meet convexly at every edge and in a convex cone at every vertex.
-void validate_surface(const Polytope& polytope, Report& report);
+void validate_surface(const Polytope& polytope, kernels::Report& report);
 
-}  // namespace fathom
+}  // namespace fathom::polytope

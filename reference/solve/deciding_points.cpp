@@ -11,7 +11,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/solve/methods.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 namespace {
 
 constexpr long grid_bits = 128;  // of the largest coordinate
@@ -89,7 +89,7 @@ bool is_flat(std::span<const Point> body) {
     const mpz_class scale = lcm(lcm(d.x.get_den(), d.y.get_den()), d.z.get_den());
     directions.push_back({mpz_class(d.x * scale), mpz_class(d.y * scale), mpz_class(d.z * scale)});
   }
-  return affine_rank(directions) < 3;
+  return polytope::affine_rank(directions) < 3;
 }
 
 // The directions that an answer names. Where all points agree in each of them with those that were asked, the answer is right.
@@ -132,18 +132,18 @@ class Deciding {
   Deciding(std::span<const Point> a, std::span<const Point> b)
       : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
-  std::optional<Depth> run(Context& context, const Options& options) {
+  std::optional<Depth> run(kernels::Context& context, const Options& options) {
     guess(context);
     for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size(); ++round) {
-      Depth depth = depth_by_method(context, place(chosen_a_.points(), chosen_b_.points()), options);
+      Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points()), options);
       if (!add_extremes(depth)) return of_all(std::move(depth));
     }
     return std::nullopt;
   }
 
  private:
-  void guess(Context& context) {
-    const Depth depth = depth_by_method(context, place_integers(images_.a, images_.b), {});
+  void guess(kernels::Context& context) {
+    const Depth depth = depth_by_method(context, polytope::place_integers(images_.a, images_.b), {});
     add_extremes(depth);
     if (!depth.penetration() || !depth.penetration()->inner) return;
     for (const auto& [i, j] : depth.penetration()->inner->vertices) {
@@ -186,7 +186,7 @@ class Deciding {
 
 }  // namespace
 
-std::optional<Depth> depth_by_deciding_points(Context& context, std::span<const Point> a, std::span<const Point> b,
+std::optional<Depth> depth_by_deciding_points(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
                                               const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
   return Deciding(a, b).run(context, options);
@@ -198,4 +198,4 @@ std::vector<std::uint32_t> extreme_points(std::span<const Point> body, const Vec
   return extreme_among(body, u, all);
 }
 
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -9,35 +9,38 @@
 #include "reference/depth/penetration_depth.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 namespace {
 
 // Exhausting it costs about one exact run.
-std::size_t usual_budget(const PlacedPair& pair) { return std::min<std::size_t>(200 + 2 * (pair.a.size() + pair.b.size()), 20000); }
+std::size_t usual_budget(const polytope::PlacedPair& pair) {
+  return std::min<std::size_t>(200 + 2 * (pair.a.size() + pair.b.size()), 20000);
+}
 
 // By an expanding polytope: no hulls of the bodies, and the proof is there when the answer is. Returns nullopt if O is not interior or the
 // budget is exhausted.
-std::optional<Depth> certified_depth(Context& context, const PlacedPair& pair, std::size_t budget, bool checked) {
-  Expansion expansion = nearest_by_expansion(context, pair.a, pair.b, budget);
-  if (expansion.end != ExpansionEnd::proved) return std::nullopt;
-  if (checked) insist(validate(expansion, pair.a, pair.b));
-  Penetration answer = penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()});
+std::optional<Depth> certified_depth(kernels::Context& context, const polytope::PlacedPair& pair, std::size_t budget, bool checked) {
+  expanding::Expansion expansion = expanding::nearest_by_expansion(context, pair.a, pair.b, budget);
+  if (expansion.end != expanding::ExpansionEnd::proved) return std::nullopt;
+  if (checked) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
+  Penetration answer = depth::penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()});
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   answer.inner = std::move(expansion.inner);
-  return Depth{facts_of(pair), std::move(answer), Method::certificate, context.counters};
+  return Depth{depth::facts_of(pair), std::move(answer), Method::certificate, context.counters};
 }
 
-Depth exact_depth(Context& context, const PlacedPair& pair, const Options& options) {
-  return penetration_depth(context, pair, {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
+Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
+  return depth::penetration_depth(context, pair,
+                                  {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
 }
 
-Depth naive_depth_of(Context& context, const PlacedPair& pair, bool checked) {
-  Depth depth{facts_of(pair), {}, Method::naive, {}};
-  if (!answer_apart(context, pair, checked, depth)) {
-    const Hulls hulls = hulls_of(context, pair, checked, depth);
+Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked) {
+  Depth depth{depth::facts_of(pair), {}, Method::naive, {}};
+  if (!depth::answer_apart(context, pair, checked, depth)) {
+    const depth::Hulls hulls = depth::hulls_of(context, pair, checked, depth);
     context.report("hull of all differences");
-    depth.outcome = penetration_along(pair, naive_depth(hulls.a.vertices, hulls.b.vertices).directions);
+    depth.outcome = depth::penetration_along(pair, depth::naive_depth(hulls.a.vertices, hulls.b.vertices).directions);
   }
   depth.counters = context.counters;
   return depth;
@@ -45,7 +48,7 @@ Depth naive_depth_of(Context& context, const PlacedPair& pair, bool checked) {
 
 }  // namespace
 
-Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& options) {
+Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   context.counters = Counters{};
   std::optional<Depth> certified;
   switch (options.method) {
@@ -53,11 +56,11 @@ Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& o
       if (!options.closest_lines)
         certified = certified_depth(context, pair, options.expansion_budget.value_or(usual_budget(pair)), options.validate);
       break;
-    case Method::certificate: certified = certified_depth(context, pair, unlimited, options.validate); break;
+    case Method::certificate: certified = certified_depth(context, pair, expanding::unlimited, options.validate); break;
     case Method::naive: return naive_depth_of(context, pair, options.validate);
     case Method::exact: break;
   }
   return certified ? std::move(*certified) : exact_depth(context, pair, options);
 }
 
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -7,9 +7,9 @@
 #include "kernels/context.hpp"
 #include "reference/polytope/placed_pair.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 
 /// Resets the counters of `context` first.
-Depth depth_by_method(Context& context, const PlacedPair& pair, const Options& options);
+Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -10,11 +10,12 @@
 namespace fathom {
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
-  const DefaultFloatEnvironment environment;
-  Context context(options.monitor);
-  if (const std::optional<PlacedPair> slim = place_if_slim(a, b)) return depth_by_method(context, *slim, options);
-  if (std::optional<Depth> depth = depth_by_deciding_points(context, a, b, options)) return std::move(*depth);
-  return depth_by_method(context, place(a, b), options);
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(options.monitor);
+  if (const std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(a, b))
+    return solve::depth_by_method(context, *slim, options);
+  if (std::optional<Depth> depth = solve::depth_by_deciding_points(context, a, b, options)) return std::move(*depth);
+  return solve::depth_by_method(context, polytope::place(a, b), options);
 }
 
 }  // namespace fathom

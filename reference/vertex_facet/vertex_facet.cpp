@@ -7,19 +7,20 @@
 
 #include "kernels/filters/support.hpp"
 
-namespace fathom {
+namespace fathom::vertex_facet {
 
-std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts) {
+std::vector<VertexFacetPair> vertex_facet_pairs(const chart::Charts& charts) {
   std::vector<VertexFacetPair> pairs;
   pairs.reserve(charts.walls.size());
-  for (const Wall& wall : charts.walls) pairs.push_back({wall.colour, wall.node, charts.of[wall.colour].place_of[wall.node].face});
+  for (const chart::Wall& wall : charts.walls) pairs.push_back({wall.colour, wall.node, charts.of[wall.colour].place_of[wall.node].face});
   return pairs;
 }
 
-void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b, NearestPlanes& nearest) {
+void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a, const polytope::Polytope& b,
+           kernels::NearestPlanes& nearest) {
   for (const VertexFacetPair& pair : pairs) {
-    const bool facet_of_a = pair.facet_of == Colour::a;
-    const Polytope& body = facet_of_a ? a : b;
+    const bool facet_of_a = pair.facet_of == gaussian::Colour::a;
+    const polytope::Polytope& body = facet_of_a ? a : b;
     const std::uint32_t on_facet = body.corners[body.facets[pair.facet.value].begin];
     const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex.value];
     const Vector& q = b.vertices[facet_of_a ? pair.vertex.value : on_facet];
@@ -28,26 +29,27 @@ void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, cons
   }
 }
 
-Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b) {
-  Report report;
+kernels::Report validate(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a,
+                         const polytope::Polytope& b) {
+  kernels::Report report;
   std::vector<Vector> minus_a = a.vertices;
   for (Vector& p : minus_a) p = -p;
-  const PerColour<PointCloud> vertices{PointCloud(std::move(minus_a)), PointCloud(b.vertices)};
-  PerColour<IdVector<NodeId, int>> seen;
-  for (const Colour c : both_colours) seen[c].resize(charts.of[c].wall_of.size());
+  const gaussian::PerColour<kernels::PointCloud> vertices{kernels::PointCloud(std::move(minus_a)), kernels::PointCloud(b.vertices)};
+  gaussian::PerColour<kernels::IdVector<gaussian::NodeId, int>> seen;
+  for (const gaussian::Colour c : gaussian::both_colours) seen[c].resize(charts.of[c].wall_of.size());
   for (const VertexFacetPair& pair : pairs) {
     ++seen[pair.facet_of][pair.facet];
     const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
     report.expect(
-        std::ranges::binary_search(extreme_points(vertices[other(pair.facet_of)], n), pair.vertex.value),
+        std::ranges::binary_search(kernels::extreme_points(vertices[gaussian::other(pair.facet_of)], n), pair.vertex.value),
         "vertex " + std::to_string(pair.vertex.value) + " is not extreme in the direction of facet " + std::to_string(pair.facet.value));
   }
-  for (const Colour c : both_colours) {
-    for (const NodeId i : seen[c].ids()) {
+  for (const gaussian::Colour c : gaussian::both_colours) {
+    for (const gaussian::NodeId i : seen[c].ids()) {
       report.expect(seen[c][i] == (charts.of[c].wall_of[i].is_none() ? 0 : 1), "node " + std::to_string(i.value) + " is not located once");
     }
   }
   return report;
 }
 
-}  // namespace fathom
+}  // namespace fathom::vertex_facet

@@ -11,23 +11,25 @@
 #include "kernels/report.hpp"
 #include "reference/chart/chart.hpp"
 
-namespace fathom {
+namespace fathom::vertex_facet {
 
 /// A facet of the body of colour `facet_of`, by its node, and a vertex of the other body that is extreme in the node's direction (on -A
 /// for a facet of B, so it minimises <normal, a>). If several vertices are extreme, it is any one of them.
 struct VertexFacetPair {
-  Colour facet_of;
-  NodeId facet;
-  VertexId vertex;
+  gaussian::Colour facet_of;
+  gaussian::NodeId facet;
+  gaussian::VertexId vertex;
 };
 
 /// One pair for each node of either colour in this hemisphere.
-std::vector<VertexFacetPair> vertex_facet_pairs(const Charts& charts);
+std::vector<VertexFacetPair> vertex_facet_pairs(const chart::Charts& charts);
 
 /// Offers the facets' planes; the height h(n) comes from the pair's vertex.
-void offer(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b, NearestPlanes& nearest);
+void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a, const polytope::Polytope& b,
+           kernels::NearestPlanes& nearest);
 
 /// Checks that each node of the hemisphere occurs once and that its vertex is extreme, by a linear scan: O(facets * vertices).
-[[nodiscard]] Report validate(const std::vector<VertexFacetPair>& pairs, const Charts& charts, const Polytope& a, const Polytope& b);
+[[nodiscard]] kernels::Report validate(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a,
+                                       const polytope::Polytope& b);
 
-}  // namespace fathom
+}  // namespace fathom::vertex_facet

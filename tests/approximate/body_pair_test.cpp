@@ -9,14 +9,14 @@
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 TEST(BodyPair, EqualsTheExactPipeline) {
   std::size_t penetrating = 0;
   for (const Case& input : testing::cases_of_all_families(2, 9)) {
     const Depth depth = testing::exact_depth(input.a.points, input.b.points);
-    Context context;
+    kernels::Context context;
     const BodyPair pair(context, input.a.points, input.b.points);
     ASSERT_EQ(pair.separation() ? pair.separation()->status() : Status::penetrating, depth.status()) << input.id;
     EXPECT_EQ(pair.facts().flat_a, depth.flat_a) << input.id;
@@ -51,11 +51,11 @@ TEST(BodyPair, EqualsTheExactPipeline) {
 TEST(BodyPair, AMonitorCanStopIt) {
   const Case input = families::find_family("random_sphere")->make(1, 9);
   testing::Recorder impatient(0);
-  Context stopped(&impatient), context;
+  kernels::Context stopped(&impatient), context;
   EXPECT_THROW(BodyPair(stopped, input.a.points, input.b.points), Interrupted);
   const std::vector<Point> none;
   EXPECT_THROW(BodyPair(context, none, input.b.points), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

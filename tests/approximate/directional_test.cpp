@@ -10,7 +10,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 const Point directions[] = {{1, 0, 0}, {0, -3, 0}, {1, 1, 1}, {mpq_class(1, 3), mpq_class(-2, 7), 0}, {mpq_class(1, 1000), 0, 1}};
@@ -20,8 +20,8 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
   for (const Case& input : testing::cases_of_all_families(2, 8)) {
     const std::vector<Point>&a = input.a.points, &b = input.b.points;
     const Depth exact = testing::exact_depth(a, b);
-    const PlacedPair placed = place(a, b);
-    const Polytope p = testing::differences(placed);
+    const polytope::PlacedPair placed = polytope::place(a, b);
+    const polytope::Polytope p = testing::differences(placed);
     for (const Point& u : directions) {
       const DirectionalDepth found = directional_depth(a, b, u);
       ASSERT_EQ(found.status(), exact.status()) << input.id;
@@ -70,4 +70,4 @@ TEST(Directional, RefusesZero) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

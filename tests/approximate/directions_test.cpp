@@ -11,10 +11,10 @@
 #include "kernels/nearest.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
-using VectorSet = std::set<Vector, NearestPlanes::LexicographicOrder>;
+using VectorSet = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
 
 const mpq_class deltas[] = {1000000, 3, 1, mpq_class(1, 2), mpq_class(1, 4), mpq_class(1, 7), mpq_class(1, 100), mpq_class(1, 2500)};
 
@@ -27,7 +27,7 @@ bool covers_by_tangent(const Vector& p, const Vector& v, const mpq_class& delta)
 
 // The cone of directions that a centre covers is convex: a cell is covered if its four corners are.
 TEST(Directions, EveryCellIsCoveredByItsCentre) {
-  Context context;
+  kernels::Context context;
   for (const mpq_class& delta : deltas) {
     const DirectionGrid grid(context, delta);
     for (std::uint64_t cell = 0; cell < grid.size(); ++cell) {
@@ -42,7 +42,7 @@ TEST(Directions, EveryCellIsCoveredByItsCentre) {
 
 // The cells cover the sphere: each corner's cycle turns to the left about its centre, and each side is shared by two cells.
 TEST(Directions, CellsTileTheSphere) {
-  Context context;
+  kernels::Context context;
   for (const mpq_class& delta : deltas) {
     const DirectionGrid grid(context, delta);
     using Side = std::pair<std::vector<mpz_class>, std::vector<mpz_class>>;
@@ -75,7 +75,7 @@ TEST(Directions, CellsTileTheSphere) {
 }
 
 TEST(Directions, TheSecondHalfIsOppositeToTheFirst) {
-  Context context;
+  kernels::Context context;
   for (const mpq_class& delta : deltas) {
     const DirectionGrid grid(context, delta);
     VectorSet first, second;
@@ -86,7 +86,7 @@ TEST(Directions, TheSecondHalfIsOppositeToTheFirst) {
 }
 
 TEST(Directions, RandomDirectionsAreCovered) {
-  Context context;
+  kernels::Context context;
   std::mt19937_64 random(3);
   for (const mpq_class& delta : {mpq_class(2), mpq_class(1, 4), mpq_class(1, 60)}) {
     const DirectionGrid grid(context, delta);
@@ -101,7 +101,7 @@ TEST(Directions, RandomDirectionsAreCovered) {
 
 // O(1 / delta): proved with a larger constant in proofs/approximate.md.
 TEST(Directions, AreFew) {
-  Context context;
+  kernels::Context context;
   EXPECT_EQ(DirectionGrid(context, mpq_class(1000000)).size(), 6U);
   EXPECT_EQ(DirectionGrid(context, mpq_class(1)).size(), 6U);
   for (const int n : {2, 4, 10, 100, 2500, 10000}) EXPECT_LE(DirectionGrid(context, mpq_class(1, n)).size(), 5U * n + 24U) << n;
@@ -119,7 +119,7 @@ TEST(Directions, TheCriterionIsExact) {
 }
 
 TEST(Directions, RefusesWhatIsNoDelta) {
-  Context context;
+  kernels::Context context;
   EXPECT_THROW(DirectionGrid(context, mpq_class(0)), std::invalid_argument);
   EXPECT_THROW(DirectionGrid(context, mpq_class(-1, 2)), std::invalid_argument);
   mpz_class huge = 1;
@@ -128,4 +128,4 @@ TEST(Directions, RefusesWhatIsNoDelta) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

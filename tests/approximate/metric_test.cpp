@@ -12,7 +12,7 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::differences;
@@ -37,13 +37,13 @@ struct NaiveMetric {
 };
 
 NaiveMetric naive(const Case& input, std::span<const Point> q) {
-  const PlacedPair placed = place(input.a.points, input.b.points);
-  const Polytope p = differences(placed);
+  const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+  const polytope::Polytope p = differences(placed);
   NaiveMetric result;
   if (!testing::holds_origin(p)) return result;
   const Point origin{0, 0, 0};
-  const PlacedPair placed_q = place(q, {&origin, 1});
-  const Polytope hull = convex_hull(placed_q.a.points());
+  const polytope::PlacedPair placed_q = polytope::place(q, {&origin, 1});
+  const polytope::Polytope hull = polytope::convex_hull(placed_q.a.points());
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
     const std::uint32_t id = hull.input_ids[i];
     const mpq_class factor = testing::factor_naive(p, hull.vertices[i]) * placed_q.denominator / placed.denominator;
@@ -78,7 +78,7 @@ TEST(Metric, EqualsTheHullOfAllDifferencesOnEveryFamily) {
   for (const Case& input : testing::cases_of_all_families(2, 8)) {
     for (const std::vector<Point>& q : balls) {
       const UnitBall ball = unit_ball(q);
-      const MetricResult result = metric_depth(input.a.points, input.b.points, ball);
+      const MetricResult result = fathom::metric_depth(input.a.points, input.b.points, ball);
       expect_equal(result, naive(input, q), input);
       if (result.status() != Status::penetrating) {
         EXPECT_TRUE(result.optima().empty()) << input.id;
@@ -97,24 +97,24 @@ TEST(Metric, EqualsTheHullOfAllDifferencesOnEveryFamily) {
 TEST(Metric, OfTwoBoxes) {
   Case input{"boxes", {cube(1)}, {cube(1)}};
   for (Point& p : input.b.points) p = {p.x + 1, p.y + mpq_class(3, 2), p.z + mpq_class(1, 4)};
-  const MetricResult one = metric_depth(input.a.points, input.b.points, unit_ball(octahedron()));
+  const MetricResult one = fathom::metric_depth(input.a.points, input.b.points, unit_ball(octahedron()));
   EXPECT_EQ(one.depth(), mpq_class(1, 2));
   ASSERT_EQ(one.optima().size(), 1U);
   EXPECT_EQ(one.optima()[0].vertex, 3U);
   EXPECT_EQ(one.optima()[0].translation, (Point{0, mpq_class(-1, 2), 0}));
   EXPECT_EQ(one.optima()[0].contact, (Contact{ContactKind::facet_facet, {2, 3, 6, 7}, {0, 1, 4, 5}}));
-  const MetricResult largest = metric_depth(input.a.points, input.b.points, unit_ball(cube(1)));
+  const MetricResult largest = fathom::metric_depth(input.a.points, input.b.points, unit_ball(cube(1)));
   EXPECT_EQ(largest.depth(), mpq_class(1, 2));
   EXPECT_EQ(largest.optima().size(), 4U) << "all corners of the cube's lower facet";
-  EXPECT_EQ(metric_depth(input.a.points, input.b.points, unit_ball(cube(2))).depth(), mpq_class(1, 4));
+  EXPECT_EQ(fathom::metric_depth(input.a.points, input.b.points, unit_ball(cube(2))).depth(), mpq_class(1, 4));
 }
 
 // The Euclidean depth lies between those of an inscribed and of a circumscribed ball.
 TEST(Metric, EnclosesTheEuclideanDepth) {
   for (const Case& input : testing::cases_of_all_families(1, 9)) {
     const mpq_class squared = testing::exact_depth(input.a.points, input.b.points).squared();
-    const mpq_class inner = metric_depth(input.a.points, input.b.points, unit_ball(octahedron())).depth();
-    const mpq_class outer = metric_depth(input.a.points, input.b.points, unit_ball(cube(1))).depth();
+    const mpq_class inner = fathom::metric_depth(input.a.points, input.b.points, unit_ball(octahedron())).depth();
+    const mpq_class outer = fathom::metric_depth(input.a.points, input.b.points, unit_ball(cube(1))).depth();
     EXPECT_LE(squared, inner * inner) << input.id;
     EXPECT_LE(outer * outer, squared) << input.id;
   }
@@ -125,8 +125,8 @@ TEST(Metric, OfTheReflectedBall) {
   std::vector<Point> reflected = skew_ball();
   for (Point& p : reflected) p = {-p.x, -p.y, -p.z};
   for (const Case& input : testing::cases_of_all_families(1, 9)) {
-    const MetricResult one = metric_depth(input.a.points, input.b.points, unit_ball(skew_ball()));
-    const MetricResult other = metric_depth(input.b.points, input.a.points, unit_ball(reflected));
+    const MetricResult one = fathom::metric_depth(input.a.points, input.b.points, unit_ball(skew_ball()));
+    const MetricResult other = fathom::metric_depth(input.b.points, input.a.points, unit_ball(reflected));
     EXPECT_EQ(one.depth(), other.depth()) << input.id;
     EXPECT_EQ(one.optima().size(), other.optima().size()) << input.id;
   }
@@ -167,8 +167,8 @@ TEST(Metric, ManyVertices) {
   std::mt19937_64 random(9);
   std::vector<Point> q;
   while (q.size() < 10000) {  // on a sphere: the inverse stereographic image of a rational point
-    const mpq_class x = ratio(testing::random_integer(random, 30), testing::power_of_two(28)),
-                    y = ratio(testing::random_integer(random, 30), testing::power_of_two(28)), s = 1 + x * x + y * y;
+    const mpq_class x = kernels::ratio(testing::random_integer(random, 30), testing::power_of_two(28)),
+                    y = kernels::ratio(testing::random_integer(random, 30), testing::power_of_two(28)), s = 1 + x * x + y * y;
     q.push_back({2 * x / s, 2 * y / s, (s - 2) / s});
     for (mpq_class* c : {&q.back().x, &q.back().y, &q.back().z}) {  // and near it in binary64
       *c = mpq_class(c->get_d());
@@ -177,8 +177,8 @@ TEST(Metric, ManyVertices) {
   const Case input = families::find_family("random_sphere")->make(2, 12);
   const UnitBall ball = unit_ball(q);
   EXPECT_GT(ball.vertices.size(), 9000U);
-  expect_equal(metric_depth(input.a.points, input.b.points, ball), naive(input, q), input);
+  expect_equal(fathom::metric_depth(input.a.points, input.b.points, ball), naive(input, q), input);
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -18,31 +18,31 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::cases_of_all_families;
 using testing::operator*;
 
 /// Where O lies in P of any rank: -1 inside, 0 on the boundary or in a flat P, 1 outside.
-int place_of_origin(const Polytope& p) {
+int place_of_origin(const polytope::Polytope& p) {
   int place = p.rank == 3 ? -1 : 0;
-  for (const Facet& f : p.facets) place = std::max(place, -sgn(testing::height(p, f)));
+  for (const polytope::Facet& f : p.facets) place = std::max(place, -sgn(testing::height(p, f)));
   if (p.rank == 3) return place;
   std::vector<Vector> with_origin = p.vertices;
   with_origin.emplace_back();
-  return convex_hull(with_origin).vertices == p.vertices ? 0 : 1;
+  return polytope::convex_hull(with_origin).vertices == p.vertices ? 0 : 1;
 }
 
 /// A body with its hierarchy.
 struct Prepared {
-  explicit Prepared(std::span<const Vector> points) : polytope(convex_hull(points)), hierarchy(polytope) {}
-  Polytope polytope;
-  Hierarchy hierarchy;
+  explicit Prepared(std::span<const Vector> points) : polytope(polytope::convex_hull(points)), hierarchy(polytope) {}
+  polytope::Polytope polytope;
+  polytope::Hierarchy hierarchy;
 };
 
 /// All laws of one ray from O, where P stands at `p`, moved by -start.
-void expect_ray(const RayShooter& rays, const Polytope& p, const Vector& u, const Vector& start) {
+void expect_ray(const RayShooter& rays, const polytope::Polytope& p, const Vector& u, const Vector& start) {
   const RayHit hit = rays.shoot(u, start);
   const int place = place_of_origin(p);
   ASSERT_EQ(rays.rank(), p.rank);
@@ -68,18 +68,18 @@ void expect_ray(const RayShooter& rays, const Polytope& p, const Vector& u, cons
 }
 
 /// Through vertices, edges and facets of P and at random; back from each, too.
-std::vector<Vector> telling_directions(const Polytope& p, std::mt19937_64& random) {
+std::vector<Vector> telling_directions(const polytope::Polytope& p, std::mt19937_64& random) {
   std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 1, -1}};
   const auto vertex = [&](std::uint32_t i) { return p.vertices[i]; };
   for (int i = 0; i < 3; ++i) {
     directions.push_back(vertex(static_cast<std::uint32_t>(random() % p.vertices.size())));
     if (!p.edges.empty()) {
-      const Edge& e = p.edges[random() % p.edges.size()];
+      const polytope::Edge& e = p.edges[random() % p.edges.size()];
       directions.insert(directions.end(),
                         {vertex(e.from) + vertex(e.to), vertex(e.from) - vertex(e.to), vertex(e.from) + 3 * vertex(e.to)});
     }
     if (!p.facets.empty()) {
-      const Facet& f = p.facets[random() % p.facets.size()];
+      const polytope::Facet& f = p.facets[random() % p.facets.size()];
       directions.push_back(vertex(p.corners[f.begin]) + vertex(p.corners[f.begin + 1]) + vertex(p.corners[f.begin + 2]));
       directions.push_back(f.normal);
     }
@@ -91,7 +91,7 @@ std::vector<Vector> telling_directions(const Polytope& p, std::mt19937_64& rando
 }
 
 /// O, and a vertex of P, the sum of two or half of it: on the boundary, outside or somewhere in P.
-std::vector<Vector> telling_starts(const Polytope& p, std::mt19937_64& random) {
+std::vector<Vector> telling_starts(const polytope::Polytope& p, std::mt19937_64& random) {
   const Vector v = p.vertices[random() % p.vertices.size()], sum = v + p.vertices[random() % p.vertices.size()];
   const std::array<Vector, 3> starts{v, sum, Vector{sum.x / 2, sum.y / 2, sum.z / 2}};
   return {{0, 0, 0}, starts[random() % 3]};
@@ -100,11 +100,11 @@ std::vector<Vector> telling_starts(const Polytope& p, std::mt19937_64& random) {
 void expect_rays(std::span<const Vector> a, std::span<const Vector> b, unsigned seed) {
   const Prepared body_a(a), body_b(b);
   const RayShooter rays(body_a.hierarchy, body_b.hierarchy), by_levels(body_a.hierarchy, body_b.hierarchy, 0);
-  const PlacedPair placed = place_integers({a.begin(), a.end()}, {b.begin(), b.end()});
+  const polytope::PlacedPair placed = polytope::place_integers({a.begin(), a.end()}, {b.begin(), b.end()});
   std::mt19937_64 random(seed);
-  const Polytope p = testing::differences(placed);
+  const polytope::Polytope p = testing::differences(placed);
   for (const Vector& start : telling_starts(p, random)) {
-    Polytope moved = p;
+    polytope::Polytope moved = p;
     for (Vector& v : moved.vertices) v = v - start;
     for (const Vector& u : telling_directions(moved, random)) {
       SCOPED_TRACE(::testing::Message() << "from " << start << " along " << u);
@@ -118,7 +118,7 @@ void expect_rays(std::span<const Vector> a, std::span<const Vector> b, unsigned 
 TEST(Ray, AgreesWithTheHullOfDifferencesOnAllFamilies) {
   for (const Case& input : cases_of_all_families(2, 9)) {
     SCOPED_TRACE(input.id);
-    const PlacedPair placed = place(input.a.points, input.b.points);
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
     expect_rays(placed.a.points(), placed.b.points(), static_cast<unsigned>(input.id.back()));
     ASSERT_FALSE(HasFatalFailure());
   }
@@ -143,7 +143,7 @@ struct Growth {
   std::uint64_t queries = 0, steps = 0;  // the greatest of any ray
 };
 
-Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
+Growth greatest_of_rays(const polytope::Hierarchy& a, const polytope::Hierarchy& b) {
   const RayShooter rays(a, b);
   std::mt19937_64 random(7);
   Growth greatest;
@@ -152,7 +152,7 @@ Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
     const RayHit hit = rays.shoot(u);
     EXPECT_TRUE(hit.interior);
     EXPECT_EQ(hit.height, dot(hit.normal, b.cloud()[b.extreme(hit.normal)]) - dot(hit.normal, a.cloud()[a.extreme(-hit.normal)]));
-    EXPECT_EQ(hit.factor, ratio(hit.height, dot(hit.normal, u)));
+    EXPECT_EQ(hit.factor, kernels::ratio(hit.height, dot(hit.normal, u)));
     greatest.queries = std::max(greatest.queries, hit.queries);
     greatest.steps = std::max(greatest.steps, hit.steps);
   }
@@ -163,7 +163,7 @@ Growth greatest_of_rays(const Hierarchy& a, const Hierarchy& b) {
 void expect_growth(const char* family, unsigned n, bool with_itself) {
   SCOPED_TRACE(std::string(family) + " " + std::to_string(n));
   const Case input = families::find_family(family)->make(1, n);
-  const PlacedPair placed = place(input.a.points, input.b.points);
+  const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
   const Prepared b(placed.b.points());
   const Growth growth =
       with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy) : greatest_of_rays(Prepared(placed.a.points()).hierarchy, b.hierarchy);
@@ -223,7 +223,7 @@ TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
        {"random_sphere", "crossed_parabolas", "prisms_posed", "crossed_prisms", "parallel_edges", "common_normals", "plates"}) {
     SCOPED_TRACE(family);
     const Case input = families::find_family(family)->make(2, 300);
-    const PlacedPair placed = place(input.a.points, input.b.points);
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
     const Prepared a(placed.a.points()), b(placed.b.points());
     const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0);
     std::mt19937_64 random(3);
@@ -245,4 +245,4 @@ TEST(Ray, RefusesAZeroDirection) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

@@ -10,7 +10,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 /// The sum of the first `terms` terms of the series of cos(sqrt(d)). For 0 <= d <= 2 they alternate and fall: an upper bound when their
@@ -61,7 +61,7 @@ TEST(SeparationErrata, ThatGridIsOffByAFactorOfThree) {
   for (const Vector& p : grid) b.push_back({p.x, p.y, p.z});
   const mpq_class squared = testing::exact_depth(a, b).squared();
   EXPECT_EQ(squared, mpq_class(1, 3));
-  const Polytope tetrahedron = convex_hull(grid);
+  const polytope::Polytope tetrahedron = polytope::convex_hull(grid);
   for (const Vector& p : grid) {
     const mpq_class factor = testing::factor_naive(tetrahedron, p);
     EXPECT_EQ(factor * factor * dot(p, p), 9 * squared);
@@ -74,4 +74,4 @@ TEST(SeparationErrata, ThatGridIsOffByAFactorOfThree) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

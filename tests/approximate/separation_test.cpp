@@ -12,7 +12,7 @@
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::cases_of_all_families;
@@ -52,7 +52,7 @@ void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<c
 }
 
 TEST(Separation, KeepsItsGuaranteeOnEveryFamily) {
-  Context context;
+  kernels::Context context;
   std::size_t penetrating = 0, off = 0;
   for (const Case& input : cases_of_all_families(2, 9)) {
     const Depth exact = testing::exact_depth(input.a.points, input.b.points);
@@ -85,16 +85,16 @@ TEST(Separation, KeepsItsGuaranteeWithManyRays) {
 
 // The plane of a facet instead of the hit point: never farther than the nearest hit, which the naive twin finds too.
 TEST(Separation, TheReachIsThatOfTheNearestRay) {
-  Context context;
+  kernels::Context context;
   const mpq_class delta(1, 4);
   const DirectionGrid grid(context, delta);
   std::size_t shorter = 0, moved = 0;
   for (const Case& input : cases_of_all_families(1, 8)) {
-    const PlacedPair placed = place(input.a.points, input.b.points);
-    const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
-    const Hierarchy hierarchy_a(a), hierarchy_b(b);
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
+    const polytope::Hierarchy hierarchy_a(a), hierarchy_b(b);
     for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 0, -2}}) {
-      const Polytope p = differences(placed, shift);
+      const polytope::Polytope p = differences(placed, shift);
       if (!testing::holds_origin(p)) continue;
       if (!is_zero(shift)) ++moved;
       const ApproxSeparation found = approx_separation(context, hierarchy_a, hierarchy_b, delta, shift);
@@ -107,10 +107,10 @@ TEST(Separation, TheReachIsThatOfTheNearestRay) {
       EXPECT_TRUE(found.inside);
       EXPECT_EQ(found.reach_squared, reach) << input.id;
       EXPECT_EQ(square(testing::factor_naive(p, found.ray)) * dot(found.ray, found.ray), reach) << input.id;
-      const mpq_class squared = ratio(found.height * found.height, dot(found.normal, found.normal));
+      const mpq_class squared = kernels::ratio(found.height * found.height, dot(found.normal, found.normal));
       EXPECT_LE(squared, reach) << input.id;
       if (squared < reach) ++shorter;
-      const auto facet = std::find_if(p.facets.begin(), p.facets.end(), [&](const Facet& f) { return f.normal == found.normal; });
+      const auto facet = std::find_if(p.facets.begin(), p.facets.end(), [&](const polytope::Facet& f) { return f.normal == found.normal; });
       ASSERT_NE(facet, p.facets.end()) << input.id << ": not the normal of a facet";
       EXPECT_EQ(testing::height(p, *facet), found.height) << input.id;
     }
@@ -121,11 +121,11 @@ TEST(Separation, TheReachIsThatOfTheNearestRay) {
 
 // With O on the boundary some ray leaves P at once; outside, no ray says anything.
 TEST(Separation, OffTheInterior) {
-  Context context;
+  kernels::Context context;
   const std::vector<Vector> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
   const std::vector<Vector> point{{0, 0, 0}};
-  const Polytope a = convex_hull(point), b = convex_hull(corners);
-  const Hierarchy hierarchy_a(a), hierarchy_b(b);
+  const polytope::Polytope a = polytope::convex_hull(point), b = polytope::convex_hull(corners);
+  const polytope::Hierarchy hierarchy_a(a), hierarchy_b(b);
   for (const Vector& shift : {Vector{0, 0, 0}, Vector{1, 1, 0}, Vector{1, 1, 2}, Vector{3, 0, 1}}) {
     const ApproxSeparation found = approx_separation(context, hierarchy_a, hierarchy_b, mpq_class(1, 4), shift);
     EXPECT_TRUE(found.inside);
@@ -137,17 +137,17 @@ TEST(Separation, OffTheInterior) {
   }
   const ApproxSeparation inside = approx_separation(context, hierarchy_a, hierarchy_b, mpq_class(1, 4), {1, 1, 1});
   EXPECT_TRUE(inside.inside);
-  EXPECT_EQ(ratio(inside.height * inside.height, dot(inside.normal, inside.normal)), mpq_class(1, 3));
+  EXPECT_EQ(kernels::ratio(inside.height * inside.height, dot(inside.normal, inside.normal)), mpq_class(1, 3));
 }
 
 TEST(ApproxWidth, KeepsItsGuaranteeWithHalfOfTheRays) {
-  Context context;
+  kernels::Context context;
   std::size_t solids = 0;
   for (const Case& input : cases_of_all_families(2, 10)) {
     const std::vector<Point>& points = input.a.points;
     const Depth exact = width(points);
     for (const mpq_class& delta : {mpq_class(1), mpq_class(1, 10)}) {
-      const ApproxDepth approx = approx_width(points, delta);
+      const ApproxDepth approx = fathom::approx_width(points, delta);
       expect_guarantee(approx, exact, points, points, input.id);
       if (exact.status() != Status::penetrating) continue;
       ++solids;
@@ -161,7 +161,7 @@ TEST(Separation, RefusesWhatIsNoDelta) {
   const std::vector<Point> one{{0, 0, 0}}, none;
   EXPECT_THROW(approx_depth(one, one, 0), std::invalid_argument);
   EXPECT_THROW(approx_depth(one, one, mpq_class(-1, 3)), std::invalid_argument);
-  EXPECT_THROW(approx_width(one, 0), std::invalid_argument);
+  EXPECT_THROW(fathom::approx_width(one, 0), std::invalid_argument);
   EXPECT_THROW(approx_depth(one, none, 1), std::invalid_argument);
 }
 
@@ -179,4 +179,4 @@ TEST(Separation, AMonitorHearsOfProgressAndCanStopTheRun) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

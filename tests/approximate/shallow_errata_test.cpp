@@ -9,29 +9,33 @@
 #include "reference/approximate/shallow.hpp"
 #include "reference/approximate/shallow_walk.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 /// P as B, A being the point O; all in units of the input.
 struct JustP {
   explicit JustP(const std::vector<Vector>& corners)
-      : origin(convex_hull(std::vector<Vector>{{0, 0, 0}})), p(convex_hull(corners)), a(origin), b(p), surface(origin, p) {}
+      : origin(polytope::convex_hull(std::vector<Vector>{{0, 0, 0}})),
+        p(polytope::convex_hull(corners)),
+        a(origin),
+        b(p),
+        surface(origin, p) {}
 
   [[nodiscard]] SumFacet facet(const Vector& n) const { return surface.facet(a.extreme_face(-n), b.extreme_face(n), n); }
   /// The nearest facets that a walk in the ball finds.
-  [[nodiscard]] NearestPlanes nearest(const Ball& ball, const std::vector<SumFacet>& starts) const {
-    NearestPlanes planes;
-    Context context;
+  [[nodiscard]] kernels::NearestPlanes nearest(const Ball& ball, const std::vector<SumFacet>& starts) const {
+    kernels::NearestPlanes planes;
+    kernels::Context context;
     walk(context, surface, ball, starts, [&](const SumFacet& f) { planes.offer(f.normal, dot(f.normal, surface.point(f))); });
     return planes;
   }
 
-  Polytope origin, p;
-  Hierarchy a, b;
+  polytope::Polytope origin, p;
+  polytope::Hierarchy a, b;
   SumSurface surface;
 };
 
-mpq_class squared(const NearestPlanes& planes) {
+mpq_class squared(const kernels::NearestPlanes& planes) {
   mpq_class q(planes.numerator(), planes.denominator());
   q.canonicalize();
   return q;
@@ -81,7 +85,7 @@ TEST(ShallowErrata, TheFaceThatUSupportsIsFarFromTheBall) {
 // The box with a rim that slopes down a little, in units of 1/1000: no facet at the vertex that u supports comes within 50 of O. From
 // whichever of them the walk starts, it ends there, with a plane farther than the depth, which is 1.
 TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
-  Context context;
+  kernels::Context context;
   std::vector<Vector> corners = box(50000, 1000);
   for (const Vector& v : box(100000, 995)) corners.push_back(v);
   const JustP p(corners);
@@ -94,11 +98,11 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
   EXPECT_EQ(p.p.vertices[supported.front()], (Vector{100000, 100000, 995}));
   const Ball near = ball(delta, depth_squared);
   std::size_t facets = 0;
-  for (const Facet& f : p.p.facets) {
+  for (const polytope::Facet& f : p.p.facets) {
     const auto first = p.p.corners.begin() + f.begin, last = p.p.corners.begin() + f.end;
     if (std::find(first, last, supported.front()) == last) continue;
     ++facets;
-    const NearestPlanes found = p.nearest(near, {p.facet(f.normal)});
+    const kernels::NearestPlanes found = p.nearest(near, {p.facet(f.normal)});
     ASSERT_EQ(found.directions().size(), 1U) << "it stays where it is";
     EXPECT_GT(squared(found), depth_squared);
   }
@@ -116,7 +120,7 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
 // of the depth. The rays that cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge to the nearest
 // facet is at a distance of 21, the ball has the radius 15.
 TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
-  Context context;
+  kernels::Context context;
   const JustP p({{-10, -60, -60}, {137, -60, -60}, {-10, 87, -60}, {-10, -60, 87}});
   const mpq_class delta = 1;
   const DirectionGrid coarse(context, delta);
@@ -141,7 +145,7 @@ TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
 
 // (1 + delta/2) (1 + delta/4) <= 1 + delta, which puts the ball within (1 + delta) depth, holds up to delta = 2 and no farther.
 TEST(ShallowErrata, TheBallIsWithinItsBoundUpToDeltaTwo) {
-  Context context;
+  kernels::Context context;
   const auto ball_within_bound = [](const mpq_class& d) { return (1 + d / 2) * (1 + d / 4) <= 1 + d; };
   for (int i = 1; i <= 200; ++i) EXPECT_TRUE(ball_within_bound(mpq_class(i, 100)));
   EXPECT_FALSE(ball_within_bound(mpq_class(201, 100)));
@@ -151,4 +155,4 @@ TEST(ShallowErrata, TheBallIsWithinItsBoundUpToDeltaTwo) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

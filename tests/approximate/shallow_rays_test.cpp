@@ -14,7 +14,7 @@
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::factor_naive;
@@ -22,18 +22,18 @@ using testing::ShallowScene;
 
 mpq_class square(const mpq_class& q) { return q * q; }
 
-mpq_class depth_squared(const Polytope& p) {
+mpq_class depth_squared(const polytope::Polytope& p) {
   mpq_class least = -1;
-  for (const Facet& f : p.facets) {
+  for (const polytope::Facet& f : p.facets) {
     const mpz_class h = testing::height(p, f);
-    const mpq_class here = ratio(h * h, dot(f.normal, f.normal));
+    const mpq_class here = kernels::ratio(h * h, dot(f.normal, f.normal));
     if (least < 0 || here < least) least = here;
   }
   return least;
 }
 
 /// The laws of `rays`, with P itself at hand.
-void expect_laws(const NearRays& rays, const Polytope& p, const mpq_class& delta) {
+void expect_laws(const NearRays& rays, const polytope::Polytope& p, const mpq_class& delta) {
   const mpq_class factor = square(1 + delta), least = depth_squared(p), limit = factor * rays.nearest_squared;
   EXPECT_GE(rays.nearest_squared, least);
   EXPECT_LE(rays.nearest_squared, factor * least);
@@ -45,7 +45,7 @@ void expect_laws(const NearRays& rays, const Polytope& p, const mpq_class& delta
     EXPECT_TRUE(testing::is_hit(p, ray.normal, ray.factor, ray.direction));
     shot.insert(ray.direction);
   }
-  Context context;
+  kernels::Context context;
   const DirectionGrid grid(context, delta);
   for (std::uint64_t cell = 0; cell < grid.size(); ++cell) {
     const Vector u = grid.centre(cell);
@@ -57,7 +57,7 @@ void expect_laws(const NearRays& rays, const Polytope& p, const mpq_class& delta
 class EveryFamily : public ::testing::TestWithParam<families::Family> {};
 
 TEST_P(EveryFamily, SkipsNoRayWithinReach) {
-  Context context;
+  kernels::Context context;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
     SCOPED_TRACE(input.id);
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily, ::testing::ValuesIn(families:
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ShallowRays, FarSidesTakeFewRays) {
-  Context context;
+  kernels::Context context;
   const ShallowScene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}), cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
   const RayShooter through_plate(plate.a, plate.b), through_cube(cube.a, cube.b);
   for (const mpq_class& delta : {mpq_class(1, 16), mpq_class(1, 100)}) {
@@ -112,7 +112,7 @@ TEST(ShallowRays, FarSidesTakeFewRays) {
 }
 
 TEST(ShallowRays, FromOtherPlacesAndOutside) {
-  Context context;
+  kernels::Context context;
   const ShallowScene scene({"a box", {{{0, 0, 0}}}, families::box(4, 5, 6)});
   const RayShooter shooter(scene.a, scene.b);
   const RayGrids grids(context, mpq_class(1, 4));
@@ -126,10 +126,10 @@ TEST(ShallowRays, FromOtherPlacesAndOutside) {
 }
 
 TEST(ShallowRays, RefusesWhatIsNoDelta) {
-  Context context;
+  kernels::Context context;
   EXPECT_THROW(RayGrids(context, mpq_class(0)), std::invalid_argument);
   EXPECT_THROW(RayGrids(context, mpq_class(-1, 3)), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

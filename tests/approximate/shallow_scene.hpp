@@ -11,21 +11,21 @@
 
 namespace fathom::testing {
 
-using NormalSet = std::set<Vector, NearestPlanes::LexicographicOrder>;
+using NormalSet = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
 
 /// Both bodies with their hierarchies, and P itself.
 struct ShallowScene {
   explicit ShallowScene(const Case& input)
-      : placed(place(input.a.points, input.b.points)),
-        hull_a(convex_hull(placed.a.points())),
-        hull_b(convex_hull(placed.b.points())),
+      : placed(polytope::place(input.a.points, input.b.points)),
+        hull_a(polytope::convex_hull(placed.a.points())),
+        hull_b(polytope::convex_hull(placed.b.points())),
         a(hull_a),
         b(hull_b),
         sum(differences(placed)) {}
-  PlacedPair placed;
-  Polytope hull_a, hull_b;
-  Hierarchy a, b;
-  Polytope sum;
+  polytope::PlacedPair placed;
+  polytope::Polytope hull_a, hull_b;
+  polytope::Hierarchy a, b;
+  polytope::Polytope sum;
 };
 
 }  // namespace fathom::testing

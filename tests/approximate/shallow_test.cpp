@@ -15,7 +15,7 @@
 #include "verify/families/random_bodies.hpp"
 #include "verify/families/solids.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::NormalSet;
@@ -72,7 +72,7 @@ TEST(Shallow, EqualsTheExactPipelineOnTheCatalogue) {
 // ---- which facets it visits ----
 
 /// The squared distance of a facet of P from O: at its foot, or on its boundary.
-mpq_class squared_distance(const Polytope& p, const Facet& f) {
+mpq_class squared_distance(const polytope::Polytope& p, const polytope::Facet& f) {
   const Vector& n = f.normal;
   const mpz_class h = testing::height(p, f), square = dot(n, n);
   std::optional<mpq_class> least;
@@ -81,16 +81,16 @@ mpq_class squared_distance(const Polytope& p, const Facet& f) {
     const Vector &u = p.vertices[p.corners[i]], &v = p.vertices[p.corners[i + 1 == f.end ? f.begin : i + 1]];
     const Vector d = v - u;
     if (det(n, d, -u) < 0) foot_inside = false;  // the foot is O moved along n
-    const mpq_class t = std::clamp(ratio(-dot(u, d), dot(d, d)), mpq_class(0), mpq_class(1));
+    const mpq_class t = std::clamp(kernels::ratio(-dot(u, d), dot(d, d)), mpq_class(0), mpq_class(1));
     const mpq_class here = dot(u, u) + t * (2 * mpq_class(dot(u, d)) + t * dot(d, d));
     if (!least || here < *least) least = here;
   }
-  return foot_inside ? ratio(h * h, square) : *least;
+  return foot_inside ? kernels::ratio(h * h, square) : *least;
 }
 
 // Visited facets meet the ball, and the ball is such that those are within Theorem 3.5's count, (1 + delta) depth of O.
 TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
-  Context context;
+  kernels::Context context;
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const Case input = GetParam().make(seed, 7);
     SCOPED_TRACE(input.id);
@@ -99,11 +99,11 @@ TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
       const ShallowResult result = ShallowPenetration(context, scene.a, scene.b, delta).query(context);
       EXPECT_EQ(result.inside, testing::holds_origin(scene.sum));
       if (!result.inside) continue;
-      const mpq_class depth_squared = ratio(result.nearest.numerator(), result.nearest.denominator());
+      const mpq_class depth_squared = kernels::ratio(result.nearest.numerator(), result.nearest.denominator());
       EXPECT_LE(result.ball_radius_squared, (1 + delta) * (1 + delta) * depth_squared);
       EXPECT_GE(result.ball_radius_squared, (1 + delta / 2) * (1 + delta / 2) * depth_squared);
       std::uint64_t within = 0;
-      for (const Facet& f : scene.sum.facets) within += squared_distance(scene.sum, f) <= result.ball_radius_squared ? 1 : 0;
+      for (const polytope::Facet& f : scene.sum.facets) within += squared_distance(scene.sum, f) <= result.ball_radius_squared ? 1 : 0;
       EXPECT_LE(result.facets, within);
       EXPECT_GE(result.facets, result.nearest.directions().size());
       EXPECT_GE(result.facets, result.starts);
@@ -130,12 +130,12 @@ TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
 }
 
 TEST(Shallow, TheWalkDoesNotGrowWithTheBodies) {
-  Context context;
+  kernels::Context context;
   for (const unsigned points : {1000U, 8000U}) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(99, 50));
-    const PlacedPair placed = place(input.a.points, input.b.points);
-    const Polytope hull_a = convex_hull(placed.a.points()), hull_b = convex_hull(placed.b.points());
-    const Hierarchy a(hull_a), b(hull_b);
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()), hull_b = polytope::convex_hull(placed.b.points());
+    const polytope::Hierarchy a(hull_a), b(hull_b);
     const ShallowResult result = ShallowPenetration(context, a, b).query(context);
     ASSERT_TRUE(result.inside);
     EXPECT_LE(result.facets, 40U) << points;
@@ -154,7 +154,7 @@ TEST(Shallow, ADeepPenetrationTakesItThroughAllOfP) {
 // ---- bodies that move ----
 
 TEST(Shallow, ABodyMovesWithoutNewPreparation) {
-  Context context;
+  kernels::Context context;
   for (const char* name : {"random_lattice", "boxes_aligned", "random_sphere", "polygon_solid", "exact_ties"}) {
     const families::Family* family = families::find_family(name);
     ASSERT_NE(family, nullptr) << name;
@@ -167,7 +167,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
     for (int i = 0; i < 40; ++i) {
       const mpz_class step = unit > 4 ? mpz_class(unit / 4) : mpz_class(1);
       const Vector shift{step * (i % 5 - 2), step * (i / 5 % 4 - 1), step * (i / 20 - 1)};
-      const Point by{ratio(shift.x, unit), ratio(shift.y, unit), ratio(shift.z, unit)};
+      const Point by{kernels::ratio(shift.x, unit), kernels::ratio(shift.y, unit), kernels::ratio(shift.z, unit)};
       const Depth exact = testing::exact_depth(families::translated(input.a, by).points, input.b.points);
       const ShallowResult result = bodies.query(context, shift);
       EXPECT_TRUE(validate(result, scene.a, scene.b, shift).ok());
@@ -177,7 +177,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
         continue;
       }
       ++inside;
-      EXPECT_EQ(ratio(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
+      EXPECT_EQ(kernels::ratio(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
       NormalSet directions;
       for (const Optimum& o : exact.optima()) directions.insert(o.direction);
       EXPECT_TRUE(std::ranges::equal(directions, result.nearest.directions())) << name << i;
@@ -187,7 +187,7 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
 }
 
 TEST(Shallow, ValidateSeesWhatIsBroken) {
-  Context context;
+  kernels::Context context;
   const ShallowScene scene({"a cube in a cube", families::box(1, 1, 1), families::box(2, 2, 2)});
   const ShallowResult result = ShallowPenetration(context, scene.a, scene.b).query(context);
   EXPECT_TRUE(validate(result, scene.a, scene.b).ok());
@@ -205,7 +205,7 @@ TEST(Shallow, ValidateSeesWhatIsBroken) {
 }
 
 TEST(Shallow, FlatSumsAndPlacesOutsideHaveNoDepth) {
-  Context context;
+  kernels::Context context;
   const families::Family* flat = families::find_family("segment_segment");
   const ShallowScene segments(flat->make(1, 4));
   EXPECT_FALSE(ShallowPenetration(context, segments.a, segments.b).query(context).inside);
@@ -219,7 +219,7 @@ TEST(Shallow, FlatSumsAndPlacesOutsideHaveNoDepth) {
 // ---- what may go wrong ----
 
 TEST(Shallow, RefusesADeltaThatIsNotBetweenZeroAndTwo) {
-  Context context;
+  kernels::Context context;
   const Case input = families::find_family("boxes_aligned")->make(1, 8);
   for (const mpq_class& delta : {mpq_class(0), mpq_class(-1, 4), mpq_class(9, 4)}) {
     EXPECT_THROW(shallow_depth(input.a.points, input.b.points, {}, delta), std::invalid_argument) << delta;
@@ -246,4 +246,4 @@ TEST(Shallow, AMonitorHearsOfProgressAndCanStopTheRun) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

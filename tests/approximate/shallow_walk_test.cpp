@@ -11,15 +11,15 @@
 #include "tests/support/vectors.hpp"
 #include "verify/families/families.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 using testing::NormalSet;
 using testing::ShallowScene;
 
-NormalSet normals_of(const Polytope& p) {
+NormalSet normals_of(const polytope::Polytope& p) {
   NormalSet normals;
-  for (const Facet& f : p.facets) normals.insert(f.normal);
+  for (const polytope::Facet& f : p.facets) normals.insert(f.normal);
   return normals;
 }
 
@@ -29,21 +29,21 @@ SumFacet facet_of(const SumSurface& surface, const ShallowScene& scene, const Ve
 
 /// Whether the segment meets the ball, by another route than Ball::meets: the least of the distances of the ends and of a foot between.
 bool meets_naive(const Ball& ball, const Vector& p, const Vector& q) {
-  const mpq_class radius_squared = ratio(ball.numerator, ball.denominator);
+  const mpq_class radius_squared = kernels::ratio(ball.numerator, ball.denominator);
   const Vector r = p - ball.centre, s = q - ball.centre, d = q - p;
   mpq_class least = std::min(mpz_class(dot(r, r)), mpz_class(dot(s, s)));
-  const mpq_class t = ratio(-dot(r, d), dot(d, d));
+  const mpq_class t = kernels::ratio(-dot(r, d), dot(d, d));
   if (t > 0 && t < 1) least = std::min(least, mpq_class(dot(r, r) - t * t * dot(d, d)));
   return least <= radius_squared;
 }
 
 /// The same walk over the hull of all differences.
-NormalSet walk_naive(const Polytope& p, const Ball& ball, const NormalSet& starts) {
+NormalSet walk_naive(const polytope::Polytope& p, const Ball& ball, const NormalSet& starts) {
   std::vector<bool> reached(p.facets.size());
   for (std::size_t i = 0; i < p.facets.size(); ++i) reached[i] = starts.contains(p.facets[i].normal);
   for (bool more = true; more;) {
     more = false;
-    for (const Edge& e : p.edges) {
+    for (const polytope::Edge& e : p.edges) {
       if (reached[e.left] == reached[e.right] || !meets_naive(ball, p.vertices[e.from], p.vertices[e.to])) continue;
       reached[e.left] = reached[e.right] = more = true;
     }
@@ -57,7 +57,7 @@ NormalSet walk_naive(const Polytope& p, const Ball& ball, const NormalSet& start
 
 NormalSet walk_from(const SumSurface& surface, const Ball& ball, const std::vector<SumFacet>& starts) {
   NormalSet visited;
-  Context context;
+  kernels::Context context;
   const WalkCounts counts =
       walk(context, surface, ball, starts, [&](const SumFacet& f) { EXPECT_TRUE(visited.insert(f.normal).second) << "visited twice"; });
   EXPECT_EQ(counts.facets, visited.size());
@@ -65,7 +65,7 @@ NormalSet walk_from(const SumSurface& surface, const Ball& ball, const std::vect
 }
 
 /// The facet's corners, as an unordered set of points of P.
-NormalSet corners_of(const Polytope& p, const Facet& facet) {
+NormalSet corners_of(const polytope::Polytope& p, const polytope::Facet& facet) {
   NormalSet corners;
   for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.insert(p.vertices[p.corners[i]]);
   return corners;
@@ -74,9 +74,9 @@ NormalSet corners_of(const Polytope& p, const Facet& facet) {
 // ---- the implicit surface is the boundary of P ----
 
 /// Each facet's edges close up, turn left, and have the corners of P's facet; the way across an edge and back leads home.
-void expect_facet(const SumSurface& surface, const Polytope& p, const SumFacet& facet) {
+void expect_facet(const SumSurface& surface, const polytope::Polytope& p, const SumFacet& facet) {
   const std::vector<SumEdge> edges = surface.edges(facet);
-  const auto same = std::ranges::find(p.facets, facet.normal, &Facet::normal);
+  const auto same = std::ranges::find(p.facets, facet.normal, &polytope::Facet::normal);
   ASSERT_NE(same, p.facets.end()) << "no facet of P has the normal " << facet.normal;
   NormalSet corners;
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -112,7 +112,7 @@ TEST_P(EveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
       const ShallowScene scene(input);
       if (scene.sum.rank < 3) continue;
       const SumSurface surface(scene.hull_a, scene.hull_b);
-      for (const Facet& f : scene.sum.facets) expect_facet(surface, scene.sum, facet_of(surface, scene, f.normal));
+      for (const polytope::Facet& f : scene.sum.facets) expect_facet(surface, scene.sum, facet_of(surface, scene, f.normal));
     }
   }
 }
@@ -153,4 +153,4 @@ INSTANTIATE_TEST_SUITE_P(ShallowWalk, EveryFamily, ::testing::ValuesIn(families:
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::approximate

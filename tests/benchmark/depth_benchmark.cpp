@@ -32,8 +32,9 @@ void hull_of_differences(const Case& input) {
 }
 
 void filtered_scan(const Case& input) {
-  const PlacedPair placed = place(input.a.points, input.b.points);
-  benchmark::DoNotOptimize(nearest_facets_scan(convex_hull(placed.a.points()), convex_hull(placed.b.points()), placed.exponent()));
+  const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+  benchmark::DoNotOptimize(
+      depth::nearest_facets_scan(polytope::convex_hull(placed.a.points()), polytope::convex_hull(placed.b.points()), placed.exponent()));
 }
 
 #ifdef FATHOM_SGM

@@ -61,23 +61,24 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   Row row;
   row.size = size;
   const Case input = family.make(1, size);
-  const PlacedPair placed = place(input.a.points, input.b.points);
+  const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
   Clock clock;
-  const Polytope a = convex_hull(placed.a.points()), b = convex_hull(placed.b.points());
+  const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
   row.hulls = clock.lap();
-  const GaussianDiagram of_a = gaussian_diagram_of_reflection(a), of_b = gaussian_diagram(b);
-  Context context;
-  std::vector<Charts> charts;
-  for (const Hemisphere h : both_hemispheres) charts.push_back(make_charts(context, of_a, of_b, chart_frame(h)));
+  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a), of_b = gaussian::gaussian_diagram(b);
+  kernels::Context context;
+  std::vector<chart::Charts> charts;
+  for (const chart::Hemisphere h : chart::both_hemispheres)
+    charts.push_back(chart::make_charts(context, of_a, of_b, chart::chart_frame(h)));
   row.charts = clock.lap();
-  NearestPlanes start;
-  for (const Charts& c : charts) offer(vertex_facet_pairs(c), c, a, b, start);
+  kernels::NearestPlanes start;
+  for (const chart::Charts& c : charts) vertex_facet::offer(vertex_facet::vertex_facet_pairs(c), c, a, b, start);
   row.vertex_facets = clock.lap();
-  std::vector<CanonicalSubsets> subsets;
-  for (const Charts& c : charts) subsets.push_back(canonical_subsets(context, c));
+  std::vector<canonical::CanonicalSubsets> subsets;
+  for (const chart::Charts& c : charts) subsets.push_back(canonical::canonical_subsets(context, c));
   row.canonical = clock.lap();
-  for (const CanonicalSubsets& s : subsets) {
-    const CanonicalSubsets::Sums sums = s.sums();
+  for (const canonical::CanonicalSubsets& s : subsets) {
+    const canonical::CanonicalSubsets::Sums sums = s.sums();
     row.crossings += sums.product;
     row.sum += sums.a + sums.b;
     row.canonical_pairs += s.size();
@@ -86,17 +87,17 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   }
   row.edges_a = a.edges.size();
   row.edges_b = b.edges.size();
-  const EdgeLinesOfA lines_a(a, placed.exponent());
-  const EdgeLinesOfB lines_b(b, placed.exponent());
-  std::vector<LineScene> scenes;
-  for (const Charts& c : charts) scenes.emplace_back(c, lines_a, lines_b);
+  const lines::EdgeLinesOfA lines_a(a, placed.exponent());
+  const lines::EdgeLinesOfB lines_b(b, placed.exponent());
+  std::vector<lines::LineScene> scenes;
+  for (const chart::Charts& c : charts) scenes.emplace_back(c, lines_a, lines_b);
   for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
     if (engine == ClosestLines::naive && static_cast<double>(row.crossings) > limits.naive_crossings) continue;
     if (engine == ClosestLines::sampled && size > limits.sampled_size) continue;
-    NearestPlanes nearest = start;
-    Context context;
+    kernels::NearestPlanes nearest = start;
+    kernels::Context context;
     clock.lap();
-    for (std::size_t i = 0; i < 2; ++i) closest_lines(context, subsets[i], scenes[i], nearest, {.engine = engine});
+    for (std::size_t i = 0; i < 2; ++i) lines::closest_lines(context, subsets[i], scenes[i], nearest, {.engine = engine});
     const Counters& counters = context.counters;
     EngineRow& result = row.engines[static_cast<std::size_t>(engine)];
     result = {clock.lap(), counters.cells, counters.block_tests, counters.pairs_evaluated, counters.pairs_exact};

@@ -27,17 +27,17 @@ Case spheres(unsigned points) {
 /// Two bodies made ready.
 struct Ready {
   explicit Ready(const Case& input, const mpq_class& delta)
-      : placed(place(input.a.points, input.b.points)),
-        hull_a(convex_hull(placed.a.points())),
-        hull_b(convex_hull(placed.b.points())),
+      : placed(polytope::place(input.a.points, input.b.points)),
+        hull_a(polytope::convex_hull(placed.a.points())),
+        hull_b(polytope::convex_hull(placed.b.points())),
         a(hull_a),
         b(hull_b),
         bodies(context, a, b, delta) {}
-  Context context;
-  PlacedPair placed;
-  Polytope hull_a, hull_b;
-  Hierarchy a, b;
-  ShallowPenetration bodies;
+  kernels::Context context;
+  polytope::PlacedPair placed;
+  polytope::Polytope hull_a, hull_b;
+  polytope::Hierarchy a, b;
+  approximate::ShallowPenetration bodies;
 };
 
 void query(benchmark::State& state, const Case& input, const mpq_class& delta) {
@@ -45,7 +45,7 @@ void query(benchmark::State& state, const Case& input, const mpq_class& delta) {
   long moved = 0;
   std::uint64_t facets = 0, queries = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const ShallowResult result = ready.bodies.query(ready.context, {0, moved, -moved});
+    const approximate::ShallowResult result = ready.bodies.query(ready.context, {0, moved, -moved});
     moved = (moved + 977) % 100000;
     facets += result.facets;
     ++queries;

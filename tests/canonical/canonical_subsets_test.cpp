@@ -11,7 +11,7 @@
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 namespace {
 
 using testing::cases_of_all_families;
@@ -19,23 +19,24 @@ using testing::prepare;
 using testing::Prepared;
 using testing::text;
 
-static_assert(!std::is_constructible_v<CanonicalPair, Colour, bool, std::span<const ChartArcOfB>, std::span<const ChartArcOfA>>,
+static_assert(!std::is_constructible_v<CanonicalPair, gaussian::Colour, bool, std::span<const chart::ChartArcOfB>,
+                                       std::span<const chart::ChartArcOfA>>,
               "the arcs of A and of B exchanged");
 
 // C1 to C4 as the paper states them, under every perturbation, and the sum of products counts the crossings.
 TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
   for (const Case& input : cases_of_all_families(3, 10)) {
     const bool overlap = penetration_depth(input.a.points, input.b.points).status() == Status::penetrating;
-    for (const Perturbation& perturbation : testing::perturbations()) {
+    for (const kernels::Perturbation& perturbation : testing::perturbations()) {
       const auto p = prepare(input, perturbation);
-      const EdgeLinesOfA a(p->a, p->exponent);
-      const EdgeLinesOfB b(p->b, p->exponent);
-      for (const Charts& charts : p->charts) {
+      const lines::EdgeLinesOfA a(p->a, p->exponent);
+      const lines::EdgeLinesOfB b(p->b, p->exponent);
+      for (const chart::Charts& charts : p->charts) {
         const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
-        const Report report = validate(subsets, charts);
+        const kernels::Report report = validate(subsets, charts);
         EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
         EXPECT_EQ(subsets.sums().product, crossings_naive(charts).size()) << input.id;
-        const Report separation = validate_separation(subsets, LineScene(charts, a, b));
+        const kernels::Report separation = lines::validate_separation(subsets, lines::LineScene(charts, a, b));
         EXPECT_TRUE(!overlap || separation.ok()) << input.id << "\n" << text(separation);
       }
     }
@@ -48,7 +49,7 @@ TEST(CanonicalSubsets, GeneralPositionNeedsNoInfinitesimals) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const Case input = families::find_family(family)->make(seed, 60);
       const auto p = prepare(input);
-      for (const Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
+      for (const chart::Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
       const PredicateCounts& counts = p->context.counters.predicates;
       for (std::size_t i = 0; i < counts.size(); ++i) {
         EXPECT_EQ(counts[i].zero, 0U) << input.id << ", " << predicate_names[i];
@@ -65,7 +66,7 @@ TEST(CanonicalSubsets, SumsAreNearLinear) {
       const auto p = prepare(families::find_family(family)->make(1, n));
       const double edges = static_cast<double>(p->a.edges.size() + p->b.edges.size());
       double sum = 0, crossings = 0;
-      for (const Charts& charts : p->charts) {
+      for (const chart::Charts& charts : p->charts) {
         const CanonicalSubsets::Sums sums = canonical_subsets(p->context, charts).sums();
         sum += static_cast<double>(sums.a + sums.b);
         crossings += static_cast<double>(sums.product);
@@ -83,8 +84,8 @@ TEST(CanonicalSubsets, SumsAreNearLinear) {
 TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
   for (const unsigned n : {64U, 256U, 1024U}) {
     const auto p = prepare(families::find_family("random_sphere")->make(1, n));
-    Context context;
-    for (const Charts& charts : p->charts) canonical_subsets(context, charts);
+    kernels::Context context;
+    for (const chart::Charts& charts : p->charts) canonical_subsets(context, charts);
     std::uint64_t calls = 0;
     for (const TierCounts& tiers : context.counters.predicates) calls += tiers.calls;
     EXPECT_LE(calls, 6 * std::uint64_t{n} * std::bit_width(n) * std::bit_width(n)) << n;
@@ -94,38 +95,40 @@ TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
 // Hand-made charts: stored over [0,10], query over [5,15], crossing at 7, with further walls of either colour around it. One skeleton
 // finds it, whatever other walls there are; errata_test.cpp shows what two skeletons of their own lose.
 TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
-  const auto node = [](long x, long y) { return Direction(Vector{x, y, 1}); };
-  const auto arc = [&](IdVector<NodeId, Direction>& nodes, Direction from, Direction to) {
+  const auto node = [](long x, long y) { return kernels::Direction(Vector{x, y, 1}); };
+  const auto arc = [&](kernels::IdVector<gaussian::NodeId, kernels::Direction>& nodes, kernels::Direction from, kernels::Direction to) {
     const auto first = static_cast<std::uint32_t>(nodes.size());
-    Direction circle(cross(from.exact(), to.exact()));
+    kernels::Direction circle(cross(from.exact(), to.exact()));
     nodes.push_back(std::move(from));
     nodes.push_back(std::move(to));
     // Of the faces only the order from bottom to top matters.
-    return Arc{std::move(circle), NodeId(first), NodeId(first + 1), VertexId(first + 2), VertexId(first)};
+    return gaussian::Arc{std::move(circle), gaussian::NodeId(first), gaussian::NodeId(first + 1), gaussian::VertexId(first + 2),
+                         gaussian::VertexId(first)};
   };
-  GaussianDiagram a, b;
+  gaussian::GaussianDiagram a, b;
   a.rank = b.rank = 3;
   // Walls of their own besides the two arcs: the stored colour's at 6 and 12, the other's at 4 and 9, far above.
   a.arcs = {arc(a.nodes, node(0, 0), node(10, 0)), arc(a.nodes, node(6, 100), node(12, 100))};
   b.arcs = {arc(b.nodes, node(5, -2), node(15, 8)), arc(b.nodes, node(4, 200), node(9, 200))};
   // x runs along v x z = (1,0,0) for v = (0,1,0), z = (0,0,1).
-  Context context;
-  const Charts charts = make_charts(context, a, b, chart_frame(Hemisphere::upper));
-  EXPECT_EQ(crossings_naive(charts), (std::vector<std::pair<EdgeOfA, EdgeOfB>>{{EdgeOfA(0), EdgeOfB(0)}}));
-  const Report report = validate(canonical_subsets(context, charts), charts);
+  kernels::Context context;
+  const chart::Charts charts = chart::make_charts(context, a, b, chart::chart_frame(chart::Hemisphere::upper));
+  EXPECT_EQ(crossings_naive(charts),
+            (std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>>{{gaussian::EdgeOfA(0), gaussian::EdgeOfB(0)}}));
+  const kernels::Report report = validate(canonical_subsets(context, charts), charts);
   EXPECT_TRUE(report.ok()) << text(report);
 }
 
 // The order of crossings and their sense, broken on purpose: a copy of the charts that says otherwise.
 TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
   const auto p = prepare(families::find_family("crossed_fans")->make(1, 12));
-  const Charts& charts = p->charts[0];
+  const chart::Charts& charts = p->charts[0];
   const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
   ASSERT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
   // Orientations of all arcs of one colour reversed: senses and orders no longer fit.
-  Charts turned = charts;
-  for (ChartArc& arc : turned.of.b.arcs) arc.flipped = !arc.flipped;
-  const Report report = validate(subsets, turned);
+  chart::Charts turned = charts;
+  for (chart::ChartArc& arc : turned.of.b.arcs) arc.flipped = !arc.flipped;
+  const kernels::Report report = validate(subsets, turned);
   const auto says = [&](const char* words) {
     return std::ranges::any_of(report.faults, [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
   };
@@ -138,7 +141,7 @@ TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
 TEST(CanonicalSubsets, BothSensesOccur) {
   std::array<std::size_t, 2> pairs{};
   const auto p = prepare(families::find_family("random_sphere")->make(1, 60));
-  for (const Charts& charts : p->charts) {
+  for (const chart::Charts& charts : p->charts) {
     const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
     for (std::size_t i = 0; i < subsets.size(); ++i) ++pairs[subsets[i].rising ? 1 : 0];
   }
@@ -166,7 +169,7 @@ class Watch : public Monitor {
 TEST(CanonicalSubsets, StopsWhenTold) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 2000));
   Watch all(2), some(0.25);
-  Context heard(&all), stopped(&some);
+  kernels::Context heard(&all), stopped(&some);
   canonical_subsets(heard, p->charts[0]);
   EXPECT_GT(all.shares.size(), 5U);
   EXPECT_TRUE(std::ranges::is_sorted(all.shares));
@@ -178,7 +181,7 @@ TEST(CanonicalSubsets, StopsWhenTold) {
 TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {
   Case input{"segments", {{{0, 0, 0}, {1, 0, 0}}}, {{{0, 0, 0}, {0, 1, 0}}}};
   const auto p = prepare(input);
-  for (const Charts& charts : p->charts) {
+  for (const chart::Charts& charts : p->charts) {
     const CanonicalSubsets subsets = canonical_subsets(p->context, charts);
     EXPECT_EQ(subsets.sums().product, 1U);
     EXPECT_TRUE(validate(subsets, charts).ok()) << text(validate(subsets, charts));
@@ -186,4 +189,4 @@ TEST(CanonicalSubsets, TwoFullLinesCrossOnceInEachHemisphere) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -13,7 +13,7 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/signs.hpp"
 
-namespace fathom {
+namespace fathom::canonical {
 namespace {
 
 using testing::perturbations;
@@ -21,9 +21,9 @@ using testing::prepare;
 using testing::unperturbed;
 
 /// By the exact method.
-Depth depth_of(const std::vector<Point>& a, const std::vector<Point>& b, const Perturbation& perturbation = {}) {
-  Context context;
-  return penetration_depth(context, place(a, b), {.perturbation = perturbation});
+Depth depth_of(const std::vector<Point>& a, const std::vector<Point>& b, const kernels::Perturbation& perturbation = {}) {
+  kernels::Context context;
+  return depth::penetration_depth(context, polytope::place(a, b), {.perturbation = perturbation});
 }
 
 // ---- the paper's rule, to the letter, on x-ranges ----
@@ -76,8 +76,8 @@ struct Segment {
 
 /// A diagram whose arcs project to these segments of the plane z = 1. Of two that lie above one another the higher one has the higher y1;
 /// the faces between them are numbered in that order.
-GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
-  GaussianDiagram diagram;
+gaussian::GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
+  gaussian::GaussianDiagram diagram;
   diagram.rank = 3;
   for (const Segment& s : segments) {
     const auto from = static_cast<std::uint32_t>(diagram.nodes.size());
@@ -85,15 +85,16 @@ GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
     diagram.nodes.emplace_back(left);
     diagram.nodes.emplace_back(right);
     const auto lower = static_cast<std::uint32_t>(std::ranges::count_if(segments, [&](const Segment& t) { return t.y1 < s.y1; }));
-    diagram.arcs.push_back({Direction(cross(left, right)), NodeId(from), NodeId(from + 1), VertexId(lower + 1), VertexId(lower)});
+    diagram.arcs.push_back({kernels::Direction(cross(left, right)), gaussian::NodeId(from), gaussian::NodeId(from + 1),
+                            gaussian::VertexId(lower + 1), gaussian::VertexId(lower)});
   }
   return diagram;
 }
 
 CanonicalSubsets family_of(const std::vector<Segment>& a, const std::vector<Segment>& b) {
-  const GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
-  Context context;
-  const Charts charts = make_charts(context, diagram_a, diagram_b, chart_frame(Hemisphere::upper));
+  const gaussian::GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
+  kernels::Context context;
+  const chart::Charts charts = chart::make_charts(context, diagram_a, diagram_b, chart::chart_frame(chart::Hemisphere::upper));
   CanonicalSubsets subsets = canonical_subsets(context, charts);
   EXPECT_TRUE(validate(subsets, charts).ok()) << testing::text(validate(subsets, charts));
   return subsets;
@@ -111,8 +112,8 @@ TEST(Errata, TwoSkeletonsLoseACrossingThatOneFinds) {
   const CanonicalSubsets subsets =
       family_of({{0, 0, 10, 0}, {6, 100, 12, 100}, {2, 50, 14, 50}}, {{5, -2, 15, 8}, {4, 200, 9, 200}, {1, 300, 3, 300}});
   ASSERT_EQ(subsets.sums().product, 1U);
-  EXPECT_EQ(subsets[0].a[0], ChartArcOfA(0)) << "the lowest of each colour";
-  EXPECT_EQ(subsets[0].b[0], ChartArcOfB(0));
+  EXPECT_EQ(subsets[0].a[0], chart::ChartArcOfA(0)) << "the lowest of each colour";
+  EXPECT_EQ(subsets[0].b[0], chart::ChartArcOfB(0));
 }
 
 /// All ways to give 2 (of_e + of_f) abscissae to the two colours: calls `look` with e, f, the two sets of walls, and the crossing.
@@ -164,11 +165,11 @@ TEST(Errata, TwoSegmentsAreReportedTwiceByThePaperAndOnceHere) {
 // ---- 3. the colours of T_A and T_B ----
 
 /// Of the family's part whose canonical subsets are of the first diagram's arcs, how many pairs have one arc of the given colour.
-std::size_t singles(const CanonicalSubsets& subsets, Colour colour) {
+std::size_t singles(const CanonicalSubsets& subsets, gaussian::Colour colour) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < subsets.size(); ++i) {
     const CanonicalPair pair = subsets[i];
-    if (pair.stored_of == Colour::a && (colour == Colour::a ? pair.a.size() : pair.b.size()) == 1) ++count;
+    if (pair.stored_of == gaussian::Colour::a && (colour == gaussian::Colour::a ? pair.a.size() : pair.b.size()) == 1) ++count;
   }
   return count;
 }
@@ -184,37 +185,37 @@ TEST(Errata, WithTheTextsColoursPairsOfOneArcOfADependOnB) {
     const CanonicalSubsets text = family_of(b, a), here = family_of(a, b);
     EXPECT_EQ(text.sums().product, static_cast<std::uint64_t>(n));
     EXPECT_EQ(here.sums().product, static_cast<std::uint64_t>(n));
-    EXPECT_GE(singles(text, Colour::b), static_cast<std::size_t>(k)) << "A's arc is of the second colour here";
-    EXPECT_LE(singles(here, Colour::a), 2U);
+    EXPECT_GE(singles(text, gaussian::Colour::b), static_cast<std::size_t>(k)) << "A's arc is of the second colour here";
+    EXPECT_LE(singles(here, gaussian::Colour::a), 2U);
   }
 }
 
 // ---- 4. "above" ----
 
 struct Pair {
-  ArcId of_a, of_b;
+  gaussian::ArcId of_a, of_b;
 };
 
 /// The edges on which <u,.> is least on A and greatest on B.
-Pair edges_towards(const Polytope& a, const Polytope& b, const Vector& u) {
-  const auto edge = [](const Polytope& p, const Vector& up) {
+Pair edges_towards(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& u) {
+  const auto edge = [](const polytope::Polytope& p, const Vector& up) {
     mpz_class highest = dot(p.vertices[0], up);
     for (const Vector& v : p.vertices) highest = std::max(highest, dot(v, up));
     for (std::uint32_t i = 0; i < p.edges.size(); ++i) {
-      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return ArcId(i);
+      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return gaussian::ArcId(i);
     }
     ADD_FAILURE() << "no edge is extreme";
-    return ArcId::none();
+    return gaussian::ArcId::none();
   };
   return {edge(a, -u), edge(b, u)};
 }
 
 std::ptrdiff_t times_reported(const testing::Prepared& p, const Pair& pair) {
   std::ptrdiff_t times = 0;
-  Context context;
-  for (const Charts& charts : p.charts) {
-    const auto count = [](const ColourChart& chart, const auto& ids, ArcId arc) {
-      return std::ranges::count_if(ids, [&](auto id) { return chart.arcs[ChartArcId(id.value)].arc == arc; });
+  kernels::Context context;
+  for (const chart::Charts& charts : p.charts) {
+    const auto count = [](const chart::ColourChart& chart, const auto& ids, gaussian::ArcId arc) {
+      return std::ranges::count_if(ids, [&](auto id) { return chart.arcs[chart::ChartArcId(id.value)].arc == arc; });
     };
     const CanonicalSubsets subsets = canonical_subsets(context, charts);
     for (std::size_t i = 0; i < subsets.size(); ++i) {
@@ -230,15 +231,15 @@ const Body edge_up{{{1, 1, 1}, {1, -1, -1}, {-5, 4, 0}, {-5, -4, 1}}}, edge_down
 TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
   const Case input{"equator", edge_down, edge_up};
   EXPECT_EQ(depth_of(input.a.points, input.b.points).status(), Status::penetrating);
-  for (const Perturbation& perturbation : perturbations()) {
+  for (const kernels::Perturbation& perturbation : perturbations()) {
     const auto p = prepare(input, perturbation);
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
-    const Arc& e = p->of_b.arcs[pair.of_b];
-    const Arc& f = p->minus_a.arcs[pair.of_a];
-    const std::vector<Sign> signs = strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
+    const gaussian::Arc& e = p->of_b.arcs[pair.of_b];
+    const gaussian::Arc& f = p->minus_a.arcs[pair.of_a];
+    const std::vector<kernels::Sign> signs = gaussian::strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
     ASSERT_EQ(signs.size(), 1U);
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
-    const Vector w = signs[0] == Sign::positive ? normal : -normal;
+    const Vector w = signs[0] == kernels::Sign::positive ? normal : -normal;
     EXPECT_TRUE(same_direction(w, {1, 0, 0}));
     const Vector step = p->b.vertices[e.above.value] - p->a.vertices[f.above.value];
     EXPECT_GT(dot(step, w), 0) << "C4 as a sign";
@@ -252,11 +253,12 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
                    {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}}},
                    {{{1, 1, 1}, {3, 1, 1}, {1, 3, 1}, {1, 1, 3}, {3, 3, 1}, {3, 1, 3}, {1, 3, 3}, {3, 3, 3}}}};
   std::size_t parallel = 0;
-  for (const Perturbation& perturbation : perturbations()) {
+  for (const kernels::Perturbation& perturbation : perturbations()) {
     const auto p = prepare(input, perturbation);
-    for (const Charts& charts : p->charts) {
+    for (const chart::Charts& charts : p->charts) {
       for (const auto& [i, j] : crossings_naive(charts)) {
-        if (is_zero(cross(p->minus_a.arcs[ArcId(i.value)].circle.exact(), p->of_b.arcs[ArcId(j.value)].circle.exact()))) ++parallel;
+        if (is_zero(cross(p->minus_a.arcs[gaussian::ArcId(i.value)].circle.exact(), p->of_b.arcs[gaussian::ArcId(j.value)].circle.exact())))
+          ++parallel;
       }
     }
     EXPECT_EQ(depth_of(input.a.points, input.b.points, perturbation).squared(), 1);
@@ -273,8 +275,8 @@ TEST(Errata, LinesOfTouchingBodiesMeet) {
   EXPECT_EQ(depth.squared(), 0);
   const auto p = prepare(input);
   const Pair pair = edges_towards(p->a, p->b, {0, 0, -1});
-  const Arc& e = p->of_b.arcs[pair.of_b];
-  const Arc& f = p->minus_a.arcs[pair.of_a];
+  const gaussian::Arc& e = p->of_b.arcs[pair.of_b];
+  const gaussian::Arc& f = p->minus_a.arcs[pair.of_a];
   EXPECT_EQ(times_reported(*p, pair), 1);
   EXPECT_EQ(dot(p->b.vertices[e.above.value] - p->a.vertices[f.above.value], cross(f.circle.exact(), e.circle.exact())), 0);
 }
@@ -308,4 +310,4 @@ TEST(Errata, ThroughTheDistanceToTheBoundaryOnlyInsideP) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::canonical

@@ -10,7 +10,7 @@
 #include "verify/check/check.hpp"
 #include "verify/families/catalogue.hpp"
 
-namespace fathom {
+namespace fathom::certificate {
 namespace {
 
 std::vector<Case> all_cases() {
@@ -45,7 +45,7 @@ TEST(Certificate, EveryAnswerOfThePipelineGetsOneThatHolds) {
   for (const Case& input : all_cases()) {
     const Depth depth = testing::exact_depth(input.a.points, input.b.points);
     const Certificate certificate = make_certificate(input.a.points, input.b.points, depth);
-    const Report report = validate(certificate);
+    const kernels::Report report = validate(certificate);
     EXPECT_TRUE(report.ok()) << input.id << "\n" << testing::text(report);
     EXPECT_EQ(verdict(certificate), accepted_line(depth)) << input.id;
   }
@@ -99,12 +99,12 @@ Body around_the_sphere(int count) {
     touching.push_back({2 * s / (1 + square), 2 * t / (1 + square), (1 - square) / (1 + square)});
   }
   for (Point& p : touching) p.x.canonicalize(), p.y.canonicalize(), p.z.canonicalize();
-  const PlacedPair placed = place(touching, touching);
-  const Polytope dual = convex_hull(placed.a.points());
+  const polytope::PlacedPair placed = polytope::place(touching, touching);
+  const polytope::Polytope dual = polytope::convex_hull(placed.a.points());
   Body body;
-  for (const Facet& facet : dual.facets) {  // of the dual: a corner of the body
+  for (const polytope::Facet& facet : dual.facets) {  // of the dual: a corner of the body
     const mpz_class height = dot(facet.normal, dual.vertices[dual.corners[facet.begin]]);
-    mpq_class distance = ratio(height, placed.denominator);
+    mpq_class distance = kernels::ratio(height, placed.denominator);
     const Point& o = placed.origin;
     distance += facet.normal.x * o.x + facet.normal.y * o.y + facet.normal.z * o.z;
     body.points.push_back({facet.normal.x / distance, facet.normal.y / distance, facet.normal.z / distance});
@@ -216,4 +216,4 @@ TEST(BoundsCertificate, HoldsWhateverTheBoundsAre) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::certificate

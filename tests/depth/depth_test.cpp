@@ -14,7 +14,7 @@
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 using oracles::answer_of;
@@ -31,10 +31,10 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const Case input = GetParam().make(seed, size);
       const Depth depth = solve(input, {.validate = true});
-      const Depth twin = penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
+      const Depth twin = fathom::penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
       EXPECT_EQ(answer_of(depth), answer_of(twin)) << input.id;
       EXPECT_EQ(depth.optima(), twin.optima()) << input.id;
-      const Report report = check(depth, input.a.points, input.b.points);
+      const kernels::Report report = check(depth, input.a.points, input.b.points);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
     }
   }
@@ -45,9 +45,9 @@ TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 9);
     const Depth depth = solve(input);
-    const PlacedPair placed = place(input.a.points, input.b.points);
-    for (const Perturbation& perturbation : testing::perturbations()) {
-      Context context;
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    for (const kernels::Perturbation& perturbation : testing::perturbations()) {
+      kernels::Context context;
       const Depth other = penetration_depth(context, placed, {.validate = true, .perturbation = perturbation});
       EXPECT_EQ(answer_of(other), answer_of(depth)) << input.id;
       EXPECT_EQ(other.optima(), depth.optima()) << input.id;
@@ -62,7 +62,7 @@ TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
     const Depth depth = solve(input);
     if (depth.status() != Status::penetrating) continue;
     const auto p = testing::prepare(input);
-    const NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
+    const kernels::NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
     const std::vector<Vector> directions = answer_of(depth).directions;
     EXPECT_EQ(std::vector<Vector>(naive.directions().begin(), naive.directions().end()), directions) << input.id;
     EXPECT_EQ(std::vector<Vector>(scan.directions().begin(), scan.directions().end()), directions) << input.id;
@@ -88,8 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Depth, EveryFamily, ::testing::ValuesIn(all_families())
 
 TEST(Depth, EmptyBodiesAreRefused) {
   const std::vector<Point> none, one{{0, 0, 0}};
-  EXPECT_THROW(penetration_depth(none, one), std::invalid_argument);
-  EXPECT_THROW(penetration_depth(one, none), std::invalid_argument);
+  EXPECT_THROW(fathom::penetration_depth(none, one), std::invalid_argument);
+  EXPECT_THROW(fathom::penetration_depth(one, none), std::invalid_argument);
 }
 
 TEST(Depth, UnitCubesAThirdDeep) {
@@ -139,7 +139,7 @@ TEST(Depth, TwoThreadsChangeNothing) {
   const Depth depth = solve(input);
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
-  for (const Charts& charts : p->charts) crossings += canonical_subsets(p->context, charts).sums().product;
+  for (const chart::Charts& charts : p->charts) crossings += canonical::canonical_subsets(p->context, charts).sums().product;
   const PredicateCounts& alone = p->context.counters.predicates;
   EXPECT_EQ(depth.counters.crossings, crossings);
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
@@ -165,6 +165,9 @@ TEST(Depth, TwoThreadsChangeNothing) {
 
 }  // namespace
 
+}  // namespace fathom::depth
+
+namespace fathom {
 namespace families {
 // For test names and failure messages.
 void PrintTo(const Family& family, std::ostream* out) { *out << family.name; }

@@ -10,10 +10,10 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/solids.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
-Depth solved(const Body& a, const Body& b) { return penetration_depth(a.points, b.points); }
+Depth solved(const Body& a, const Body& b) { return fathom::penetration_depth(a.points, b.points); }
 
 /// Whether the bodies penetrate; then both ways must agree.
 bool agrees(const Body& a, const Body& b) {
@@ -98,4 +98,4 @@ TEST(Gap, IsFoundBehindAnEdge) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::depth

@@ -7,7 +7,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "verify/families/random.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 std::vector<Point> lattice_body(families::Random& random) {
@@ -37,4 +37,4 @@ TEST(LatticePairs, TenThousandEqualTheOracles) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::depth

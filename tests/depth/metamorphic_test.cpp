@@ -9,7 +9,7 @@
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 using families::Random;
@@ -146,4 +146,4 @@ TEST(Metamorphic, TheTranslationSeparates) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::depth

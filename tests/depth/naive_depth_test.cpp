@@ -53,14 +53,14 @@ Points sorted(Points directions) {
 
 TEST(NaiveDepth, RefusesEmptyBodies) {
   const Points point{{0, 0, 0}};
-  EXPECT_THROW(naive_depth({}, point), std::invalid_argument);
-  EXPECT_THROW(naive_depth(point, {}), std::invalid_argument);
+  EXPECT_THROW(depth::naive_depth({}, point), std::invalid_argument);
+  EXPECT_THROW(depth::naive_depth(point, {}), std::invalid_argument);
 }
 
 TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
   EXPECT_TRUE(rc::check("hull of differences = all candidate directions", [] {
     const Points a = *lattice_points(), b = *lattice_points();
-    const NaiveDepth naive = naive_depth(a, b);
+    const depth::NaiveDepth naive = depth::naive_depth(a, b);
     const oracles::OracleAnswer brute = oracles::brute_oracle(rational(a), rational(b));
     RC_CLASSIFY(naive.status == Status::penetrating, "penetrating");
     RC_CLASSIFY(naive.status == Status::touching, "touching");
@@ -73,9 +73,9 @@ TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
 TEST(NaiveDepth, SwappedBodiesReverseTheDirections) {
   EXPECT_TRUE(rc::check("depth(B, A) = depth(A, B), directions reversed", [] {
     const Points a = *lattice_points(), b = *lattice_points();
-    NaiveDepth expected = naive_depth(a, b);
+    depth::NaiveDepth expected = depth::naive_depth(a, b);
     expected.directions = sorted(mapped(expected.directions, [](const Vector& v) { return -v; }));
-    RC_ASSERT(naive_depth(b, a) == expected);
+    RC_ASSERT(depth::naive_depth(b, a) == expected);
   }));
 }
 
@@ -84,10 +84,10 @@ TEST(NaiveDepth, SimilarityScalesTheDepth) {
     const Points a = *lattice_points(), b = *lattice_points();
     const auto turned = [](const Vector& v) { return Vector{v.y, -v.z, v.x}; };
     const auto placed = [&](const Vector& v) { return turned({3 * v.x + 10, 3 * v.y - 7, 3 * v.z + 1000}); };
-    NaiveDepth expected = naive_depth(a, b);
+    depth::NaiveDepth expected = depth::naive_depth(a, b);
     expected.squared *= 9;
     expected.directions = sorted(mapped(expected.directions, turned));
-    RC_ASSERT(naive_depth(mapped(a, placed), mapped(b, placed)) == expected);
+    RC_ASSERT(depth::naive_depth(mapped(a, placed), mapped(b, placed)) == expected);
   }));
 }
 
@@ -96,7 +96,7 @@ TEST(NaiveDepth, OrderAndRepetitionOfPointsDoNotMatter) {
     const Points a = *lattice_points(), b = *lattice_points();
     Points again(a.rbegin(), a.rend());
     again.insert(again.end(), a.begin(), a.end());
-    RC_ASSERT(naive_depth(again, b) == naive_depth(a, b));
+    RC_ASSERT(depth::naive_depth(again, b) == depth::naive_depth(a, b));
   }));
 }
 

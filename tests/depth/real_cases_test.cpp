@@ -12,7 +12,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::depth {
 namespace {
 
 // As the file has them: exact strings, in lexicographic order of the strings.
@@ -40,12 +40,12 @@ TEST(RealCases, HaveTheStatedAnswers) {
     std::vector<std::vector<std::string>> stated = expected["translations"];
     std::ranges::sort(stated);
     EXPECT_EQ(translations(depth), stated) << item.id;
-    const Report report = testing::check(depth, input.a.points, input.b.points);
+    const kernels::Report report = testing::check(depth, input.a.points, input.b.points);
     EXPECT_TRUE(report.ok()) << item.id << "\n" << testing::text(report);
-    EXPECT_EQ(penetration_depth(input.a.points, input.b.points, {.method = Method::naive}).optima(), depth.optima()) << item.id;
+    EXPECT_EQ(fathom::penetration_depth(input.a.points, input.b.points, {.method = Method::naive}).optima(), depth.optima()) << item.id;
   }
   EXPECT_EQ(cases, 63U);
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::depth

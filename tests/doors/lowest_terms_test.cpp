@@ -39,10 +39,10 @@ const std::vector<mpq_class>& no_numbers() {
 }
 
 TEST(LowestTerms, AreAskedExactly) {
-  for (const mpq_class& q : no_numbers()) EXPECT_FALSE(in_lowest_terms(q)) << q.get_num() << ' ' << q.get_den();
+  for (const mpq_class& q : no_numbers()) EXPECT_FALSE(kernels::in_lowest_terms(q)) << q.get_num() << ' ' << q.get_den();
   for (const mpq_class& q : {raw(0, 1), raw(-3, 1), raw(1, 2), raw(-7, 1 << 20), raw(8, 9), raw(-10, 21)}) {
-    EXPECT_TRUE(in_lowest_terms(q)) << q;
-    EXPECT_NO_THROW(require_lowest_terms(q));
+    EXPECT_TRUE(kernels::in_lowest_terms(q)) << q;
+    EXPECT_NO_THROW(kernels::require_lowest_terms(q));
   }
 }
 
@@ -69,9 +69,9 @@ const std::map<std::string, Door>& doors() {
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
       {"gap", [](const Points& a,
                  const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
-      {"gap, naive", [](const Points& a, const Points& b) { second_nearest_squared_naive(a, b); }},
+      {"gap, naive", [](const Points& a, const Points& b) { depth::second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
-      {"placed", [](const Points& a, const Points& b) { place(a, b); }},
+      {"placed", [](const Points& a, const Points& b) { polytope::place(a, b); }},
       {"truth", [](const Points& a, const Points& b) { truth_about(a, b); }},
       {"judge",
        [](const Points& a, const Points& b) {

@@ -13,7 +13,7 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::expanding {
 namespace {
 
 using Random = std::mt19937_64;
@@ -26,37 +26,38 @@ std::vector<Vector> small_body(Random& random, long reach) {
   return points;
 }
 
-std::vector<Vector> directions(const NearestPlanes& nearest) { return {nearest.directions().begin(), nearest.directions().end()}; }
+std::vector<Vector> directions(const kernels::NearestPlanes& nearest) { return {nearest.directions().begin(), nearest.directions().end()}; }
 
 /// Q by definition: corners of its facets are all vertices on the facet's plane, and these are all facets of the hull of its vertices.
-void expect_hull(const InnerPolytope& inner, const PointCloud& a, const PointCloud& b) {
+void expect_hull(const InnerPolytope& inner, const kernels::PointCloud& a, const kernels::PointCloud& b) {
   std::vector<Vector> vertices;
   for (const auto& [i, j] : inner.vertices) vertices.push_back(b[j] - a[i]);
-  const Polytope hull = convex_hull(vertices);
+  const polytope::Polytope hull = polytope::convex_hull(vertices);
   ASSERT_EQ(hull.vertices.size(), vertices.size()) << "a vertex is not extreme";
   std::vector<std::vector<std::uint32_t>> found = inner.facets, expected;
   for (std::vector<std::uint32_t>& facet : found) std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
-  for (const Facet& facet : hull.facets) expected.emplace_back(hull.corners.begin() + facet.begin, hull.corners.begin() + facet.end);
+  for (const polytope::Facet& facet : hull.facets)
+    expected.emplace_back(hull.corners.begin() + facet.begin, hull.corners.begin() + facet.end);
   std::sort(found.begin(), found.end());
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(found, expected);
 }
 
 TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
-  Context context;
+  kernels::Context context;
   Random random(1);
   std::size_t penetrating = 0, ties = 0;
   for (int i = 0; i < 1500; ++i) {
     const std::vector<Vector> a = small_body(random, 1 + i % 4), b = i % 3 == 0 ? a : small_body(random, 2 + i % 5);
-    const PlacedPair clouds = place_integers(a, b);
-    const NaiveDepth naive = naive_depth(a, b);
+    const polytope::PlacedPair clouds = polytope::place_integers(a, b);
+    const depth::NaiveDepth naive = depth::naive_depth(a, b);
     const Expansion expansion = nearest_by_expansion(context, clouds.a, clouds.b);
     ASSERT_EQ(expansion.end, naive.status == Status::penetrating ? ExpansionEnd::proved : ExpansionEnd::not_inside) << i;
     if (naive.status != Status::penetrating) continue;
     ++penetrating;
     ties += naive.directions.size() > 1 ? 1U : 0U;
     EXPECT_EQ(directions(expansion.nearest), naive.directions) << i;
-    EXPECT_EQ(ratio(expansion.nearest.numerator(), expansion.nearest.denominator()), naive.squared) << i;
+    EXPECT_EQ(kernels::ratio(expansion.nearest.numerator(), expansion.nearest.denominator()), naive.squared) << i;
     expect_hull(expansion.inner, clouds.a, clouds.b);
   }
   EXPECT_GT(penetrating, 300U);
@@ -64,22 +65,22 @@ TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
 }
 
 TEST(ExpandingPolytope, GrowsOnFamiliesToAHullThatHoldsTheBall) {
-  Context context;
+  kernels::Context context;
   for (const Case& input : testing::cases_of_all_families(2, 24)) {
-    const PlacedPair clouds = place(input.a.points, input.b.points);
+    const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
     const Expansion expansion = nearest_by_expansion(context, clouds.a, clouds.b);
     if (expansion.end != ExpansionEnd::proved) continue;
     SCOPED_TRACE(input.id);
     expect_hull(expansion.inner, clouds.a, clouds.b);
-    const Report report = validate(expansion, clouds.a, clouds.b);
+    const kernels::Report report = validate(expansion, clouds.a, clouds.b);
     EXPECT_TRUE(report.ok()) << testing::text(report);
   }
 }
 
 TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
-  Context context;
+  kernels::Context context;
   const Case input = families::find_family("crossed_fans")->make(1, 12);
-  const PlacedPair clouds = place(input.a.points, input.b.points);
+  const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
   const Expansion right = nearest_by_expansion(context, clouds.a, clouds.b);
   ASSERT_TRUE(validate(right, clouds.a, clouds.b).ok());
   using Change = void (*)(Expansion&);
@@ -114,13 +115,13 @@ TEST(ExpandingPolytope, ValidateSeesEachKindOfFault) {
 
 TEST(ExpandingPolytope, GivesUpAtItsBudgetAndAsksAtEachStepWhetherToGoOn) {
   const Case input = families::find_family("crossed_patch")->make(1, 20);
-  const PlacedPair clouds = place(input.a.points, input.b.points);
+  const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
   struct Steps final : Monitor {
     void report(std::string_view, double) override {}
     bool stopped() override { return ++asked > most; }
     std::size_t asked = 0, most = unlimited;
   } steps;
-  Context context(&steps);
+  kernels::Context context(&steps);
   const Expansion whole = nearest_by_expansion(context, clouds.a, clouds.b);
   ASSERT_EQ(whole.end, ExpansionEnd::proved);
   EXPECT_GE(steps.asked, whole.points);
@@ -134,12 +135,12 @@ TEST(ExpandingPolytope, GivesUpAtItsBudgetAndAsksAtEachStepWhetherToGoOn) {
 }
 
 TEST(ExpandingPolytope, ABallIsHeldExactlyIfItFits) {
-  Context context;
+  kernels::Context context;
   Random random(3);
   for (int i = 0; i < 400; ++i) {
     const std::vector<Vector> a = small_body(random, 3), b = small_body(random, 4);
-    const PlacedPair clouds = place_integers(a, b);
-    const NaiveDepth naive = naive_depth(a, b);
+    const polytope::PlacedPair clouds = polytope::place_integers(a, b);
+    const depth::NaiveDepth naive = depth::naive_depth(a, b);
     if (naive.status != Status::penetrating) continue;
     const mpq_class little(1, 1000), q = naive.squared;
     for (const mpq_class& low : {mpq_class(0), mpq_class(q / 2), q, mpq_class(q * (1 + little))}) {
@@ -158,8 +159,8 @@ TEST(ExpandingPolytope, ABallIsHeldExactlyIfItFits) {
 }
 
 TEST(ExpandingPolytope, RefusesCloudsThatDoNotBelongTogether) {
-  Context context;
-  const PointCloud none, one({{1, 2, 3}}), fine({{1, 2, 3}}, 10);
+  kernels::Context context;
+  const kernels::PointCloud none, one({{1, 2, 3}}), fine({{1, 2, 3}}, 10);
   EXPECT_THROW(nearest_by_expansion(context, none, one), std::invalid_argument);
   EXPECT_THROW(nearest_by_expansion(context, one, fine), std::invalid_argument);
 }
@@ -169,13 +170,13 @@ TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolid) {
   std::size_t solid = 0, flat = 0;
   for (int i = 0; i < 2000; ++i) {
     const std::vector<Vector> a = small_body(random, i % 3), b = small_body(random, i % 2);
-    const PlacedPair clouds = place_integers(a, b);
+    const polytope::PlacedPair clouds = polytope::place_integers(a, b);
     std::vector<Vector> differences;
     for (const Vector& p : a)
       for (const Vector& q : b) differences.push_back(q - p);
-    Differences search{clouds.a, clouds.b};
+    polytope::Differences search{clouds.a, clouds.b};
     const auto start = starting_tetrahedron(search);
-    ASSERT_EQ(start.has_value(), affine_rank(differences) == 3) << i;
+    ASSERT_EQ(start.has_value(), polytope::affine_rank(differences) == 3) << i;
     ++(start ? solid : flat);
     if (!start) continue;
     const Vector p = search[(*start)[0]];
@@ -192,7 +193,7 @@ TEST(Surface, IsTheHullWhateverTheOrderOfThePoints) {
     const std::size_t reach = 2 + i % 3;
     const auto coordinate = [&] { return mpz_class(static_cast<unsigned long>(random() % reach)); };
     for (int k = 0; k < 14; ++k) points.push_back({coordinate(), coordinate(), coordinate()});
-    const auto vertex = [&](std::uint32_t j) { return SurfaceVertex{{0, j}, points[j], image(points[j], 3)}; };
+    const auto vertex = [&](std::uint32_t j) { return SurfaceVertex{{0, j}, points[j], kernels::image(points[j], 3)}; };
     if (det(Vector(points[1] - points[0]), Vector(points[2] - points[0]), Vector(points[3] - points[0])) == 0) continue;
     Surface surface({vertex(0), vertex(1), vertex(2), vertex(3)}, 3);
     for (std::uint32_t j = 4; j < points.size(); ++j) {
@@ -202,14 +203,14 @@ TEST(Surface, IsTheHullWhateverTheOrderOfThePoints) {
         break;
       }
     }
-    expect_hull(inner_polytope(surface), PointCloud({{0, 0, 0}}), PointCloud(points));
+    expect_hull(inner_polytope(surface), kernels::PointCloud({{0, 0, 0}}), kernels::PointCloud(points));
   }
 }
 
 TEST(Surface, RefusesAFlatStartAndPointsThatAreNotAbove) {
   const auto vertex = [](long x, long y, long z) {
     const Vector v{x, y, z};
-    return SurfaceVertex{{0, 0}, v, image(v, 4)};
+    return SurfaceVertex{{0, 0}, v, kernels::image(v, 4)};
   };
   EXPECT_THROW(Surface({vertex(0, 0, 0), vertex(1, 0, 0), vertex(0, 1, 0), vertex(1, 1, 0)}, 4), std::logic_error);
   Surface surface({vertex(0, 0, 0), vertex(4, 0, 0), vertex(0, 4, 0), vertex(0, 0, 4)}, 4);
@@ -221,4 +222,4 @@ TEST(Surface, RefusesAFlatStartAndPointsThatAreNotAbove) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::expanding

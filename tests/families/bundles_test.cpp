@@ -50,7 +50,7 @@ TEST_P(Bundles, CrossLikeAGridAndTwoEdgesDecide) {
     ASSERT_EQ(depth.status(), Status::penetrating) << input.id;
     for (const Optimum& optimum : depth.optima()) EXPECT_EQ(optimum.contact.kind, ContactKind::edge_edge) << input.id;
     const auto p = fathom::testing::prepare(input);
-    const NearestPlanes scan = nearest_facets_scan(p->a, p->b, p->exponent);
+    const kernels::NearestPlanes scan = depth::nearest_facets_scan(p->a, p->b, p->exponent);
     EXPECT_TRUE(std::ranges::equal(scan.directions(), depth.optima(), {}, {}, &Optimum::direction)) << input.id;
   }
 }

@@ -24,7 +24,7 @@ Depth solve(const Case& pair, Method method = Method::exact) {
   return penetration_depth(pair.a.points, pair.b.points, {.method = method, .validate = true});
 }
 
-int rank_of(const Body& body) { return convex_hull(place(body.points, body.points).a.points()).rank; }
+int rank_of(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()).rank; }
 
 class EveryEntry : public ::testing::TestWithParam<CatalogueEntry> {};
 
@@ -39,7 +39,7 @@ TEST_P(EveryEntry, IsWhatItSays) {
   if (entry.kind) {
     EXPECT_EQ(*kinds.begin(), *entry.kind);
   }
-  const Report report = fathom::testing::check(depth, entry.pair.a.points, entry.pair.b.points);
+  const kernels::Report report = fathom::testing::check(depth, entry.pair.a.points, entry.pair.b.points);
   EXPECT_TRUE(report.ok()) << fathom::testing::text(report);
 }
 
@@ -110,8 +110,9 @@ TEST(Approach, IsGenericAndReproducible) {
   EXPECT_EQ(near.a.points, again.a.points);
   EXPECT_NE(near.a.points, other.a.points);
   EXPECT_EQ(near.id, "identical_cubes-k80-s1");
-  const Polytope hull = convex_hull(place(near.a.points, near.a.points).a.points());
-  EXPECT_TRUE(std::ranges::all_of(hull.facets, [](const Facet& f) { return f.end - f.begin == 3; })) << "no coplanar points are left";
+  const polytope::Polytope hull = polytope::convex_hull(polytope::place(near.a.points, near.a.points).a.points());
+  EXPECT_TRUE(std::ranges::all_of(hull.facets, [](const polytope::Facet& f) { return f.end - f.begin == 3; }))
+      << "no coplanar points are left";
   EXPECT_EQ(solve(near).optima().size(), 1U) << "no tie is left";
 }
 

@@ -22,30 +22,30 @@ using namespace fathom::families;
 
 /// Both hulls on one lattice, with their edge directions and facet normals.
 struct Shape {
-  PlacedPair placed;
-  Polytope a, b;
+  polytope::PlacedPair placed;
+  polytope::Polytope a, b;
 };
 
 Shape shape(const Case& pair) {
-  Shape result{place(pair.a.points, pair.b.points), {}, {}};
-  result.a = convex_hull(result.placed.a.points());
-  result.b = convex_hull(result.placed.b.points());
+  Shape result{polytope::place(pair.a.points, pair.b.points), {}, {}};
+  result.a = polytope::convex_hull(result.placed.a.points());
+  result.b = polytope::convex_hull(result.placed.b.points());
   return result;
 }
 
-std::vector<Vector> directions(const Polytope& p) {
+std::vector<Vector> directions(const polytope::Polytope& p) {
   std::vector<Vector> result;
-  for (const Edge& e : p.edges) result.push_back(primitive(p.vertices[e.to] - p.vertices[e.from]));
+  for (const polytope::Edge& e : p.edges) result.push_back(primitive(p.vertices[e.to] - p.vertices[e.from]));
   return result;
 }
 
-std::vector<Vector> normals(const Polytope& p) {
+std::vector<Vector> normals(const polytope::Polytope& p) {
   std::vector<Vector> result;
-  for (const Facet& f : p.facets) result.push_back(f.normal);
+  for (const polytope::Facet& f : p.facets) result.push_back(f.normal);
   return result;
 }
 
-mpz_class offset(const Polytope& p, const Facet& f) { return dot(f.normal, p.vertices[p.corners[f.begin]]); }
+mpz_class offset(const polytope::Polytope& p, const polytope::Facet& f) { return dot(f.normal, p.vertices[p.corners[f.begin]]); }
 
 template <class Law>
 bool any(const std::vector<Vector>& list, Law law) {
@@ -71,16 +71,16 @@ bool has_duplicates(const std::vector<Vector>& points) {
   return false;
 }
 
-bool has_point_inside_an_edge(const std::vector<Vector>& points, const Polytope& hull) {
-  return std::ranges::any_of(hull.edges, [&](const Edge& e) {
+bool has_point_inside_an_edge(const std::vector<Vector>& points, const polytope::Polytope& hull) {
+  return std::ranges::any_of(hull.edges, [&](const polytope::Edge& e) {
     const Vector &from = hull.vertices[e.from], &to = hull.vertices[e.to];
     return std::ranges::any_of(
         points, [&](const Vector& p) { return p != from && p != to && parallel(p - from, to - from) && dot(p - from, p - to) < 0; });
   });
 }
 
-bool has_facet_of_five_points(const std::vector<Vector>& points, const Polytope& hull) {
-  return std::ranges::any_of(hull.facets, [&](const Facet& f) {
+bool has_facet_of_five_points(const std::vector<Vector>& points, const polytope::Polytope& hull) {
+  return std::ranges::any_of(hull.facets, [&](const polytope::Facet& f) {
     const auto on_it = std::ranges::count_if(points, [&](const Vector& p) { return dot(f.normal, p) == offset(hull, f); });
     return f.end - f.begin >= 4 && on_it >= 5;
   });
@@ -88,7 +88,7 @@ bool has_facet_of_five_points(const std::vector<Vector>& points, const Polytope&
 
 bool has_node_on_arc(const Shape& s) {
   return any(normals(s.a), [&](const Vector& n) {
-    return std::ranges::any_of(s.b.edges, [&](const Edge& e) {
+    return std::ranges::any_of(s.b.edges, [&](const polytope::Edge& e) {
       const Vector &left = s.b.facets[e.left].normal, &right = s.b.facets[e.right].normal;
       const Vector circle = cross(left, right);
       return dot(circle, n) == 0 && dot(cross(left, -n), circle) > 0 && dot(cross(-n, right), circle) > 0;
@@ -97,8 +97,9 @@ bool has_node_on_arc(const Shape& s) {
 }
 
 bool have_coplanar_facets(const Shape& s) {
-  return std::ranges::any_of(s.a.facets, [&](const Facet& f) {
-    return std::ranges::any_of(s.b.facets, [&](const Facet& g) { return f.normal == g.normal && offset(s.a, f) == offset(s.b, g); });
+  return std::ranges::any_of(s.a.facets, [&](const polytope::Facet& f) {
+    return std::ranges::any_of(s.b.facets,
+                               [&](const polytope::Facet& g) { return f.normal == g.normal && offset(s.a, f) == offset(s.b, g); });
   });
 }
 

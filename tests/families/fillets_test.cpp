@@ -56,11 +56,11 @@ TEST(Twists, TwoRegionsCompete) {
 TEST(Fillets, ChainEdgesHaveThreeParallelCopiesAndFlatFacesBetween) {
   const unsigned n = 40, edges = n / 2;
   const auto p = prepare(find_family("crossed_fillets")->make(1, n));
-  for (const Polytope* body : {&p->a, &p->b}) {
+  for (const polytope::Polytope* body : {&p->a, &p->b}) {
     EXPECT_EQ(body->vertices.size(), 3 * (edges + 1) + 2) << "every point is extreme";
-    EXPECT_EQ(std::ranges::count_if(body->facets, [](const Facet& f) { return f.end - f.begin == 4; }), 2 * edges + 2)
+    EXPECT_EQ(std::ranges::count_if(body->facets, [](const polytope::Facet& f) { return f.end - f.begin == 4; }), 2 * edges + 2)
         << "and one trapezium at each end";
-    const auto chain_edges = std::ranges::count_if(body->edges, [&](const Edge& e) {
+    const auto chain_edges = std::ranges::count_if(body->edges, [&](const polytope::Edge& e) {
       const std::uint32_t low = std::min(e.from, e.to), high = std::max(e.from, e.to);
       return low >= 2 && high == low + 1;  // the two points below come first, then one copy after the other
     });
@@ -74,7 +74,7 @@ TEST(Fillets, ChainEdgesHaveThreeParallelCopiesAndFlatFacesBetween) {
 TEST(Twists, NoThreeEdgesOfAChainHaveDirectionsInOnePlane) {
   const unsigned n = 24;
   const auto p = prepare(find_family("crossed_twists")->make(1, n));
-  for (const Polytope* body : {&p->a, &p->b}) {
+  for (const polytope::Polytope* body : {&p->a, &p->b}) {
     ASSERT_EQ(body->vertices.size(), n + 2) << "every point is extreme";
     std::vector<Vector> directions;
     for (std::size_t i = 0; i + 1 < n; ++i) directions.push_back(body->vertices[i + 1] - body->vertices[i]);

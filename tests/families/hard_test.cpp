@@ -139,8 +139,9 @@ TEST(Hair, GapsAreBetweenTheFeatures) {
     ASSERT_EQ(depth.status(), Status::disjoint) << input.id;
     const Vector& n = depth.distance()->direction;
     EXPECT_LE(binary_logarithm(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
-    const PlacedPair placed = place(input.a.points, input.b.points);
-    const std::size_t a = extreme_points_naive(placed.a.points(), -n).size(), b = extreme_points_naive(placed.b.points(), n).size();
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    const std::size_t a = kernels::extreme_points_naive(placed.a.points(), -n).size(),
+                      b = kernels::extreme_points_naive(placed.b.points(), n).size();
     features.emplace(std::min<std::size_t>(a, 3), std::min<std::size_t>(b, 3));
   }
   EXPECT_EQ(features.size(), 9U);
@@ -172,8 +173,8 @@ TEST(ApproachingDegraded, IsLeftBehind) {
   std::size_t rank = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Case input = find_family("approaching_degraded")->make(seed, 8);
-    const PlacedPair placed = place(input.a.points, input.b.points);
-    rank += affine_rank(placed.a.points()) == 3 && affine_rank(placed.b.points()) == 3 ? 1U : 0U;
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    rank += polytope::affine_rank(placed.a.points()) == 3 && polytope::affine_rank(placed.b.points()) == 3 ? 1U : 0U;
     EXPECT_LE(solved(input).optima().size(), 1U) << input.id << ": ties are gone";
   }
   EXPECT_EQ(rank, 40U);

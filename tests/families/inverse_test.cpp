@@ -41,7 +41,7 @@ TEST(Inverse, HasTheKindAndTheGapThatWereChosen) {
         const Depth depth = solved(input);
         ASSERT_EQ(depth.optima().size(), 1U) << input.id;
         EXPECT_EQ(depth.contact()->kind, kind) << input.id;
-        const std::optional<mpq_class> next = second_nearest_squared_naive(input.a.points, input.b.points);
+        const std::optional<mpq_class> next = depth::second_nearest_squared_naive(input.a.points, input.b.points);
         const std::optional<std::size_t> k = exact_gap(*next / depth.squared());
         ASSERT_TRUE(k.has_value()) << input.id;
         EXPECT_TRUE(*k >= 8 && *k <= 200) << input.id;
@@ -78,7 +78,7 @@ TEST(Inverse, TiesAreExactAndOfTwoKinds) {
     ASSERT_EQ(depth.optima().size(), 2U) << input.id;
     EXPECT_EQ(depth.optima()[0].direction, -depth.optima()[1].direction) << input.id;
     EXPECT_NE(depth.optima()[0].contact.kind, depth.optima()[1].contact.kind) << input.id;
-    EXPECT_GT(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared() * ratio(129, 128)) << input.id;
+    EXPECT_GT(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared() * ratio(129, 128)) << input.id;
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Inverse, RidgesHaveTheGapNearly) {
     const Case input = find_family("inverse_ridge")->make(seed, seed % 2 ? 12 : 5);
     const Depth depth = solved(input);
     ASSERT_EQ(depth.optima().size(), 1U) << input.id;
-    const mpq_class gap = relative_gap(*second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());
+    const mpq_class gap = relative_gap(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());
     long k = 1;
     while (times_power_of_two(gap, k) < ratio(3, 4)) ++k;
     EXPECT_LT(abs(times_power_of_two(gap, k) - 1), ratio(1, 1 << 16)) << input.id;

@@ -51,7 +51,7 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
 TEST_P(TiePatch, LargeChainsTieAsPromised) {
   const unsigned n = 5000;
   const Case input = find_family(GetParam())->make(1, n);
-  const PlacedPair placed = place(input.a.points, input.b.points);
+  const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
   Spread grid;
   for (unsigned i = 0; i < n; i += 37)
     for (unsigned j = 0; j < n; j += 37) grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());

@@ -9,7 +9,7 @@
 
 #include "fathom/files.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=13 max_success=5000 max_size=200", 0);
@@ -252,4 +252,4 @@ TEST(Noise, TokensThatNearlyFit) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

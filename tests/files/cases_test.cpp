@@ -9,7 +9,7 @@
 
 #include "fathom/files.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 const std::string data = FATHOM_TEST_DATA "/";
@@ -251,4 +251,4 @@ TEST_F(JsonFile, IsOneCaseHoweverItIsBroken) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

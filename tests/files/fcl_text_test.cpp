@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 const std::string old_boxes =
@@ -141,4 +141,4 @@ TEST(FclText, AnyPrefixOfItIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

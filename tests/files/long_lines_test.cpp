@@ -12,7 +12,7 @@
 #include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 /// Texts, each a number of times, from little memory.
@@ -73,4 +73,4 @@ TEST(LongLines, OneWithoutAnEnd) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

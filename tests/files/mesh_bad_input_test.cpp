@@ -15,7 +15,7 @@
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 /// What the reader says of `text`; the empty string if it takes it.
@@ -308,10 +308,10 @@ TEST(Source, Extension) {
 }
 
 TEST(Source, Shown) {
-  EXPECT_EQ(shown(""), "nothing");
-  EXPECT_EQ(shown("a\tb\xc3\xa4"), "'a\\x09b\\xc3\\xa4'");
-  EXPECT_EQ(shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+  EXPECT_EQ(kernels::shown(""), "nothing");
+  EXPECT_EQ(kernels::shown("a\tb\xc3\xa4"), "'a\\x09b\\xc3\\xa4'");
+  EXPECT_EQ(kernels::shown(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

@@ -9,7 +9,7 @@
 #include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 const std::string data = FATHOM_TEST_DATA "/";
@@ -218,4 +218,4 @@ TEST(Mesh, ManyVertices) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

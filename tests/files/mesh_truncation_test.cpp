@@ -9,7 +9,7 @@
 #include "fathom/files.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=8 max_success=3000 max_size=300", 0);
@@ -143,4 +143,4 @@ TEST(Noise, AByteChanged) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

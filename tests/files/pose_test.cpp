@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=5 max_success=1000", 0);
@@ -79,4 +79,4 @@ TEST(RoundToBinary64, OverflowIsToldInEachCoordinate) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

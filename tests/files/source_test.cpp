@@ -12,7 +12,7 @@
 
 #include "fathom/files.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 constexpr std::size_t limit = 1000;
@@ -59,4 +59,4 @@ TEST(ReadFile, FilesHaveNone) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::files

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace fathom {
+namespace fathom::gaussian {
 namespace {
 
 template <class Index>
@@ -24,4 +24,4 @@ TEST(PerColour, HoldsOneForEachColour) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::gaussian

@@ -11,7 +11,7 @@
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::gaussian {
 namespace {
 
 using namespace fathom::testing;
@@ -24,17 +24,17 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
   out << "rank " << c.diagram.rank << ", circle " << c.arc().circle.exact();
-  for (const Direction& n : c.diagram.nodes) out << ", " << n.exact();
+  for (const kernels::Direction& n : c.diagram.nodes) out << ", " << n.exact();
   return out;
 }
 
 Case short_arc(const Vector& from, const Vector& to) {
-  return {{3, {Direction(from), Direction(to)}, {{Direction(cross(from, to)), NodeId(0), NodeId(1), {}, {}}}}};
+  return {{3, {kernels::Direction(from), kernels::Direction(to)}, {{kernels::Direction(cross(from, to)), NodeId(0), NodeId(1), {}, {}}}}};
 }
 Case half_circle(const Vector& from, const Vector& circle) {
-  return {{2, {Direction(from), Direction(-from)}, {{Direction(circle), NodeId(0), NodeId(1), {}, {}}}}};
+  return {{2, {kernels::Direction(from), kernels::Direction(-from)}, {{kernels::Direction(circle), NodeId(0), NodeId(1), {}, {}}}}};
 }
-Case full_circle(const Vector& circle) { return {{1, {}, {{Direction(circle), NodeId::none(), NodeId::none(), {}, {}}}}}; }
+Case full_circle(const Vector& circle) { return {{1, {}, {{kernels::Direction(circle), NodeId::none(), NodeId::none(), {}, {}}}}}; }
 
 /// The arc as a chain of directions, each less than pi from the next.
 std::vector<Vector> chain(const Case& c) {
@@ -81,7 +81,7 @@ bool on_arc(const Vector& u, const Case& c) {
 }
 
 bool in_interior(const Vector& u, const Case& c) {
-  const auto at = [&](const Direction& n) { return same_direction(n.exact(), u); };
+  const auto at = [&](const kernels::Direction& n) { return same_direction(n.exact(), u); };
   return on_arc(u, c) && std::none_of(c.diagram.nodes.begin(), c.diagram.nodes.end(), at);
 }
 
@@ -100,12 +100,12 @@ std::vector<Vector> meets(const Case& c, const Vector& d) {
   return points;
 }
 
-std::vector<Sign> naive_crossings(const Case& e, const Case& f) {
-  std::vector<Sign> signs;
+std::vector<kernels::Sign> naive_crossings(const Case& e, const Case& f) {
+  std::vector<kernels::Sign> signs;
   const Vector w = cross(e.arc().circle.exact(), f.arc().circle.exact());
   if (is_zero(w)) return signs;
-  for (const Sign sign : {Sign::negative, Sign::positive}) {
-    const Vector there = sign == Sign::negative ? -w : w;
+  for (const kernels::Sign sign : {kernels::Sign::negative, kernels::Sign::positive}) {
+    const Vector there = sign == kernels::Sign::negative ? -w : w;
     for (const Vector& u : meets(e, f.arc().circle.exact())) {
       if (!same_direction(u, there) || !in_interior(u, e) || !in_interior(u, f)) continue;
       signs.push_back(sign);
@@ -167,11 +167,11 @@ void for_all_pairs(const Property& property) {
 TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
   int crossing = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
-    const std::vector<Sign> signs = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> signs = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
     RC_ASSERT(signs == naive_crossings(e, f));
     crossing += !signs.empty();
-    std::vector<Sign> opposite = strict_crossings(unperturbed().kernel, f.diagram, f.arc(), e.diagram, e.arc());
-    for (Sign& s : opposite) s = -s;
+    std::vector<kernels::Sign> opposite = strict_crossings(unperturbed().kernel, f.diagram, f.arc(), e.diagram, e.arc());
+    for (kernels::Sign& s : opposite) s = -s;
     std::sort(opposite.begin(), opposite.end());
     RC_ASSERT(signs == opposite);
   });
@@ -181,8 +181,8 @@ TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
 /// The same arc as one of -A, which the perturbation moves.
 Case as_of_a(const Case& c) {
   Case result{{c.diagram.rank, {}, {c.arc()}}};
-  result.diagram.arcs.front().circle = Direction(c.arc().circle.exact(), Role::circle_of_a);
-  for (const Direction& n : c.diagram.nodes) result.diagram.nodes.emplace_back(n.exact(), Role::node_of_a);
+  result.diagram.arcs.front().circle = kernels::Direction(c.arc().circle.exact(), kernels::Role::circle_of_a);
+  for (const kernels::Direction& n : c.diagram.nodes) result.diagram.nodes.emplace_back(n.exact(), kernels::Role::node_of_a);
   return result;
 }
 
@@ -190,8 +190,8 @@ TEST(PerturbedCrossings, KeepStrictOnesAndCloseNoGap) {
   int resolved = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
     const Case moved = as_of_a(e);
-    const std::vector<Sign> strict = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
-    const std::vector<Sign> all = perturbed_crossings(perturbed({}).kernel, moved.diagram, moved.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> strict = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> all = perturbed_crossings(perturbed({}).kernel, moved.diagram, moved.arc(), f.diagram, f.arc());
     RC_ASSERT(std::includes(all.begin(), all.end(), strict.begin(), strict.end()));
     if (!all.empty()) RC_ASSERT(touch(e.diagram, e.arc(), f.diagram, f.arc()));
     const bool full = e.diagram.rank == 1 && f.diagram.rank == 1;
@@ -230,7 +230,7 @@ TEST(Contains, AsksForThePointOnTheArc) {
 TEST(StrictCrossings, OfTwoFullCirclesAreTwo) {
   const Case e = full_circle({1, 0, 0}), f = full_circle({1, 2, 0}), again = full_circle({-3, 0, 0});
   EXPECT_EQ(strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()),
-            (std::vector<Sign>{Sign::negative, Sign::positive}));
+            (std::vector<kernels::Sign>{kernels::Sign::negative, kernels::Sign::positive}));
   EXPECT_TRUE(strict_crossings(unperturbed().kernel, e.diagram, e.arc(), again.diagram, again.arc()).empty());
   EXPECT_TRUE(touch(e.diagram, e.arc(), again.diagram, again.arc()));
 }
@@ -239,15 +239,15 @@ TEST(StrictCrossings, DoNotCountAnEndOnTheOtherArc) {
   const Case e = short_arc({1, -1, 0}, {1, 1, 0});
   const auto with = [&](const Case& f) { return strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()); };
   // e's circle is (0,0,2); those of the arcs through (1,0,0) from below to above are (0,-2,0).
-  EXPECT_EQ(with(short_arc({1, 0, -1}, {1, 0, 1})), std::vector<Sign>{Sign::positive});
-  EXPECT_EQ(with(short_arc({1, 0, 1}, {1, 0, -1})), std::vector<Sign>{Sign::negative});
+  EXPECT_EQ(with(short_arc({1, 0, -1}, {1, 0, 1})), std::vector<kernels::Sign>{kernels::Sign::positive});
+  EXPECT_EQ(with(short_arc({1, 0, 1}, {1, 0, -1})), std::vector<kernels::Sign>{kernels::Sign::negative});
   EXPECT_TRUE(with(short_arc({1, 0, 0}, {1, 0, 1})).empty());
   EXPECT_TRUE(with(short_arc({1, 1, -1}, {1, 1, 1})).empty());
   EXPECT_TRUE(with(short_arc({-1, 0, -1}, {-1, 0, 1})).empty());
   EXPECT_TRUE(with(short_arc({1, 0, 0}, {1, 2, 0})).empty());
-  EXPECT_EQ(with(half_circle({0, 0, 1}, {0, 1, 0})), std::vector<Sign>{Sign::negative});
+  EXPECT_EQ(with(half_circle({0, 0, 1}, {0, 1, 0})), std::vector<kernels::Sign>{kernels::Sign::negative});
   EXPECT_TRUE(with(half_circle({0, 0, 1}, {0, -1, 0})).empty());
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::gaussian

@@ -14,14 +14,14 @@
 #include "kernels/filters/support.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::gaussian {
 namespace {
 
 using namespace fathom::testing;
 
 struct Body {
   std::string name;
-  Polytope polytope;
+  polytope::Polytope polytope;
 };
 
 std::vector<Vector> corners(const std::vector<int>& coordinates) {
@@ -32,7 +32,9 @@ std::vector<Vector> corners(const std::vector<int>& coordinates) {
 
 std::vector<Body> make_bodies() {
   std::vector<Body> result;
-  const auto add = [&](const std::string& name, const std::vector<Vector>& points) { result.push_back({name, convex_hull(points)}); };
+  const auto add = [&](const std::string& name, const std::vector<Vector>& points) {
+    result.push_back({name, polytope::convex_hull(points)});
+  };
   add("point", corners({1, 2, 3}));
   add("segment", corners({1, 2, 3, 4, 6, 8}));
   add("triangle", corners({0, 0, 0, 3, 0, 1, 0, 4, 1}));
@@ -56,11 +58,11 @@ std::vector<Body> make_bodies() {
   return result;
 }
 
-GaussianDiagram diagram_of(const Polytope& polytope, bool reflected) {
+GaussianDiagram diagram_of(const polytope::Polytope& polytope, bool reflected) {
   return reflected ? gaussian_diagram_of_reflection(polytope) : gaussian_diagram(polytope);
 }
 
-std::vector<Vector> points_of(const Polytope& polytope, bool reflected) {
+std::vector<Vector> points_of(const polytope::Polytope& polytope, bool reflected) {
   std::vector<Vector> points = polytope.vertices;
   if (reflected) {
     for (Vector& p : points) p = -p;
@@ -69,7 +71,7 @@ std::vector<Vector> points_of(const Polytope& polytope, bool reflected) {
 }
 
 /// Calls law(name, diagram, polytope, reflected) for all bodies and both diagrams.
-void for_all(const std::function<void(const GaussianDiagram&, const Polytope&, bool)>& law) {
+void for_all(const std::function<void(const GaussianDiagram&, const polytope::Polytope&, bool)>& law) {
   static const std::vector<Body> bodies = make_bodies();
   for (const Body& body : bodies) {
     for (const bool reflected : {false, true}) {
@@ -89,40 +91,40 @@ Vector middle(const GaussianDiagram& diagram, const Arc& arc) {
 std::vector<std::uint32_t> sorted_pair(std::uint32_t i, std::uint32_t j) { return {std::min(i, j), std::max(i, j)}; }
 
 TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
-  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
     const std::vector<Vector> points = points_of(polytope, reflected);
     ASSERT_EQ(diagram.rank, polytope.rank);
     ASSERT_EQ(diagram.arcs.size(), polytope.edges.size());
     for (const ArcId i : diagram.arcs.ids()) {
       const Arc& arc = diagram.arcs[i];
-      const Edge& edge = polytope.edges[i.value];
+      const polytope::Edge& edge = polytope.edges[i.value];
       const Vector u = middle(diagram, arc), d = arc.circle.exact();
-      EXPECT_EQ(extreme_points_naive(points, u), sorted_pair(arc.above.value, arc.below.value));
+      EXPECT_EQ(kernels::extreme_points_naive(points, u), sorted_pair(arc.above.value, arc.below.value));
       EXPECT_EQ(sorted_pair(edge.from, edge.to), sorted_pair(arc.above.value, arc.below.value));
       // A little to either side. The step is small against every difference of products, which are integers.
       mpz_class k = 1;
       for (const Vector& p : points) k += 2 * abs(dot(p, d));
-      EXPECT_EQ(extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above.value});
-      EXPECT_EQ(extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below.value});
+      EXPECT_EQ(kernels::extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above.value});
+      EXPECT_EQ(kernels::extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below.value});
     }
   });
 }
 
 TEST(GaussianDiagram, NodesAreTheNormalsOfTheirFacets) {
-  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
     const std::vector<Vector> points = points_of(polytope, reflected);
     ASSERT_EQ(diagram.nodes.size(), polytope.facets.size());
     for (const NodeId i : diagram.nodes.ids()) {
-      const Facet& facet = polytope.facets[i.value];
+      const polytope::Facet& facet = polytope.facets[i.value];
       std::vector<std::uint32_t> corners(polytope.corners.begin() + facet.begin, polytope.corners.begin() + facet.end);
       std::sort(corners.begin(), corners.end());
-      EXPECT_EQ(extreme_points_naive(points, diagram.nodes[i].exact()), corners);
+      EXPECT_EQ(kernels::extreme_points_naive(points, diagram.nodes[i].exact()), corners);
     }
   });
 }
 
 TEST(GaussianDiagram, OfASquare) {
-  const Polytope square = convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}));
+  const polytope::Polytope square = polytope::convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}));
   const GaussianDiagram d = gaussian_diagram(square);
   ASSERT_EQ(d.nodes.size(), 2U);
   ASSERT_EQ(d.arcs.size(), 4U);
@@ -134,14 +136,14 @@ TEST(GaussianDiagram, OfASquare) {
 }
 
 TEST(Validate, AcceptsEveryDiagram) {
-  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
-    const Report report = validate(diagram, polytope, reflected);
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
+    const kernels::Report report = validate(diagram, polytope, reflected);
     EXPECT_TRUE(report.ok()) << report.faults.front();
   });
 }
 
 TEST(Validate, TellsADiagramFromThatOfTheReflection) {
-  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
     EXPECT_EQ(validate(diagram, polytope, !reflected).ok(), polytope.rank == 0);
   });
 }
@@ -154,13 +156,14 @@ struct Mutation {
 
 std::vector<Mutation> mutations_of_arcs() {
   return {
-      {"negated circle", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].circle = Direction(-d.arcs[i].circle.exact()), true; }},
+      {"negated circle",
+       [](GaussianDiagram& d, ArcId i) { return d.arcs[i].circle = kernels::Direction(-d.arcs[i].circle.exact()), true; }},
       {"above and below exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
       {"from and to exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
       {"above is below", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = d.arcs[i].below, true; }},
       {"another arc's circle",
        [](GaussianDiagram& d, ArcId i) {
-         const Direction old = d.arcs[i].circle;
+         const kernels::Direction old = d.arcs[i].circle;
          d.arcs[i].circle = d.arcs[ArcId((i.value + 1) % static_cast<std::uint32_t>(d.arcs.size()))].circle;
          return !same_direction(old.exact(), d.arcs[i].circle.exact());
        }},
@@ -187,7 +190,7 @@ std::vector<Mutation> mutations_of_arcs() {
 TEST(Validate, RefusesEveryMutationOfAnArc) {
   for (const Mutation& mutation : mutations_of_arcs()) {
     int tried = 0;
-    for_all([&](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+    for_all([&](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
       for (const ArcId i : diagram.arcs.ids()) {
         GaussianDiagram spoiled = diagram;
         if (!mutation.spoil(spoiled, i)) continue;
@@ -200,10 +203,10 @@ TEST(Validate, RefusesEveryMutationOfAnArc) {
 }
 
 TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
-  for_all([](const GaussianDiagram& diagram, const Polytope& polytope, bool reflected) {
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
     for (const NodeId i : diagram.nodes.ids()) {
       GaussianDiagram spoiled = diagram;
-      spoiled.nodes[i] = Direction(-diagram.nodes[i].exact());
+      spoiled.nodes[i] = kernels::Direction(-diagram.nodes[i].exact());
       ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "negated node " << i.value;
       spoiled = diagram;
       std::swap(spoiled.nodes[i], spoiled.nodes[NodeId((i.value + 1) % static_cast<std::uint32_t>(diagram.nodes.size()))]);
@@ -223,12 +226,13 @@ TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
 
 // The diagram of a polytope that is none follows its facets and edges faithfully, and is refused all the same.
 TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
-  const auto expect_refused = [](const std::string& what, const Polytope& broken) {
+  const auto expect_refused = [](const std::string& what, const polytope::Polytope& broken) {
     for (const bool reflected : {false, true}) EXPECT_FALSE(validate(diagram_of(broken, reflected), broken, reflected).ok()) << what;
   };
-  const Polytope segment = convex_hull(corners({1, 2, 3, 4, 6, 8})), square = convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
-                 cube = convex_hull(corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
-  Polytope broken = segment;
+  const polytope::Polytope segment = polytope::convex_hull(corners({1, 2, 3, 4, 6, 8})),
+                           square = polytope::convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
+                           cube = polytope::convex_hull(corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
+  polytope::Polytope broken = segment;
   broken.vertices[1] = broken.vertices[0];
   expect_refused("a segment of length 0", broken);
   broken = square;
@@ -248,4 +252,4 @@ TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::gaussian

@@ -21,15 +21,15 @@ TEST(Faces, AreThoseOfTheHull) {
       const Case pair = families::find_family(name)->make(seed, 10);
       const Integers bodies = integers_of(pair.a.points, pair.b.points);
       for (const std::vector<Vector>* points : {&bodies.a, &bodies.b}) {
-        const Polytope hull = convex_hull(*points);
-        for (const Facet& facet : hull.facets) {
+        const polytope::Polytope hull = polytope::convex_hull(*points);
+        for (const polytope::Facet& facet : hull.facets) {
           std::vector<std::uint32_t> corners;
           for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.input_ids[hull.corners[i]]);
           std::ranges::sort(corners);
           EXPECT_EQ(face_in_direction(*points, facet.normal).corners, corners) << pair.id;
         }
         if (hull.rank < 3) continue;
-        for (const Edge& edge : hull.edges) {
+        for (const polytope::Edge& edge : hull.edges) {
           const std::vector<std::uint32_t> ends{hull.input_ids[edge.from], hull.input_ids[edge.to]};
           EXPECT_EQ(face_in_direction(*points, hull.facets[edge.left].normal + hull.facets[edge.right].normal).corners, ends) << pair.id;
         }

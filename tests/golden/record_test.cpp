@@ -61,7 +61,7 @@ TEST(Record, AgreesWithTheNaiveAndTheExactMethod) {
         expect_answer(expected, penetration_depth(points.a.points, points.b.points, {.method = method}), record.id);
       }
       if (expected["status"] != "penetrating") continue;
-      const auto gap = second_nearest_squared_naive(points.a.points, points.b.points);
+      const auto gap = depth::second_nearest_squared_naive(points.a.points, points.b.points);
       EXPECT_EQ(expected["gap"].is_null() ? "" : expected["gap"]["squared"].get<std::string>(), gap ? exact_text(*gap) : "") << record.id;
     }
   }

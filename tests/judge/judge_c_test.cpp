@@ -11,7 +11,7 @@
 #include "fathom/judge.h"
 #include "tests/judge/pairs.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 std::vector<double> cube_at(double x) {
@@ -174,4 +174,4 @@ TEST(JudgeCNames, AreThoseOfCpp) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -10,7 +10,7 @@
 #include "verify/families/random.hpp"
 #include "verify/judge/allowance.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 using families::Random;
@@ -180,4 +180,4 @@ TEST(JudgeFamilies, ResidualsAreThoseOfTheClaim) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -10,7 +10,7 @@
 
 #include "tests/judge/pairs.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 using testing::box;
@@ -122,7 +122,7 @@ TEST(Judge, Directions) {
   EXPECT_EQ(findings(cubes(), overlap({}, Triple{nan, 0, 0})), Findings{}) << "without a depth it is not needed";
   EXPECT_EQ(judge(cubes(), overlap(0.6, up)).sentence,
             "not separating: 0.4 of overlap is left along its direction; inconsistent: the plane across its direction is at 1, not at 0.6");
-  EXPECT_EQ(judge(cubes(), overlap(0.6, up)).overlap_left, nearest_binary64({1 - exact_value(0.6), 0}));
+  EXPECT_EQ(judge(cubes(), overlap(0.6, up)).overlap_left, kernels::nearest_binary64({1 - exact_value(0.6), 0}));
   EXPECT_FALSE(judge(cubes(), overlap(1, up)).overlap_left);
 }
 
@@ -279,4 +279,4 @@ TEST(Judge, OneCallForPointsInBinary64) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

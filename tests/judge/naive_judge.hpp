@@ -17,8 +17,12 @@ namespace fathom::testing {
 class NaiveJudge {
  public:
   NaiveJudge(const Truth& truth, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
-      : truth_(truth), conventions_(conventions), precision_(precision), tolerance_(tolerance), p_(differences(place(truth.a, truth.b))) {
-    denominator_ = place(truth.a, truth.b).denominator;
+      : truth_(truth),
+        conventions_(conventions),
+        precision_(precision),
+        tolerance_(tolerance),
+        p_(differences(polytope::place(truth.a, truth.b))) {
+    denominator_ = polytope::place(truth.a, truth.b).denominator;
     depth_ = root(real(truth.depth.squared()));
     distance_ = truth.depth.distance() ? root(real(truth.depth.distance()->squared)) : real(0);
     tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),
@@ -172,7 +176,7 @@ class NaiveJudge {
   Conventions conventions_;
   Precision precision_;
   Tolerance tolerance_;
-  Polytope p_;
+  polytope::Polytope p_;
   mpz_class denominator_;
   mpf_class depth_{0, bits}, distance_{0, bits}, tol_{0, bits};
   mpf_class depth_tol_{0, bits}, direction_tol_{0, bits}, witness_tol_{0, bits}, gap_tol_{0, bits};

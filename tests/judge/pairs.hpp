@@ -56,7 +56,7 @@ inline Triple rounded(const Point& p) {
 }
 inline Triple unit(const Vector& n) {
   const mpz_class square = dot(n, n);
-  const auto component = [&](const mpz_class& x) { return nearest_binary64({0, ratio(x * abs(x), square)}); };
+  const auto component = [&](const mpz_class& x) { return kernels::nearest_binary64({0, kernels::ratio(x * abs(x), square)}); };
   return {component(n.x), component(n.y), component(n.z)};
 }
 inline Triple opposite(const Triple& u) { return {-u[0], -u[1], -u[2]}; }

@@ -10,7 +10,7 @@
 #include "tests/support/prepared.hpp"
 #include "verify/judge/allowance.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 using testing::box;
@@ -208,4 +208,4 @@ TEST(RoundedAnswers, ReachAGoodPartOfTheSlack) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -11,7 +11,7 @@
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 using Json = nlohmann::json;
@@ -115,4 +115,4 @@ TEST(VerdictsPage, ItsExamplesAreJudgedAsItSays) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

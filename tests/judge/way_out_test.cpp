@@ -7,7 +7,7 @@
 #include "fathom/approximate.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
@@ -17,7 +17,7 @@ TEST(WayOut, EqualsTheDirectionalDepthOnEveryFamily) {
     const Depth depth = penetration_depth(a, b, {.method = Method::certificate});
     if (!depth.penetration()) continue;
     const InnerPolytope& inner = depth.penetration()->inner.value();
-    const PlacedPair placed = place(a, b);
+    const polytope::PlacedPair placed = polytope::place(a, b);
     std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {1, 1, 1}, {3, -2, 1}, {1, 0, 1000000}};
     for (const Optimum& optimum : depth.optima()) directions.push_back(optimum.direction);
     for (const auto& [i, j] : inner.vertices) directions.push_back(placed.b[j] - placed.a[i]);
@@ -38,8 +38,8 @@ TEST(WayOut, MayRunOutOfPatience) {
   const Case input = families::find_family("random_sphere")->make(1, 30);
   const Depth depth = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate});
   const InnerPolytope& inner = depth.penetration()->inner.value();
-  EXPECT_FALSE(way_out(place(input.a.points, input.b.points), inner, {1, 2, 3}, 0));
+  EXPECT_FALSE(way_out(polytope::place(input.a.points, input.b.points), inner, {1, 2, 3}, 0));
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -15,7 +15,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 std::size_t distinct(std::vector<Vector> points) {
@@ -24,8 +24,8 @@ std::size_t distinct(std::vector<Vector> points) {
 }
 
 bool all_extreme_naive(const std::vector<Point>& points) {
-  const PlacedPair pair = place(points, std::span(points).first(1));
-  return convex_hull(pair.a.points()).vertices.size() == distinct(pair.a.points());
+  const polytope::PlacedPair pair = polytope::place(points, std::span(points).first(1));
+  return polytope::convex_hull(pair.a.points()).vertices.size() == distinct(pair.a.points());
 }
 
 /// The corners of [0, 2] x [0, 1] x [0, 1], times `scale`, moved.
@@ -98,4 +98,4 @@ TEST(AllExtreme, StandsOutsideOfDoubles) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

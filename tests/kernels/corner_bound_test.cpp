@@ -6,7 +6,7 @@
 
 #include "tests/support/line_scenes.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -73,4 +73,4 @@ TEST(CornersBeyond, AnInfiniteBoundIsNeverPassed) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -11,7 +11,7 @@
 
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -120,4 +120,4 @@ TEST(Direction, KeepsTheExactVector) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 #include "tests/support/line_scenes.hpp"
 #include "tests/support/signs.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -101,4 +101,4 @@ TEST(Images, SureOrdersOnAVerticalAreRight) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -16,7 +16,7 @@
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 struct Question {
@@ -139,32 +139,32 @@ void compare(const Question& q, Counts& counts) {
 // Charts, canonical subsets, closest lines, and the twin that asks for the crossings on the sphere. Runs seldom ask for the order on a
 // wall: here it is asked on some walls for some arcs.
 void run(Prepared& p) {
-  const EdgeLinesOfA a(p.a, p.exponent);
-  const EdgeLinesOfB b(p.b, p.exponent);
+  const lines::EdgeLinesOfA a(p.a, p.exponent);
+  const lines::EdgeLinesOfB b(p.b, p.exponent);
   NearestPlanes nearest;
-  for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(p.context, charts);
-    ASSERT_TRUE(validate(subsets, charts).ok());
-    closest_lines(p.context, subsets, LineScene(charts, a, b), nearest);
+  for (const chart::Charts& charts : p.charts) {
+    const canonical::CanonicalSubsets subsets = canonical::canonical_subsets(p.context, charts);
+    ASSERT_TRUE(canonical::validate(subsets, charts).ok());
+    lines::closest_lines(p.context, subsets, lines::LineScene(charts, a, b), nearest);
     for (std::size_t i = 0; i < charts.of.a.arcs.size() * charts.of.b.arcs.size() * charts.walls.size(); i += 101) {
       const auto pick = [i](std::size_t skip, const auto& from) -> const auto& { return from.begin()[i / skip % from.size()]; };
       const std::size_t as = charts.of.a.arcs.size(), bs = charts.of.b.arcs.size();
-      std::ignore = above_on_wall(testing::kernel_of(charts), charts, Colour::a, pick(1, charts.of.a.arcs), Colour::b,
-                                  pick(as, charts.of.b.arcs), pick(as * bs, charts.walls));
+      std::ignore = chart::above_on_wall(testing::kernel_of(charts), charts, gaussian::Colour::a, pick(1, charts.of.a.arcs),
+                                         gaussian::Colour::b, pick(as, charts.of.b.arcs), pick(as * bs, charts.walls));
     }
   }
   const UnperturbedKernel kernel(p.context.counters.predicates);
-  for (const Arc& e : p.minus_a.arcs) {
-    for (const Arc& f : p.of_b.arcs) std::ignore = strict_crossings(kernel, p.minus_a, e, p.of_b, f);
+  for (const gaussian::Arc& e : p.minus_a.arcs) {
+    for (const gaussian::Arc& f : p.of_b.arcs) std::ignore = gaussian::strict_crossings(kernel, p.minus_a, e, p.of_b, f);
   }
 }
 
 // The hull's questions: every point against the plane of every facet, and seen along each axis.
-void compare_sides(const Polytope& hull, Counts& counts) {
+void compare_sides(const polytope::Polytope& hull, Counts& counts) {
   const BoxedPoints boxed(hull.vertices);
   std::vector<K::Point_3> points;
   for (const Vector& v : hull.vertices) points.push_back(point(v));
-  for (const Facet& facet : hull.facets) {
+  for (const polytope::Facet& facet : hull.facets) {
     const std::uint32_t p = hull.corners[facet.begin], q = hull.corners[facet.begin + 1], r = hull.corners[facet.begin + 2];
     const Plane plane(boxed, p, q, r);
     const K::Vector_3 normal = CGAL::cross_product(points[q] - points[p], points[r] - points[p]);
@@ -206,10 +206,10 @@ Sign order_of(const OfferedPlane& plane, const OfferedPlane& than) {
 // The planes of all vertex-facet pairs, each against some that follow.
 void compare_distances(const Prepared& p, Counts& counts) {
   std::vector<OfferedPlane> planes;
-  for (const Charts& charts : p.charts) {
-    for (const VertexFacetPair& pair : vertex_facet_pairs(charts)) {
-      const bool of_a = pair.facet_of == Colour::a;
-      const Polytope& body = of_a ? p.a : p.b;
+  for (const chart::Charts& charts : p.charts) {
+    for (const vertex_facet::VertexFacetPair& pair : vertex_facet::vertex_facet_pairs(charts)) {
+      const bool of_a = pair.facet_of == gaussian::Colour::a;
+      const polytope::Polytope& body = of_a ? p.a : p.b;
       const std::uint32_t corner = body.corners[body.facets[pair.facet.value].begin];
       const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
       const mpz_class height = dot(n, p.b.vertices[of_a ? pair.vertex.value : corner] - p.a.vertices[of_a ? corner : pair.vertex.value]);
@@ -242,7 +242,7 @@ void replay(const Case& input, Counts& counts) {
   for (const Question& q : questions) {
     ASSERT_NO_FATAL_FAILURE(compare(q, counts)) << input.id;
   }
-  for (const Polytope* hull : {&p->a, &p->b}) {
+  for (const polytope::Polytope* hull : {&p->a, &p->b}) {
     if (hull->rank == 3) {
       ASSERT_NO_FATAL_FAILURE(compare_sides(*hull, counts)) << input.id;
     }
@@ -272,4 +272,4 @@ TEST(EpeckReplay, TheCatalogue) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

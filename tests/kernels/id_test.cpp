@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using Apple = Id<struct AppleTag>;
@@ -51,4 +51,4 @@ TEST(IdVector, FindsElementsByTheirIds) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -13,7 +13,7 @@
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -99,4 +99,4 @@ TEST(InfinitesimalKernel, OrientationDecidesWhatTheFilterDecides) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -14,7 +14,7 @@
 
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -241,4 +241,4 @@ TEST(Infinitesimal, ConstantsAreIntegers) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

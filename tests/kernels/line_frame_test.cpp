@@ -9,7 +9,7 @@
 #include "kernels/filters/corner_bound.hpp"
 #include "tests/support/line_scenes.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -110,4 +110,4 @@ TEST(LineFrame, TurningChainsHaveNone) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -7,16 +7,16 @@
 #include "tests/support/line_scenes.hpp"
 #include "tests/support/signs.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
 
 /// Arcs of a diagram of rank 3, with lines along their circles' normals.
 struct Arcs {
-  GaussianDiagram diagram;
+  gaussian::GaussianDiagram diagram;
   std::vector<Line> lines;
-  [[nodiscard]] const Arc& arc(std::size_t i) const { return diagram.arcs[ArcId(static_cast<std::uint32_t>(i))]; }
+  [[nodiscard]] const gaussian::Arc& arc(std::size_t i) const { return diagram.arcs[gaussian::ArcId(static_cast<std::uint32_t>(i))]; }
 };
 
 /// Arcs of small integers, rank 3 or (half-circles between the poles) rank 2: shared ends, ends on circles, overlaps.
@@ -27,7 +27,7 @@ Arcs random_arcs(Random& random, int rank, unsigned long size, int n) {
     const auto node = static_cast<std::uint32_t>(arcs.diagram.nodes.size());
     arcs.diagram.nodes.emplace_back(from);
     arcs.diagram.nodes.emplace_back(to);
-    arcs.diagram.arcs.push_back({Direction(circle), NodeId(node), NodeId(node + 1), {}, {}});
+    arcs.diagram.arcs.push_back({Direction(circle), gaussian::NodeId(node), gaussian::NodeId(node + 1), {}, {}});
     arcs.lines.push_back({random_vector(random, size), circle});
   };
   const Vector pole = random_direction(random, size);
@@ -39,9 +39,9 @@ Arcs random_arcs(Random& random, int rank, unsigned long size, int n) {
   return arcs;
 }
 
-ArcImages arc_images(const GaussianDiagram& diagram) {
+ArcImages arc_images(const gaussian::GaussianDiagram& diagram) {
   ArcImages result;
-  for (const Arc& arc : diagram.arcs) result.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
+  for (const gaussian::Arc& arc : diagram.arcs) result.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
   return result;
 }
 
@@ -67,10 +67,10 @@ TEST(CrossingAndNotFarther, KeepsThePairsThatTouchAndNoOthers) {
   for (int repeat = 0; repeat < 60; ++repeat) {
     const Arcs one = random_arcs(random, 2 + repeat % 2, 3, 12), many = random_arcs(random, 2 + repeat / 2 % 2, 3, 70);
     scan_arcs(one, many, infinite, [&](std::size_t i, std::uint32_t j, bool back) {
-      const Arc &e = one.arc(i), &f = many.arc(j);
+      const gaussian::Arc &e = one.arc(i), &f = many.arc(j);
       const bool parallel = is_zero(cross(e.circle.exact(), f.circle.exact()));
-      ASSERT_EQ(back, parallel || touch(one.diagram, e, many.diagram, f));
-      ASSERT_TRUE(back || strict_crossings(unperturbed().kernel, one.diagram, e, many.diagram, f).empty());
+      ASSERT_EQ(back, parallel || gaussian::touch(one.diagram, e, many.diagram, f));
+      ASSERT_TRUE(back || gaussian::strict_crossings(unperturbed().kernel, one.diagram, e, many.diagram, f).empty());
       ++(back ? kept : dropped);
     });
   }
@@ -109,10 +109,10 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     for (std::uint32_t k = 0; k < 20; ++k) {
       const Vector& circle = one.lines[k % 6].direction;
       const Vector end = cross(circle, random_direction(random, size)) + random_vector(random, 1);
-      const Vector other = many.diagram.nodes[many.diagram.arcs[ArcId(k)].to].exact(), normal = cross(end, other);
+      const Vector other = many.diagram.nodes[many.diagram.arcs[gaussian::ArcId(k)].to].exact(), normal = cross(end, other);
       if (is_zero(normal)) continue;
-      many.diagram.nodes[many.diagram.arcs[ArcId(k)].from] = Direction(end);
-      many.diagram.arcs[ArcId(k)].circle = Direction(normal);
+      many.diagram.nodes[many.diagram.arcs[gaussian::ArcId(k)].from] = Direction(end);
+      many.diagram.arcs[gaussian::ArcId(k)].circle = Direction(normal);
       many.lines[k].direction = normal;
     }
     const long exponent = static_cast<long>(std::max(bits(one.lines[0].point), bits(many.lines[0].point)) + 60);
@@ -121,9 +121,10 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     for (const double bound : {infinite, image_bound(tie.numerator, tie.denominator, exponent), least_normal}) {
       const RoundingMode mode(rounding_modes[repeat / 2 % 4]);
       scan_arcs(one, many, bound, [&](std::size_t i, std::uint32_t j, bool back) {
-        const Arc &e = one.arc(i), &f = many.arc(j);
+        const gaussian::Arc &e = one.arc(i), &f = many.arc(j);
         ++(back ? near : far);
-        ASSERT_TRUE(back || !touch(one.diagram, e, many.diagram, f) || strictly_farther(one.lines[i], many.lines[j], bound, exponent));
+        ASSERT_TRUE(back || !gaussian::touch(one.diagram, e, many.diagram, f) ||
+                    strictly_farther(one.lines[i], many.lines[j], bound, exponent));
       });
     }
   }
@@ -132,4 +133,4 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

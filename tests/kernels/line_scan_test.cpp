@@ -9,7 +9,7 @@
 
 #include "tests/support/line_scenes.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -246,4 +246,4 @@ TEST(ImageBound, AtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -10,7 +10,7 @@
 
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -126,4 +126,4 @@ TEST(NearestPlanes, ListsEachDirectionOnceAndInOrder) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

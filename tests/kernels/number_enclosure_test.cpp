@@ -12,7 +12,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // Deterministic, and many cases; the environment may ask for others.
@@ -173,4 +173,4 @@ TEST(EncloseRoot, RefusesWhatHasNoAnswer) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

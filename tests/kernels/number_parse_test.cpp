@@ -20,7 +20,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // Deterministic, and many cases; the environment may ask for others.
@@ -321,4 +321,4 @@ TEST(ParseNumber, NeitherLocaleNorRoundingModeMatter) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

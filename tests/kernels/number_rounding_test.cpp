@@ -16,7 +16,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // Deterministic, and many cases; the environment may ask for others.
@@ -308,4 +308,4 @@ TEST(HexText, AsPercentAPrintsIt) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

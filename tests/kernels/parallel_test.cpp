@@ -21,7 +21,7 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return only == std::thread::id() || only == std::this_thread::get_id() ? ::operator new(size) : nullptr;
 }
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 const Direction x(Vector{1, 0, 0}), y(Vector{0, 1, 0}), diagonal(Vector{1, 1, 0});
@@ -118,4 +118,4 @@ TEST(RunBoth, PassesExceptionsOnWhenBothHaveEnded) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -13,7 +13,7 @@
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -320,4 +320,4 @@ TEST(PerturbedKernel, RefusesWhatNoPerturbationResolves) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -15,7 +15,7 @@
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -314,4 +314,4 @@ TEST(Tiers, LeaveTheRoundingModeAlone) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

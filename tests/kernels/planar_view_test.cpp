@@ -9,7 +9,7 @@
 
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using testing::directions;
@@ -67,4 +67,4 @@ TEST(PlanarView, ZeroTurnsMeanParallelOrLevel) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=35 max_success=3000", 0);
@@ -79,4 +79,4 @@ TEST(Plane, OneUnitIn2To1500) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=34 max_success=20000", 0);
@@ -77,4 +77,4 @@ TEST(QuickNumber, LeavesDecimalsWhileRoundingIsNotToNearest) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -11,7 +11,7 @@
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using testing::random_integer;
@@ -133,4 +133,4 @@ TEST(LikelyExtremePoint, IsExtremeWhereNothingTies) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

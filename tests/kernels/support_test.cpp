@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 // Like rc::check, with a fixed seed and a number of cases.
@@ -228,4 +228,4 @@ TEST(ExtremePoints, DoNotDependOnTheRoundingMode) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -12,7 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "verify/families/random.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 constexpr mp_bitcnt_t bits = 8192;
@@ -126,4 +126,4 @@ TEST(Surd, RoundsAtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

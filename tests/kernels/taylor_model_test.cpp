@@ -7,7 +7,7 @@
 
 #include "tests/support/line_scenes.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -83,4 +83,4 @@ TEST(TaylorModel, LeastIsAttained) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

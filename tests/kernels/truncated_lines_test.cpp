@@ -8,7 +8,7 @@
 
 #include "kernels/filters/support.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 class RandomLines {
@@ -88,4 +88,4 @@ TEST(TruncatedLines, NearlyParallelLinesAreLeft) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

@@ -9,7 +9,7 @@
 
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
@@ -95,4 +95,4 @@ TEST(SameDirection, IsEqualityOfPrimitives) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::kernels

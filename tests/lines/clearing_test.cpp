@@ -10,7 +10,7 @@
 #include "tests/support/grids.hpp"
 #include "tests/support/line_scenes.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using namespace fathom::testing;
@@ -50,8 +50,8 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
     mpz_class ten;
     mpz_ui_pow_ui(ten.get_mpz_t(), 10, static_cast<unsigned long>(k));
     const mpq_class above = distances.least() * mpq_class(ten + 1, ten);
-    const NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : above);
-    const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+    const kernels::NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : above);
+    const kernels::LineBound bound = kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
     const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
     for (int n = 0; n < blocks / 12; ++n) {
       const RoundingMode mode(rounding_modes[n % 4]);
@@ -62,7 +62,8 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
         for (const std::uint32_t j : columns) least = std::min(least, distances.rank(i, j));
       }
       const bool vertex = clearing.vertex_clears({side_of(rows), side_of(columns)}, nearest, bound);
-      const bool frame = frames_beyond(line_frame(clearing.rows(), rows), line_frame(clearing.columns(), columns), bound.above);
+      const bool frame =
+          kernels::frames_beyond(kernels::line_frame(clearing.rows(), rows), kernels::line_frame(clearing.columns(), columns), bound.above);
       ++sums.blocks;
       sums.vertex += vertex;
       sums.frame += frame;
@@ -125,10 +126,11 @@ TEST(Clearing, WholePairIsTheBlockOfAll) {
       if (distances.empty()) return;
       const Clearing clearing(grid);
       for (const int k : {1, 2, 4}) {
-        const NearestPlanes nearest = plane_at(distances.least() / k);
-        const LineBound bound = line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+        const kernels::NearestPlanes nearest = plane_at(distances.least() / k);
+        const kernels::LineBound bound =
+            kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
         const bool whole = vertex_clears(grid, nearest, bound);
-        const Block all{side_of(all_indices(grid.rows())), side_of(all_indices(grid.columns()))};
+        const kernels::Block all{side_of(all_indices(grid.rows())), side_of(all_indices(grid.columns()))};
         EXPECT_EQ(whole, clearing.vertex_clears(all, nearest, bound)) << input.id;
         ++(whole ? clear : kept);
       }
@@ -139,4 +141,4 @@ TEST(Clearing, WholePairIsTheBlockOfAll) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::lines

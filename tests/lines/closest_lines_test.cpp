@@ -6,7 +6,7 @@
 #include "fathom/depth.hpp"
 #include "tests/support/grids.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using testing::cases_of_all_families;
@@ -14,7 +14,7 @@ using testing::prepare;
 using testing::PreparedGrids;
 using testing::text;
 
-void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const std::string& where) {
+void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right, const std::string& where) {
   ASSERT_EQ(left.empty(), right.empty()) << where;
   if (left.empty()) return;
   EXPECT_EQ(mpz_class(left.numerator() * right.denominator()), mpz_class(right.numerator() * left.denominator())) << where;
@@ -27,13 +27,13 @@ TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
   for (const Case& input : cases_of_all_families(2, 12)) {
     const PreparedGrids grids(input);
     for (std::size_t h = 0; h < 2; ++h) {
-      const CanonicalSubsets& subsets = grids.subsets[h];
-      NearestPlanes filtered, exact;
-      Context context;
+      const canonical::CanonicalSubsets& subsets = grids.subsets[h];
+      kernels::NearestPlanes filtered, exact;
+      kernels::Context context;
       closest_lines(context, subsets, grids.scenes[h], filtered, {.engine = ClosestLines::naive});
       for (std::size_t i = 0; i < subsets.size(); ++i) {
-        for (const ChartArcOfA e : subsets[i].a) {
-          for (const ChartArcOfB f : subsets[i].b) offer_arcs(grids.scenes[h], e, f, exact);
+        for (const chart::ChartArcOfA e : subsets[i].a) {
+          for (const chart::ChartArcOfB f : subsets[i].b) offer_arcs(grids.scenes[h], e, f, exact);
         }
       }
       expect_equal(filtered, exact, input.id);
@@ -49,9 +49,9 @@ TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
     const auto p = prepare(input);
     const EdgeLinesOfA a(p->a, p->exponent);
     const EdgeLinesOfB b(p->b, p->exponent);
-    for (const EdgeOfA e : a.ids()) {
-      for (const EdgeOfB f : b.ids()) {
-        NearestPlanes nearest;
+    for (const gaussian::EdgeOfA e : a.ids()) {
+      for (const gaussian::EdgeOfB f : b.ids()) {
+        kernels::NearestPlanes nearest;
         if (!offer_edges(a, e, b, f, nearest)) continue;
         // Feet p + s d and q + t g: <q + t g - p - s d, d> = <..., g> = 0, by Cramer's rule.
         const Vector d = a.direction(e), g = b.direction(f), r = b.point(f) - a.point(e);
@@ -73,7 +73,7 @@ TEST(ClosestLines, SeparationHoldsWhereOIsInside) {
     if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const PreparedGrids grids(input);
     for (std::size_t h = 0; h < 2; ++h) {
-      const Report report = validate_separation(grids.subsets[h], grids.scenes[h]);
+      const kernels::Report report = validate_separation(grids.subsets[h], grids.scenes[h]);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
       ++checked;
     }
@@ -114,4 +114,4 @@ TEST(ClosestLines, TheFirstBitsOfLongCoordinatesLeaveFewPairs) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -8,21 +8,21 @@
 #include "tests/support/grids.hpp"
 #include "verify/families/catalogue.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using namespace fathom::testing;
 
 // Exact arithmetic on every pair.
-NearestPlanes exhaustive(const Grid& grid) {
-  NearestPlanes nearest;
+kernels::NearestPlanes exhaustive(const Grid& grid) {
+  kernels::NearestPlanes nearest;
   for (std::size_t i = 0; i < grid.rows(); ++i) {
     for (std::size_t j = 0; j < grid.columns(); ++j) offer_arcs(grid.scene(), grid.row(i), grid.column(j), nearest);
   }
   return nearest;
 }
 
-void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const std::string& where) {
+void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right, const std::string& where) {
   ASSERT_EQ(left.empty(), right.empty()) << where;
   if (left.empty()) return;
   EXPECT_EQ(squared_distance(left), squared_distance(right)) << where;
@@ -31,10 +31,10 @@ void expect_equal(const NearestPlanes& left, const NearestPlanes& right, const s
 
 // One grid under both engines, with cells so small that there is something to cut; without and with a good bound at the start.
 void expect_engines_agree(const Grid& grid, std::uint64_t seed, const std::string& where) {
-  const NearestPlanes exact = exhaustive(grid);
+  const kernels::NearestPlanes exact = exhaustive(grid);
   for (const bool informed : {false, true}) {
-    NearestPlanes cutting = informed ? exact : NearestPlanes(), sampled = cutting;
-    Context context;
+    kernels::NearestPlanes cutting = informed ? exact : kernels::NearestPlanes(), sampled = cutting;
+    kernels::Context context;
     LineSearch first(context, grid.scene(), cutting, seed);
     closest_by_cutting(grid, first, {.r = 2 + seed % 7, .few = 1 + seed % 3, .base = 4 + seed % 13});
     expect_equal(cutting, exact, where + ", cutting");
@@ -71,12 +71,12 @@ TEST(Engines, AgreeOnFamiliesAndCatalogue) {
   for (const families::CatalogueEntry& entry : families::catalogue()) cases.push_back(entry.pair);
   for (const Case& input : cases) {
     const PreparedGrids grids(input);
-    NearestPlanes found[3];
+    kernels::NearestPlanes found[3];
     for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
-      Context context;
+      kernels::Context context;
       // Whatever is not cleared as a whole is cut, and into small cells.
       const ClosestLinesOptions options{.engine = engine, .scanned = 8, .cutting_size = {4, 2, 8}, .sampled_size = {4, 8}};
-      NearestPlanes& nearest = found[static_cast<std::size_t>(engine)];
+      kernels::NearestPlanes& nearest = found[static_cast<std::size_t>(engine)];
       for (std::size_t h = 0; h < 2; ++h) closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, options);
       cut += context.counters.grids_cut;
     }
@@ -90,10 +90,10 @@ TEST(Engines, ResultsDoNotDependOnTheSeed) {
   for (const char* name : {"crossed_fans", "crossed_parabolas", "crossed_ties", "crossed_twists"}) {
     const PreparedGrids grids(families::find_family(name)->make(1, 200));
     for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled}) {
-      std::optional<NearestPlanes> first;
+      std::optional<kernels::NearestPlanes> first;
       for (const std::uint64_t seed : {0ULL, 1ULL, 2ULL, 12345678901234567ULL}) {
-        NearestPlanes nearest;
-        Context context;
+        kernels::NearestPlanes nearest;
+        kernels::Context context;
         for (std::size_t h = 0; h < 2; ++h) {
           closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, {.engine = engine, .seed = seed});
         }
@@ -114,8 +114,8 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
       if (grid.rows() < 16 || grid.columns() < 16) return;
       const GridDistances distances(grid);
       for (const GridAxis side : {GridAxis::rows, GridAxis::columns}) {
-        NearestPlanes nearest = plane_at(distances.least() * mpq_class(1001, 1000));
-        Context context;
+        kernels::NearestPlanes nearest = plane_at(distances.least() * mpq_class(1001, 1000));
+        kernels::Context context;
         LineSearch search(context, grid.scene(), nearest, 1);
         Blocks blocks(grid);
         const CuttingSize size{.r = 4, .few = 2, .base = 16};
@@ -160,10 +160,10 @@ TEST(Cutting, CellsHalve) {
   grids.for_each([&](const Grid& grid) {
     if (seen || grid.rows() < 20) return;
     seen = true;
-    const LineImages images = grid.row_images();
+    const kernels::LineImages images = grid.row_images();
     const CellTree tree(images);
     for (CellTree::Node k = 1; k < 2 * grid.rows(); ++k) {
-      const LineRun whole = tree.run(k), left = tree.run(2 * k), right = tree.run(2 * k + 1);
+      const kernels::LineRun whole = tree.run(k), left = tree.run(2 * k), right = tree.run(2 * k + 1);
       EXPECT_EQ(whole.first, left.first);
       EXPECT_EQ(left.last, right.first);
       EXPECT_EQ(right.last, whole.last);
@@ -194,9 +194,9 @@ TEST(Engines, StopWhenAsked) {
   const PreparedGrids grids(families::find_family("crossed_vanishing_ties")->make(1, 300));
   for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
     for (const int last : {0, 1, 2, -1}) {
-      NearestPlanes nearest;
+      kernels::NearestPlanes nearest;
       Watch watch(last);
-      Context context(&watch);
+      kernels::Context context(&watch);
       const ClosestLinesOptions options{.engine = engine, .first_share = 0.25, .last_share = 0.75};
       bool interrupted = false;
       try {
@@ -216,4 +216,4 @@ TEST(Engines, StopWhenAsked) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -6,7 +6,7 @@
 #include "fathom/depth.hpp"
 #include "tests/support/grids.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using testing::cases_of_all_families;
@@ -16,15 +16,15 @@ using testing::text;
 // With O inside P: order, hemisphere and membership at every crossing of every canonical pair, under several perturbations.
 TEST(Grid, IsValidOnAllFamilies) {
   std::size_t grids = 0, falling = 0;
-  const std::vector<Perturbation> perturbations = testing::perturbations();
+  const std::vector<kernels::Perturbation> perturbations = testing::perturbations();
   unsigned k = 0;
   for (const Case& input : cases_of_all_families(2, 14)) {
     if (penetration_depth(input.a.points, input.b.points).status() != Status::penetrating) continue;
     const PreparedGrids prepared(input, perturbations[k++ % perturbations.size()]);
     for (std::size_t h = 0; h < 2; ++h) {
-      const CanonicalSubsets& subsets = prepared.subsets[h];
+      const canonical::CanonicalSubsets& subsets = prepared.subsets[h];
       for (std::size_t i = 0; i < subsets.size(); ++i) {
-        const Report report = validate(Grid(subsets[i], prepared.scenes[h]));
+        const kernels::Report report = validate(Grid(subsets[i], prepared.scenes[h]));
         ASSERT_TRUE(report.ok()) << input.id << "\n" << text(report);
         ++grids;
         falling += !subsets[i].rising;
@@ -41,13 +41,13 @@ TEST(Grid, ValidationNoticesDisorder) {
   std::size_t shuffled = 0, turned = 0;
   const PreparedGrids fans(families::find_family("crossed_fans")->make(1, 30));
   for (std::size_t h = 0; h < 2; ++h) {
-    const CanonicalSubsets& subsets = fans.subsets[h];
-    const auto valid = [&](const CanonicalPair& pair) { return validate(Grid(pair, fans.scenes[h])).ok(); };
+    const canonical::CanonicalSubsets& subsets = fans.subsets[h];
+    const auto valid = [&](const canonical::CanonicalPair& pair) { return validate(Grid(pair, fans.scenes[h])).ok(); };
     for (std::size_t i = 0; i < subsets.size(); ++i) {
-      const CanonicalPair pair = subsets[i];
+      const canonical::CanonicalPair pair = subsets[i];
       if (pair.a.size() < 2 || pair.b.size() < 2) continue;
-      std::vector<ChartArcOfA> a(pair.a.begin(), pair.a.end());
-      std::vector<ChartArcOfB> b(pair.b.begin(), pair.b.end());
+      std::vector<chart::ChartArcOfA> a(pair.a.begin(), pair.a.end());
+      std::vector<chart::ChartArcOfB> b(pair.b.begin(), pair.b.end());
       std::swap(a.front(), a.back());
       EXPECT_FALSE(valid({pair.stored_of, pair.rising, a, pair.b}));
       std::swap(b.front(), b[1]);
@@ -84,4 +84,4 @@ TEST(Grid, EveryCrossingSupportsP) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -8,7 +8,7 @@
 #include "reference/lines/closest_lines.hpp"
 #include "tests/support/grids.hpp"
 
-namespace fathom {
+namespace fathom::lines {
 namespace {
 
 using testing::PreparedGrids;
@@ -20,11 +20,11 @@ struct Work {
 Work measure(const char* family, unsigned size) {
   const PreparedGrids grids(families::find_family(family)->make(1, size));
   Work result;
-  NearestPlanes nearest;
-  Context context;
+  kernels::NearestPlanes nearest;
+  kernels::Context context;
   for (std::size_t h = 0; h < 2; ++h) {
     closest_lines(context, grids.subsets[h], grids.scenes[h], nearest);
-    const CanonicalSubsets::Sums sums = grids.subsets[h].sums();
+    const canonical::CanonicalSubsets::Sums sums = grids.subsets[h].sums();
     result.crossings += static_cast<double>(sums.product);
     result.memory += static_cast<double>(sums.a + sums.b);
   }
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(Families, Growth,
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::lines

@@ -9,8 +9,8 @@
 namespace fathom::oracles {
 
 inline OracleAnswer naive_answer(std::span<const Point> a, std::span<const Point> b) {
-  const PlacedPair placed = place(a, b);
-  const NaiveDepth naive = naive_depth(placed.a.points(), placed.b.points());
+  const polytope::PlacedPair placed = polytope::place(a, b);
+  const depth::NaiveDepth naive = depth::naive_depth(placed.a.points(), placed.b.points());
   return {naive.status, mpq_class(naive.squared / (placed.denominator * placed.denominator)), naive.directions};
 }
 

@@ -13,7 +13,7 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using testing::random_vector;
@@ -27,7 +27,7 @@ mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
     for (const Vector& y : b) p.push_back(y - x);
   mpq_class best = dot(p[0], p[0]);
   const auto offer = [&](const mpz_class& numerator, const mpz_class& denominator) {
-    best = std::min(best, ratio(numerator, denominator));
+    best = std::min(best, kernels::ratio(numerator, denominator));
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
     offer(dot(p[i], p[i]), 1);
@@ -55,7 +55,7 @@ NearestPoints solve(const std::vector<Vector>& a, const std::vector<Vector>& b) 
   return nearest_points(placed.a, placed.b);
 }
 
-mpq_class squared(const NearestPoints& z) { return ratio(z.height * z.height, dot(z.normal, z.normal)); }
+mpq_class squared(const NearestPoints& z) { return kernels::ratio(z.height * z.height, dot(z.normal, z.normal)); }
 
 std::vector<Vector> random_points(std::mt19937_64& random, std::size_t n, unsigned bits, const Vector& shift) {
   std::vector<Vector> points;
@@ -79,7 +79,7 @@ TEST(NearestPoints, EqualsBruteForceOnSmallBodies) {
       continue;
     }
     const NearestPoints z = solve(a, b);
-    const Report report = validate(z, a, b);
+    const kernels::Report report = validate(z, a, b);
     EXPECT_TRUE(report.ok()) << text(report);
     EXPECT_EQ(squared(z), brute_force(a, b)) << round;
     ++kinds[std::min<std::size_t>(3, std::max(z.a.size(), z.b.size()))];
@@ -95,7 +95,7 @@ TEST(NearestPoints, ManyPoints) {
     far <<= 30;
     const std::vector<Vector> b = random_points(random, n, 30, {far, 17, -far});
     const NearestPoints z = solve(a, b);
-    const Report report = validate(z, a, b);
+    const kernels::Report report = validate(z, a, b);
     EXPECT_TRUE(report.ok()) << text(report);
     EXPECT_LT(z.scans, 60U);
   }
@@ -160,7 +160,7 @@ TEST(Distance, OneSignedFunctionAcrossContact) {
   std::vector<Point> a, b;
   for (int i = 0; i < 8; ++i) a.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
   for (int step = -4; step <= 4; ++step) {
-    const mpq_class gap = ratio(step, 9);
+    const mpq_class gap = kernels::ratio(step, 9);
     b = a;
     for (Point& p : b) p.x += 1 + gap;
     const Depth depth = penetration_depth(a, b);
@@ -173,4 +173,4 @@ TEST(Distance, OneSignedFunctionAcrossContact) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -14,7 +14,7 @@
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using testing::cases_of_all_families;
@@ -38,14 +38,14 @@ std::vector<Vector> telling_directions(const Polytope& p, unsigned seed) {
 }
 
 void expect_scan_agrees(const Hierarchy& h, const Vector& u) {
-  const std::vector<std::uint32_t> expected = extreme_points_naive(h.polytope().vertices, u);
+  const std::vector<std::uint32_t> expected = kernels::extreme_points_naive(h.polytope().vertices, u);
   ASSERT_EQ(h.extreme_face(u), expected) << u;
   ASSERT_TRUE(std::ranges::binary_search(expected, h.extreme(u))) << u;
 }
 
 void expect_laws(const Polytope& p, unsigned seed) {
   const Hierarchy h(p);
-  const Report report = validate(h);
+  const kernels::Report report = validate(h);
   EXPECT_TRUE(report.ok()) << text(report);
   expect_scan_agrees(h, {0, 0, 0});
   for (const Vector& u : telling_directions(p, seed)) {
@@ -59,7 +59,7 @@ TEST(Hierarchy, AgreesWithTheScanOnAllFamilies) {
     for (const Case& input : cases_of_all_families(size < 10 ? 2 : 1, size)) {
       SCOPED_TRACE(input.id);
       const PlacedPair placed = place(input.a.points, input.b.points);
-      for (const PointCloud* cloud : {&placed.a, &placed.b}) expect_laws(convex_hull(cloud->points()), size);
+      for (const kernels::PointCloud* cloud : {&placed.a, &placed.b}) expect_laws(convex_hull(cloud->points()), size);
       ASSERT_FALSE(HasFatalFailure());
     }
   }
@@ -96,7 +96,7 @@ TEST(Hierarchy, AgreesWithTheScanOnSmallLattices) {
     RC_ASSERT(validate(h).ok());
     for (int i = 0; i < 40; ++i) {
       const Vector u{below(7) - 3, below(7) - 3, below(7) - 3};
-      const std::vector<std::uint32_t> expected = extreme_points_naive(p.vertices, u);
+      const std::vector<std::uint32_t> expected = kernels::extreme_points_naive(p.vertices, u);
       RC_ASSERT(h.extreme_face(u) == expected);
       RC_ASSERT(std::ranges::binary_search(expected, h.extreme(u)));
     }
@@ -154,4 +154,4 @@ TEST(Hierarchy, SizeIsLinearAndQueriesAreLogarithmic) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

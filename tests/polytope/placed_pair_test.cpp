@@ -13,7 +13,7 @@
 
 #include "kernels/number/ratio.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=37 max_success=1000", 0);
@@ -21,7 +21,7 @@ namespace {
 Point integers(long x, long y, long z) { return {x, y, z}; }
 
 std::vector<Point> random_points(int most_terms) {
-  const auto coordinate = [&] { return ratio(*rc::gen::inRange(-40, 40), *rc::gen::inRange(1, 13)); };
+  const auto coordinate = [&] { return kernels::ratio(*rc::gen::inRange(-40, 40), *rc::gen::inRange(1, 13)); };
   std::vector<Point> points(*rc::gen::inRange(1, most_terms));
   for (Point& p : points) p = {coordinate(), coordinate(), coordinate()};
   return points;
@@ -59,7 +59,8 @@ TEST(PlacedPair, KeepsEveryPositionInTheLeastDenominator) {
 }
 
 TEST(PlacedPair, ADenominatorThatDifferencesDoNotNeedIsDividedOut) {
-  const std::vector<Point> a{{ratio(1, 3), ratio(1, 7), 0}, {ratio(4, 3), ratio(8, 7), 5}}, b{{ratio(7, 3), ratio(-6, 7), 1}};
+  const std::vector<Point> a{{kernels::ratio(1, 3), kernels::ratio(1, 7), 0}, {kernels::ratio(4, 3), kernels::ratio(8, 7), 5}},
+      b{{kernels::ratio(7, 3), kernels::ratio(-6, 7), 1}};
   const PlacedPair placed = place(a, b);
   EXPECT_EQ(placed.denominator, 1);
   EXPECT_EQ(placed.a[1], (Vector{-1, 2, 4}));
@@ -92,10 +93,11 @@ TEST(PlacedPair, DoublesOfAllExponents) {
 }
 
 TEST(PlacedPair, PositionsBetweenLatticePoints) {
-  const PlacedPair placed = place(std::vector<Point>{{ratio(1, 2), 0, 0}}, std::vector<Point>{{ratio(1, 3), 1, 0}});
+  const PlacedPair placed = place(std::vector<Point>{{kernels::ratio(1, 2), 0, 0}}, std::vector<Point>{{kernels::ratio(1, 3), 1, 0}});
   EXPECT_EQ(placed.denominator, 6);
-  EXPECT_EQ(placed.position({1, -6, 12}, 4), (Point{ratio(1, 3) + ratio(1, 24), ratio(3, 4), ratio(1, 2)}));
-  EXPECT_EQ(placed.position({1, 0, 0}, -1), (Point{ratio(1, 6), 1, 0}));
+  EXPECT_EQ(placed.position({1, -6, 12}, 4),
+            (Point{kernels::ratio(1, 3) + kernels::ratio(1, 24), kernels::ratio(3, 4), kernels::ratio(1, 2)}));
+  EXPECT_EQ(placed.position({1, 0, 0}, -1), (Point{kernels::ratio(1, 6), 1, 0}));
 }
 
 // One exponent, the least, whichever body is larger: filters compare images of both clouds.
@@ -117,7 +119,7 @@ TEST(PlacedPair, IsSlimWhereDenominatorsRepeat) {
   mpz_class prime = 1;
   for (int i = 0; i < 500; ++i) {
     mpz_nextprime(prime.get_mpz_t(), prime.get_mpz_t());
-    body.push_back({ratio(1, prime), 0, 0});
+    body.push_back({kernels::ratio(1, prime), 0, 0});
   }
   EXPECT_FALSE(place_if_slim(body, origin)) << "some 5000 bits for coordinates of 12";
   expect_same_positions(place(body, origin), body, origin);
@@ -133,4 +135,4 @@ TEST(PlacedPair, ABodyWithoutPointsIsRefused) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -17,7 +17,7 @@
 
 #include "reference/polytope/hull_naive.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=36 max_success=1000", 0);
@@ -295,4 +295,4 @@ TEST(ConvexHull, ReorderedInputGivesTheSameHullUnderNewIds) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -10,7 +10,7 @@
 
 #include "reference/polytope/polytope.hpp"
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using Points = std::vector<Vector>;
@@ -282,4 +282,4 @@ TEST(Validate, FlatAndReflexEdges) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

@@ -7,7 +7,7 @@
 
 #include "tests/polytope/position_twin.hpp"
 
-namespace fathom::position_test {
+namespace fathom::polytope::position_test {
 namespace {
 
 struct Solved {
@@ -76,4 +76,4 @@ TEST(PositionProof, SurroundingIsJudgedLikeTheNaiveTwinDoes) {
 }
 
 }  // namespace
-}  // namespace fathom::position_test
+}  // namespace fathom::polytope::position_test

@@ -12,7 +12,7 @@
 
 #include "tests/polytope/position_twin.hpp"
 
-namespace fathom::position_test {
+namespace fathom::polytope::position_test {
 namespace {
 
 TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSmallLattices) {
@@ -125,9 +125,9 @@ TEST(PositionOfOrigin, FlatBodies) {
 
 TEST(PositionOfOrigin, RefusesWhatItCannotAnswer) {
   const std::vector<Vector> some{{1, 2, 3}};
-  EXPECT_THROW(position_of_origin(PointCloud(), PointCloud(some)), std::invalid_argument);
-  EXPECT_THROW(position_of_origin(PointCloud(some), PointCloud()), std::invalid_argument);
-  EXPECT_THROW(position_of_origin(PointCloud(some, 5), PointCloud(some, 6)), std::invalid_argument);
+  EXPECT_THROW(position_of_origin(kernels::PointCloud(), kernels::PointCloud(some)), std::invalid_argument);
+  EXPECT_THROW(position_of_origin(kernels::PointCloud(some), kernels::PointCloud()), std::invalid_argument);
+  EXPECT_THROW(position_of_origin(kernels::PointCloud(some, 5), kernels::PointCloud(some, 6)), std::invalid_argument);
 }
 
 TEST(PositionOfOrigin, IsDeterministic) {
@@ -178,7 +178,7 @@ TEST(PositionOfOrigin, ScansStayFewOnAMillionPointsASide) {
   std::mt19937_64 random(8);
   constexpr std::size_t n = 1000000;
   constexpr long exponent = 41;
-  const PointCloud a(hanging(random, n, Shape::ball), exponent), b(standing(random, n, Shape::ball, 0), exponent);
+  const kernels::PointCloud a(hanging(random, n, Shape::ball), exponent), b(standing(random, n, Shape::ball, 0), exponent);
   const PositionOfOrigin touching = position_of_origin(a, b);
   EXPECT_EQ(touching.position, Position::boundary);
   EXPECT_LE(touching.scans, 30U);
@@ -189,4 +189,4 @@ TEST(PositionOfOrigin, ScansStayFewOnAMillionPointsASide) {
 }
 
 }  // namespace
-}  // namespace fathom::position_test
+}  // namespace fathom::polytope::position_test

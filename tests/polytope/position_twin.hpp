@@ -14,7 +14,7 @@
 
 #include "reference/polytope/position.hpp"
 
-namespace fathom::position_test {
+namespace fathom::polytope::position_test {
 
 // Like rc::check, with a fixed seed and a number of cases.
 template <class Property>
@@ -85,8 +85,8 @@ inline std::vector<Vector> exact(const SmallSet& set) {
 
 // Solves, checks the proof, and returns the answer.
 inline PositionOfOrigin proved(const std::vector<Vector>& a, const std::vector<Vector>& b) {
-  const long exponent = std::max(binary_exponent(a), binary_exponent(b));
-  const PositionOfOrigin answer = position_of_origin(PointCloud(a, exponent), PointCloud(b, exponent));
+  const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
+  const PositionOfOrigin answer = position_of_origin(kernels::PointCloud(a, exponent), kernels::PointCloud(b, exponent));
   for (const std::string& fault : validate(answer, a, b).faults) ADD_FAILURE() << fault;
   if (answer.position == Position::inside) {
     EXPECT_GE(answer.surrounding.size(), 4U);
@@ -127,4 +127,4 @@ inline SmallSet mirrored(const SmallSet& set, long lift) {
   return r;
 }
 
-}  // namespace fathom::position_test
+}  // namespace fathom::polytope::position_test

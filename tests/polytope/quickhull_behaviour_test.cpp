@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fathom {
+namespace fathom::polytope {
 namespace {
 
 using K = CGAL::Simple_cartesian<double>;  // exact on the small integers below
@@ -146,4 +146,4 @@ TEST(Quickhull, FourPointsComeBackInsideOutAndMoreComeBackRight) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::polytope

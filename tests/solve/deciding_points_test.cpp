@@ -16,7 +16,7 @@
 #include "tests/support/exact_depth.hpp"
 #include "verify/check/check.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 namespace {
 
 /// Numbers near those that are asked for, over random odd denominators of 32 bits.
@@ -91,8 +91,8 @@ void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor
 
 /// By every method, against integers; with the proof.
 void expect_right(const Points& a, const Points& b, Status status) {
-  ASSERT_FALSE(place_if_slim(a, b));
-  const mpz_class factor = place(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
+  ASSERT_FALSE(polytope::place_if_slim(a, b));
+  const mpz_class factor = polytope::place(a, b).denominator * b[0].x.get_den() * b[0].y.get_den() * b[0].z.get_den();
   const Depth large = penetration_depth(times(a, factor), times(b, factor));
   EXPECT_EQ(large.status(), status);
   for (const Method method : {Method::automatic, Method::exact, Method::certificate, Method::naive}) {
@@ -163,14 +163,14 @@ TEST(DecidingPoints, DenominatorsThatRepeatAreNoReason) {
     for (mpq_class* c : {&a.back().x, &a.back().y}) c->canonicalize();
   }
   b = a;
-  EXPECT_TRUE(place_if_slim(a, b));
+  EXPECT_TRUE(polytope::place_if_slim(a, b));
 }
 
 TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
   Unlike some(11);
   const Points a = some.sphere(9000, 0);
   try {
-    static_cast<void>(place(a, a));
+    static_cast<void>(polytope::place(a, a));
     FAIL() << "no refusal";
   } catch (const InputError& error) {
     EXPECT_STREQ(
@@ -180,4 +180,4 @@ TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -13,7 +13,7 @@
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 namespace {
 
 bool has_proof(const Depth& depth) { return depth.penetration() && depth.penetration()->inner; }
@@ -125,4 +125,4 @@ TEST(Methods, TheExpansionClosesWithinItsBudgetAlmostAlways) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -8,14 +8,14 @@
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::solve {
 namespace {
 
 TEST(Width, EqualsCgalsCalipers) {
   std::size_t solids = 0;
   for (const Case& input : testing::cases_of_all_families(2, 14)) {
     const Depth depth = width(input.a.points, {.method = Method::exact});
-    const Report report = testing::check(depth, input.a.points, input.a.points);
+    const kernels::Report report = testing::check(depth, input.a.points, input.a.points);
     EXPECT_TRUE(report.ok()) << input.id << "\n" << testing::text(report);
     if (depth.flat_a) {
       EXPECT_EQ(depth.status(), Status::touching) << input.id;
@@ -59,4 +59,4 @@ TEST(Width, OfABoxIsItsShortestSide) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::solve

@@ -11,12 +11,12 @@
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 namespace {
 
 using Kind = Coincidence;
 
-Study study_of(const Body& a, const Body& b, std::size_t listed = 20) { return study(a.points, b.points, {listed, {}}); }
+Study study_of(const Body& a, const Body& b, std::size_t listed = 20) { return fathom::study(a.points, b.points, {listed, {}}); }
 
 Body moved(const Body& body, const Point& by) { return families::translated(body, by); }
 
@@ -99,7 +99,7 @@ TEST(Study, PrismsOnACommonAxis) {
 
 TEST(Study, GeneralPosition) {
   const Case input = families::find_family("random_sphere")->make(1, 30);
-  const Study s = study(input.a.points, input.b.points);
+  const Study s = fathom::study(input.a.points, input.b.points);
   for (const Coincidences& all : s.coincidences) EXPECT_EQ(all.count, 0u);
   std::uint64_t calls = 0;
   for (const TierCounts& tiers : s.predicates) {
@@ -111,9 +111,9 @@ TEST(Study, GeneralPosition) {
 }
 
 TEST(Study, MonomialNames) {
-  EXPECT_EQ(monomial_name(Monomial().packed()), "1");
-  EXPECT_EQ(monomial_name(Monomial(1).packed()), "a");
-  EXPECT_EQ(monomial_name((Monomial(4, 2) * Monomial(3)).packed()), "E11^2 c");
+  EXPECT_EQ(monomial_name(kernels::Monomial().packed()), "1");
+  EXPECT_EQ(monomial_name(kernels::Monomial(1).packed()), "a");
+  EXPECT_EQ(monomial_name((kernels::Monomial(4, 2) * kernels::Monomial(3)).packed()), "E11^2 c");
 }
 
 // All pairs, by definition.
@@ -121,38 +121,38 @@ class Naive {
  public:
   explicit Naive(const testing::Prepared& p) : p_(p) {}
 
-  std::uint64_t parallel(const GaussianDiagram& s, const GaussianDiagram& t) const {
+  std::uint64_t parallel(const gaussian::GaussianDiagram& s, const gaussian::GaussianDiagram& t) const {
     std::uint64_t all = 0;
-    for (const Arc& e : s.arcs) {
-      for (const Arc& f : t.arcs) all += is_zero(cross(e.circle.exact(), f.circle.exact()));
+    for (const gaussian::Arc& e : s.arcs) {
+      for (const gaussian::Arc& f : t.arcs) all += is_zero(cross(e.circle.exact(), f.circle.exact()));
     }
     return &s == &t ? (all - s.arcs.size()) / 2 : all;
   }
   std::uint64_t normals(bool equal) const {
     std::uint64_t all = 0;
-    for (const Facet& f : p_.a.facets) {
-      for (const Facet& g : p_.b.facets) all += same_direction(f.normal, equal ? g.normal : -g.normal);
+    for (const polytope::Facet& f : p_.a.facets) {
+      for (const polytope::Facet& g : p_.b.facets) all += same_direction(f.normal, equal ? g.normal : -g.normal);
     }
     return all;
   }
   std::uint64_t coplanar() const {
     std::uint64_t all = 0;
-    for (const Facet& f : p_.a.facets) {
-      for (const Facet& g : p_.b.facets) all += in_one_plane(f, g);
+    for (const polytope::Facet& f : p_.a.facets) {
+      for (const polytope::Facet& g : p_.b.facets) all += in_one_plane(f, g);
     }
     return all;
   }
-  std::uint64_t on_arcs(const GaussianDiagram& nodes, const GaussianDiagram& arcs) const {
+  std::uint64_t on_arcs(const gaussian::GaussianDiagram& nodes, const gaussian::GaussianDiagram& arcs) const {
     std::uint64_t all = 0;
-    for (const Direction& node : nodes.nodes) {
-      for (const Arc& arc : arcs.arcs) all += dot(node.exact(), arc.circle.exact()) == 0 && inside(arcs, arc, node.exact());
+    for (const kernels::Direction& node : nodes.nodes) {
+      for (const gaussian::Arc& arc : arcs.arcs) all += dot(node.exact(), arc.circle.exact()) == 0 && inside(arcs, arc, node.exact());
     }
     return all;
   }
   std::uint64_t crossings() const {
     std::uint64_t all = 0;
-    for (const Arc& e : p_.minus_a.arcs) {
-      for (const Arc& f : p_.of_b.arcs) {
+    for (const gaussian::Arc& e : p_.minus_a.arcs) {
+      for (const gaussian::Arc& f : p_.of_b.arcs) {
         const Vector w = cross(e.circle.exact(), f.circle.exact());
         if (is_zero(w) || w.z != 0) continue;
         for (const Vector& u : {w, -w}) all += inside(p_.minus_a, e, u) && inside(p_.of_b, f, u);
@@ -162,8 +162,8 @@ class Naive {
   }
   std::uint64_t on_one_vertical() const {
     std::vector<Vector> nodes;
-    for (const GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
-      for (const Direction& node : diagram->nodes) nodes.push_back(node.exact());
+    for (const gaussian::GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
+      for (const kernels::Direction& node : diagram->nodes) nodes.push_back(node.exact());
     }
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -173,25 +173,25 @@ class Naive {
   }
   std::uint64_t nodes_where(bool (*law)(const Vector&)) const {
     std::uint64_t all = 0;
-    for (const GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
-      for (const Direction& node : diagram->nodes) all += law(node.exact());
+    for (const gaussian::GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
+      for (const kernels::Direction& node : diagram->nodes) all += law(node.exact());
     }
     return all;
   }
   std::uint64_t arcs_where(bool (*law)(const Vector&)) const {
     std::uint64_t all = 0;
-    for (const GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
-      for (const Arc& arc : diagram->arcs) all += law(arc.circle.exact());
+    for (const gaussian::GaussianDiagram* diagram : {&p_.minus_a, &p_.of_b}) {
+      for (const gaussian::Arc& arc : diagram->arcs) all += law(arc.circle.exact());
     }
     return all;
   }
 
  private:
-  static bool inside(const GaussianDiagram& diagram, const Arc& arc, const Vector& u) {
-    if (!contains(diagram, arc, u)) return false;
+  static bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
+    if (!gaussian::contains(diagram, arc, u)) return false;
     return diagram.rank == 1 || (!same_direction(u, diagram.nodes[arc.from].exact()) && !same_direction(u, diagram.nodes[arc.to].exact()));
   }
-  bool in_one_plane(const Facet& f, const Facet& g) const {
+  bool in_one_plane(const polytope::Facet& f, const polytope::Facet& g) const {
     const Vector& p = p_.a.vertices[p_.a.corners[f.begin]];
     for (std::uint32_t k = g.begin; k < g.end; ++k) {
       if (dot(f.normal, p_.b.vertices[p_.b.corners[k]] - p) != 0) return false;
@@ -206,10 +206,10 @@ TEST(Study, EveryKindAgainstAllPairs) {
   std::vector<std::uint64_t> seen(coincidence_names.size());
   for (const Case& input : testing::cases_of_all_families(2, 7)) {
     SCOPED_TRACE(input.id);
-    const Study s = study(input.a.points, input.b.points, {SIZE_MAX, {}});
+    const Study s = fathom::study(input.a.points, input.b.points, {SIZE_MAX, {}});
     const auto prepared = testing::prepare(input);
     const Naive naive(*prepared);
-    const GaussianDiagram &a = prepared->minus_a, &b = prepared->of_b;
+    const gaussian::GaussianDiagram &a = prepared->minus_a, &b = prepared->of_b;
     EXPECT_EQ(count(s, Kind::parallel_edges), naive.parallel(a, b));
     EXPECT_EQ(count(s, Kind::parallel_edges_of_a), naive.parallel(a, a));
     EXPECT_EQ(count(s, Kind::parallel_edges_of_b), naive.parallel(b, b));
@@ -257,7 +257,7 @@ TEST(Study, StretchedBodiesAreStudiedLikeOthers) {
       p.z *= mpz_class(1) << 1000;
     }
   }
-  Context context;
+  kernels::Context context;
   const Study stretched = study(context, pair.a.points, pair.b.points);
   const TierCounts& tiers = context.counters.predicates[static_cast<std::size_t>(Predicate::side_of_arc)];
   EXPECT_GT(tiers.calls, 10000u);
@@ -276,10 +276,10 @@ TEST(Study, CanBeStopped) {
   };
   for (const std::string_view at : {"hulls", "diagrams", "normals on arcs"}) {
     StopAt stop(at);
-    EXPECT_THROW(study(families::cube().points, families::cube().points, {20, &stop}), Interrupted) << at;
+    EXPECT_THROW(fathom::study(families::cube().points, families::cube().points, {20, &stop}), Interrupted) << at;
     EXPECT_TRUE(stop.there) << at;
   }
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::studies

@@ -41,10 +41,10 @@ inline Ids all_of(std::span<const Point> points) {
 inline bool in_hull(const Point& p, std::span<const Point> points, const Ids& chosen) {
   std::vector<Point> corners;
   for (const std::uint32_t i : chosen) corners.push_back(points[i]);
-  const PlacedPair placed = place({&p, 1}, corners);
-  const PositionOfOrigin answer = position_of_origin(placed.a, placed.b);
-  insist(validate(answer, placed.a.points(), placed.b.points()));
-  return answer.position != Position::outside;
+  const polytope::PlacedPair placed = polytope::place({&p, 1}, corners);
+  const polytope::PositionOfOrigin answer = polytope::position_of_origin(placed.a, placed.b);
+  kernels::insist(polytope::validate(answer, placed.a.points(), placed.b.points()));
+  return answer.position != polytope::Position::outside;
 }
 
 /// The dimension of the hull of the chosen points.
@@ -98,14 +98,14 @@ inline ContactKind kind_of(const Contact& contact, std::span<const Point> a, std
   }
 }
 
-inline void check(const Touch& touch, std::span<const Point> a, std::span<const Point> b, Report& report) {
+inline void check(const Touch& touch, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
   report.expect(!is_zero(touch.direction) && primitive(touch.direction) == touch.direction && support(a, b, touch.direction) == 0,
                 "touching: h of the direction is 0");
   report.expect(in_hull(touch.point, a, all_of(a)) && in_hull(touch.point, b, all_of(b)), "common point in both");
 }
 
 /// The distance is right: no direction separates more widely than |b - a| for some a and b.
-inline void check(const Distance& distance, std::span<const Point> a, std::span<const Point> b, Report& report) {
+inline void check(const Distance& distance, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
   const Vector& n = distance.direction;
   const mpq_class h = support(a, b, n), square(dot(n, n));
   report.expect(!is_zero(n) && primitive(n) == n && h < 0, "disjoint: h of the direction is negative");
@@ -117,7 +117,7 @@ inline void check(const Distance& distance, std::span<const Point> a, std::span<
 }
 
 /// Not that the minimum is a minimum; oracles tell that.
-inline void check(const Penetration& penetration, std::span<const Point> a, std::span<const Point> b, Report& report) {
+inline void check(const Penetration& penetration, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
   const std::vector<Optimum>& optima = penetration.optima;
   if (!report.expect(!optima.empty() && penetration.squared > 0, "a penetrating pair has an optimum")) return;
   report.expect(std::ranges::is_sorted(optima, lexicographically_less, &Optimum::direction), "optima are sorted");
@@ -137,8 +137,8 @@ inline void check(const Penetration& penetration, std::span<const Point> a, std:
 }
 
 /// The laws of a result: every field against the definitions.
-inline Report check(const Depth& depth, std::span<const Point> a, std::span<const Point> b) {
-  Report report;
+inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::span<const Point> b) {
+  kernels::Report report;
   report.expect(depth.flat_a == (rank_of(a, all_of(a)) < 3) && depth.flat_b == (rank_of(b, all_of(b)) < 3), "flat flags");
   std::visit([&](const auto& outcome) { check(outcome, a, b, report); }, depth.outcome);
   const std::optional<Witness> witness = depth.witness();

@@ -40,19 +40,20 @@ struct MeasuredCrossing {
 };
 
 inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
-  const auto ends = [](const Polytope& body, const ChartArc& arc) {
-    const Edge& edge = body.edges[arc.arc.value];
+  const auto ends = [](const polytope::Polytope& body, const chart::ChartArc& arc) {
+    const polytope::Edge& edge = body.edges[arc.arc.value];
     const auto [low, high] = std::minmax(body.input_ids[edge.from], body.input_ids[edge.to]);
     return std::array<std::uint32_t, 2>{low, high};
   };
   std::vector<MeasuredCrossing> result;
-  Context context;
-  for (const Charts& charts : p.charts) {
-    const CanonicalSubsets subsets = canonical_subsets(context, charts);
+  kernels::Context context;
+  for (const chart::Charts& charts : p.charts) {
+    const canonical::CanonicalSubsets subsets = canonical::canonical_subsets(context, charts);
     for (std::size_t k = 0; k < subsets.size(); ++k)
-      for (const ChartArcOfA i : subsets[k].a)
-        for (const ChartArcOfB j : subsets[k].b) {
-          const auto a = ends(p.a, charts.of.a.arcs[ChartArcId(i.value)]), b = ends(p.b, charts.of.b.arcs[ChartArcId(j.value)]);
+      for (const chart::ChartArcOfA i : subsets[k].a)
+        for (const chart::ChartArcOfB j : subsets[k].b) {
+          const auto a = ends(p.a, charts.of.a.arcs[chart::ChartArcId(i.value)]),
+                     b = ends(p.b, charts.of.b.arcs[chart::ChartArcId(j.value)]);
           result.push_back({a, b, spanned_plane(p.placed.a[a[0]], p.placed.a[a[1]], p.placed.b[b[0]], p.placed.b[b[1]])});
         }
   }

@@ -16,15 +16,15 @@ namespace fathom::testing {
 /// The canonical pairs of a case, and the lines, of both hemispheres. Scenes refer to the lines.
 struct PreparedGrids {
   std::unique_ptr<Prepared> prepared;
-  EdgeLinesOfA a;
-  EdgeLinesOfB b;
-  std::vector<CanonicalSubsets> subsets;
-  std::vector<LineScene> scenes;
+  lines::EdgeLinesOfA a;
+  lines::EdgeLinesOfB b;
+  std::vector<canonical::CanonicalSubsets> subsets;
+  std::vector<lines::LineScene> scenes;
 
-  explicit PreparedGrids(const Case& input, const Perturbation& perturbation = {})
+  explicit PreparedGrids(const Case& input, const kernels::Perturbation& perturbation = {})
       : prepared(prepare(input, perturbation)), a(prepared->a, prepared->exponent), b(prepared->b, prepared->exponent) {
-    for (const Charts& charts : prepared->charts) {
-      subsets.push_back(canonical_subsets(prepared->context, charts));
+    for (const chart::Charts& charts : prepared->charts) {
+      subsets.push_back(canonical::canonical_subsets(prepared->context, charts));
       scenes.emplace_back(charts, a, b);
     }
   }
@@ -35,7 +35,7 @@ struct PreparedGrids {
   template <class F>
   void for_each(F f) const {
     for (std::size_t h = 0; h < subsets.size(); ++h) {
-      for (std::size_t i = 0; i < subsets[h].size(); ++i) f(Grid(subsets[h][i], scenes[h]));
+      for (std::size_t i = 0; i < subsets[h].size(); ++i) f(lines::Grid(subsets[h][i], scenes[h]));
     }
   }
 };
@@ -43,7 +43,7 @@ struct PreparedGrids {
 /// The exact squared distances of all pairs of a grid; none for parallel lines.
 class GridDistances {
  public:
-  explicit GridDistances(const Grid& grid) : columns_(grid.columns()) {
+  explicit GridDistances(const lines::Grid& grid) : columns_(grid.columns()) {
     for (std::size_t i = 0; i < grid.rows(); ++i) {
       for (std::size_t j = 0; j < grid.columns(); ++j) {
         const Vector w = cross(grid.row_direction(i), grid.column_direction(j));
@@ -89,18 +89,18 @@ class GridDistances {
 };
 
 /// A plane whose squared distance is just above, or at, a value: what a search may hold as its best.
-inline NearestPlanes plane_at(const mpq_class& squared) {
+inline kernels::NearestPlanes plane_at(const mpq_class& squared) {
   // The distance's root to 200 bits, rounded up.
   const mpz_class scale = mpz_class(1) << 200;
   mpz_class square = squared.get_num() * scale * scale / squared.get_den();
   mpz_class root = sqrt(square);
   while (mpq_class(root * root, scale * scale) < squared) ++root;
-  NearestPlanes nearest;
+  kernels::NearestPlanes nearest;
   nearest.offer({scale, 0, 0}, root);
   return nearest;
 }
 
-inline mpq_class squared_distance(const NearestPlanes& nearest) {
+inline mpq_class squared_distance(const kernels::NearestPlanes& nearest) {
   mpq_class squared(nearest.numerator(), nearest.denominator());
   squared.canonicalize();
   return squared;

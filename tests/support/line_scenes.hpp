@@ -56,8 +56,8 @@ inline bool strictly_farther(const Line& l, const Line& m, double bound, long ex
   return s.denominator != 0 && s.numerator > times_power_of_four(mpq_class(bound), exponent) * s.denominator;
 }
 
-inline LineImages images(const Scene& scene) {
-  LineImages result(scene.exponent);
+inline kernels::LineImages images(const Scene& scene) {
+  kernels::LineImages result(scene.exponent);
   for (const Line& l : scene.lines) result.push_back(l.point, l.direction);
   return result;
 }

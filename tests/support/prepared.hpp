@@ -18,38 +18,38 @@
 namespace fathom::testing {
 
 /// The sentences of a report, for the message of a failed expectation.
-inline std::string text(const Report& report) {
+inline std::string text(const kernels::Report& report) {
   std::string result;
   for (const std::string& fault : report.faults) result += fault + "\n";
   return result;
 }
 
 /// The kernel of the charts; nobody reads its counts.
-inline PerturbedKernel kernel_of(const Charts& charts) {
+inline kernels::PerturbedKernel kernel_of(const chart::Charts& charts) {
   static PredicateCounts uncounted;
   return {charts.perturbation, uncounted};
 }
 
 /// Points, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence the pointer.
 struct Prepared {
-  PlacedPair placed;
+  polytope::PlacedPair placed;
   long exponent;
-  Polytope a, b;
-  GaussianDiagram minus_a, of_b;
-  std::vector<Charts> charts;
-  Context context;  // of the charts, and of what the test does with them
+  polytope::Polytope a, b;
+  gaussian::GaussianDiagram minus_a, of_b;
+  std::vector<chart::Charts> charts;
+  kernels::Context context;  // of the charts, and of what the test does with them
 };
 
-inline std::unique_ptr<Prepared> prepare(const Case& input, const Perturbation& perturbation = {}) {
+inline std::unique_ptr<Prepared> prepare(const Case& input, const kernels::Perturbation& perturbation = {}) {
   auto p = std::make_unique<Prepared>();
-  p->placed = place(input.a.points, input.b.points);
+  p->placed = polytope::place(input.a.points, input.b.points);
   p->exponent = p->placed.exponent();
-  p->a = convex_hull(p->placed.a.points());
-  p->b = convex_hull(p->placed.b.points());
-  p->minus_a = gaussian_diagram_of_reflection(p->a);
-  p->of_b = gaussian_diagram(p->b);
-  for (const Hemisphere h : both_hemispheres)
-    p->charts.push_back(make_charts(p->context, p->minus_a, p->of_b, chart_frame(h), perturbation));
+  p->a = polytope::convex_hull(p->placed.a.points());
+  p->b = polytope::convex_hull(p->placed.b.points());
+  p->minus_a = gaussian::gaussian_diagram_of_reflection(p->a);
+  p->of_b = gaussian::gaussian_diagram(p->b);
+  for (const chart::Hemisphere h : chart::both_hemispheres)
+    p->charts.push_back(chart::make_charts(p->context, p->minus_a, p->of_b, chart::chart_frame(h), perturbation));
   return p;
 }
 
@@ -63,12 +63,12 @@ inline std::vector<Case> cases_of_all_families(unsigned seeds, unsigned size) {
 }
 
 /// A few ways to resolve coincidences: any order of the infinitesimals, any signs. The first is the usual one.
-inline std::vector<Perturbation> perturbations() {
-  std::vector<Perturbation> result(4);
+inline std::vector<kernels::Perturbation> perturbations() {
+  std::vector<kernels::Perturbation> result(4);
   std::ranges::reverse(result[1].rank);
   result[2].sign.fill(-1);
   families::Random random(7);
-  for (std::size_t i = infinitesimals; i > 1; --i) std::swap(result[3].rank[i - 1], result[3].rank[random.next() % i]);
+  for (std::size_t i = kernels::infinitesimals; i > 1; --i) std::swap(result[3].rank[i - 1], result[3].rank[random.next() % i]);
   for (std::int8_t& sign : result[3].sign) sign = random.coin() ? 1 : -1;
   return result;
 }

@@ -12,32 +12,32 @@ struct SignsOf {
 
   template <class... Directions>
   int side_of_equator(const Directions&... d) const {
-    return to_int(kernel.side_of_equator(d...));
+    return kernels::to_int(kernel.side_of_equator(d...));
   }
   template <class... Directions>
   int x_order(const Directions&... d) const {
-    return to_int(kernel.x_order(d...));
+    return kernels::to_int(kernel.x_order(d...));
   }
   template <class... Directions>
   int side_of_arc(const Directions&... d) const {
-    return to_int(kernel.side_of_arc(d...));
+    return kernels::to_int(kernel.side_of_arc(d...));
   }
   template <class... Directions>
   int order_on_vertical(const Directions&... d) const {
-    return to_int(kernel.order_on_vertical(d...));
+    return kernels::to_int(kernel.order_on_vertical(d...));
   }
   template <class... Directions>
   int order_at_infinity(const Directions&... d) const {
-    return to_int(kernel.order_at_infinity(d...));
+    return kernels::to_int(kernel.order_at_infinity(d...));
   }
 };
 
 /// Where nobody reads the counts.
 inline PredicateCounts uncounted;
 
-inline SignsOf<UnperturbedKernel> unperturbed(PredicateCounts& counts = uncounted) { return {UnperturbedKernel(counts)}; }
-inline SignsOf<PerturbedKernel> perturbed(const Perturbation& perturbation, PredicateCounts& counts = uncounted) {
-  return {PerturbedKernel(perturbation, counts)};
+inline SignsOf<kernels::UnperturbedKernel> unperturbed(PredicateCounts& counts = uncounted) { return {kernels::UnperturbedKernel(counts)}; }
+inline SignsOf<kernels::PerturbedKernel> perturbed(const kernels::Perturbation& perturbation, PredicateCounts& counts = uncounted) {
+  return {kernels::PerturbedKernel(perturbation, counts)};
 }
 
 }  // namespace fathom::testing

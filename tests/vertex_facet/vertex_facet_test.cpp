@@ -8,22 +8,23 @@
 
 #include "tests/support/prepared.hpp"
 
-namespace fathom {
+namespace fathom::vertex_facet {
 namespace {
 
 using testing::cases_of_all_families;
 using testing::prepare;
 using testing::text;
 
-static_assert(!std::is_constructible_v<VertexFacetPair, Colour, VertexId, NodeId>, "vertex and facet exchanged");
+static_assert(!std::is_constructible_v<VertexFacetPair, gaussian::Colour, gaussian::VertexId, gaussian::NodeId>,
+              "vertex and facet exchanged");
 
 TEST(VertexFacet, SweepFindsAnExtremeVertexForEveryFacet) {
   for (const Case& input : cases_of_all_families(6, 12)) {
     const auto p = prepare(input);
     std::size_t located = 0;
-    for (const Charts& charts : p->charts) {
+    for (const chart::Charts& charts : p->charts) {
       const std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
-      const Report report = validate(pairs, charts, p->a, p->b);
+      const kernels::Report report = validate(pairs, charts, p->a, p->b);
       EXPECT_TRUE(report.ok()) << input.id << "\n" << text(report);
       located += pairs.size();
     }
@@ -33,9 +34,9 @@ TEST(VertexFacet, SweepFindsAnExtremeVertexForEveryFacet) {
 
 TEST(VertexFacet, ValidateCatchesAWrongVertexAndAMissingFacet) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 20));
-  const Charts& charts = p->charts[0];
+  const chart::Charts& charts = p->charts[0];
   std::vector<VertexFacetPair> pairs = vertex_facet_pairs(charts);
-  pairs[0].vertex = VertexId((pairs[0].vertex.value + 1) % 20);
+  pairs[0].vertex = gaussian::VertexId((pairs[0].vertex.value + 1) % 20);
   EXPECT_FALSE(validate(pairs, charts, p->a, p->b).ok());
   pairs = vertex_facet_pairs(charts);
   pairs.pop_back();
@@ -53,4 +54,4 @@ TEST(VertexFacet, ComparisonsGrowLikeNLogN) {
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::vertex_facet

@@ -29,16 +29,16 @@ Point crossed(const Point& p, const Point& q) {
 }
 
 Features features(const Body& body) {
-  const Polytope hull = convex_hull(place(body.points, body.points).a.points());
+  const polytope::Polytope hull = polytope::convex_hull(polytope::place(body.points, body.points).a.points());
   const auto vertex = [&](std::uint32_t i) { return body.points[hull.input_ids[i]]; };
   Features result;
   for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) result.vertices.push_back(vertex(i));
-  for (const Facet& facet : hull.facets) {
+  for (const polytope::Facet& facet : hull.facets) {
     result.normals.push_back(as_point(facet.normal));
     std::vector<Point>& corners = result.facets.emplace_back();
     for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(vertex(hull.corners[i]));
   }
-  for (const Edge& edge : hull.edges) {
+  for (const polytope::Edge& edge : hull.edges) {
     result.edges.emplace_back(vertex(edge.from), vertex(edge.to));
     result.edge_directions.push_back(combined(1, result.edges.back().second, -1, result.edges.back().first));
     if (hull.rank == 3) result.arcs.emplace_back(result.normals[edge.left], result.normals[edge.right]);

@@ -22,22 +22,23 @@ struct Ridge {
   Vector twice_middle, left, right;
 };
 
-const SumEdge& any(const std::vector<SumEdge>& edges, Random& random) {
+const approximate::SumEdge& any(const std::vector<approximate::SumEdge>& edges, Random& random) {
   return edges[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(edges.size()) - 1))];
 }
 
 /// After a few steps from a facet of B against a vertex of A.
-Ridge any_ridge(const Polytope& a, const Polytope& b, Random& random) {
-  const SumSurface surface(a, b);
+Ridge any_ridge(const polytope::Polytope& a, const polytope::Polytope& b, Random& random) {
+  const approximate::SumSurface surface(a, b);
   const Vector n = b.facets[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(b.facets.size()) - 1))].normal;
-  SumFacet facet = surface.facet(extreme_points(PointCloud(a.vertices), -n), extreme_points(PointCloud(b.vertices), n), n);
+  approximate::SumFacet facet = surface.facet(kernels::extreme_points(kernels::PointCloud(a.vertices), -n),
+                                              kernels::extreme_points(kernels::PointCloud(b.vertices), n), n);
   std::uint64_t steps = 0;
   for (int i = 0; i < 8; ++i) {
-    const std::vector<SumEdge> edges = surface.edges(facet);
+    const std::vector<approximate::SumEdge> edges = surface.edges(facet);
     facet = surface.across(any(edges, random), &steps);
   }
-  const std::vector<SumEdge> edges = surface.edges(facet);
-  const SumEdge& edge = any(edges, random);
+  const std::vector<approximate::SumEdge> edges = surface.edges(facet);
+  const approximate::SumEdge& edge = any(edges, random);
   return {surface.from(edge) + surface.to(edge), facet.normal, surface.across(edge, &steps).normal};
 }
 
@@ -69,8 +70,8 @@ bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
 Bodies inverse_ridge(Random& random, unsigned n) {
   const Body a = random_sphere_body(random, std::max(4u, n)), b = random_sphere_body(random, std::max(4u, n));
   const long k = random.between(8, 200);
-  const PlacedPair pair = place(a.points, b.points);
-  const Polytope hull_a = convex_hull(pair.a.points()), hull_b = convex_hull(pair.b.points());
+  const polytope::PlacedPair pair = polytope::place(a.points, b.points);
+  const polytope::Polytope hull_a = polytope::convex_hull(pair.a.points()), hull_b = polytope::convex_hull(pair.b.points());
   for (long closer = 3; closer < 24 && hull_a.rank == 3 && hull_b.rank == 3; ++closer) {
     const Ridge ridge = any_ridge(hull_a, hull_b, random);
     const mpq_class left_squared(dot(ridge.left, ridge.left)), right_squared(dot(ridge.right, ridge.right));

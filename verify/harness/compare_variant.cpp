@@ -54,16 +54,17 @@ class Comparison {
   /// The tolerance, or what rounding costs both answers.
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
-    const Sizes there = sizes_of(made_.seen.a.points, made_.seen.b.points);
-    const Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
-    const Slack slack = rounding_slack(here, depth_squared, made_.precision, tolerance.ulps);
-    const Slack slack_there = rounding_slack(there, depth_squared_of(made_, depth_squared), made_.precision, tolerance.ulps);
-    const auto allowed = [&](mpq_class Slack::*const residual) {
+    const judging::Sizes there = judging::sizes_of(made_.seen.a.points, made_.seen.b.points);
+    const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
+    const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.precision, tolerance.ulps);
+    const judging::Slack slack_there =
+        judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.precision, tolerance.ulps);
+    const auto allowed = [&](mpq_class judging::Slack::*const residual) {
       const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
-      return Allowance(tolerance.relative, depth_squared, std::max(absolute, both)).squared();
+      return judging::Allowance(tolerance.relative, depth_squared, std::max(absolute, both)).squared();
     };
-    allowed_depth_ = allowed(&Slack::depth);
-    allowed_price_ = allowed(&Slack::direction);
+    allowed_depth_ = allowed(&judging::Slack::depth);
+    allowed_price_ = allowed(&judging::Slack::direction);
   }
 
   /// The claimed depth in the units of the original; 0 where no overlap is claimed.

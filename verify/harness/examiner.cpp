@@ -30,7 +30,7 @@ Clock::duration duration(double seconds) {
 /// A line of a subject, for people.
 std::string quoted(std::string_view line) {
   constexpr std::size_t shown_bytes = 200;
-  return '\'' + printable(line, shown_bytes) + '\'';
+  return '\'' + kernels::printable(line, shown_bytes) + '\'';
 }
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -70,7 +70,7 @@ std::string Examiner::last_words() {
   if (words.empty()) return "";
   if (words.size() > shown_bytes) words.erase(0, words.size() - shown_bytes);
   std::replace(words.begin(), words.end(), '\n', ' ');
-  return "; last words: " + printable(words, shown_bytes);
+  return "; last words: " + kernels::printable(words, shown_bytes);
 }
 
 /// "; 7 bytes came, no end of line: '...'"
@@ -206,8 +206,9 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
     return fault(Verdict::garbage, what, reason.find(quoted(line)) == reason.npos ? reason + "; the line: " + quoted(line) : reason);
   }
   if (answer->ticket != ticket)
-    return fault(Verdict::garbage, what,
-                 fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, shown(answer->ticket), quoted(line)));
+    return fault(
+        Verdict::garbage, what,
+        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), quoted(line)));
   answered_ = seen.id;
   unread_ = 0;
   judge_answer(outcome, seen, *answer, info_, settings_.tolerance, settings_.stop);

@@ -40,7 +40,7 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
     if (number > 1) {
       if (std::optional<Outcome> outcome = read_outcome(line)) known(*std::move(outcome));
       else if (std::optional<Unattributed> thing = read_unattributed(line)) unattributed(*std::move(thing));
-      else throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + shown(line));
+      else throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + kernels::shown(line));
     }
     kept = newline + 1;
   }
@@ -74,7 +74,7 @@ Journal Journal::create(const std::string& path, const std::string& header) {
 Journal Journal::resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
                         const std::function<void(Unattributed)>& unattributed) {
   Journal journal(path);
-  const std::string text = read_file(path);
+  const std::string text = files::read_file(path);
   const std::size_t kept = kept_bytes(text, path, header, known, unattributed);
   if (kept < text.size() && ::ftruncate(journal.file_, static_cast<off_t>(kept)) != 0)
     throw InputError(path, 0, std::string("its last line cannot be cut off: ") + std::strerror(errno));

@@ -45,7 +45,7 @@ std::string near_misses(std::span<const std::string> there, std::span<const std:
     const auto slip = [&](const std::string& field) { return is_near(field, word) && std::ranges::find(known, field) == known.end(); };
     const auto field = std::ranges::find_if(there, slip);
     if (field != there.end())
-      result += fmt::format("{}the field {} is not read: is '{}' meant?", result.empty() ? "" : "; ", shown(*field), word);
+      result += fmt::format("{}the field {} is not read: is '{}' meant?", result.empty() ? "" : "; ", kernels::shown(*field), word);
   }
   return result;
 }

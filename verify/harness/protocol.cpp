@@ -36,10 +36,10 @@ void add_body(std::string& text, const Body& body, Precision precision, bool wit
 }  // namespace
 
 Faces faces_of(const std::vector<Point>& points) {
-  const Polytope hull = convex_hull(place(points, points).a.points());
+  const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
   Faces faces;
   if (hull.rank < 3) return faces;
-  for (const Facet& facet : hull.facets) {
+  for (const polytope::Facet& facet : hull.facets) {
     std::vector<std::uint32_t>& face = faces.emplace_back();
     for (std::uint32_t i = facet.begin; i < facet.end; ++i) face.push_back(hull.input_ids[hull.corners[i]]);
   }

@@ -40,7 +40,7 @@ std::string dumped(const Json& value) {
   return value.is_object() ? '{' + text + '}' : '[' + text + ']';
 }
 
-std::string shown_json(const Json& value) { return '\'' + printable(dumped(value), shown_bytes) + '\''; }
+std::string shown_json(const Json& value) { return '\'' + kernels::printable(dumped(value), shown_bytes) + '\''; }
 
 /// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
 /// length.
@@ -56,9 +56,10 @@ Json parsed(std::string_view line) {
 }
 
 Json object_on(std::string_view line) {
-  if (line.find('\0') != std::string_view::npos) refuse("a JSON object", "a null byte in " + shown(line));  // to the parser, the end
+  if (line.find('\0') != std::string_view::npos)
+    refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
   Json object = parsed(line);
-  if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : shown(line)));
+  if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
   return object;
 }
 
@@ -83,7 +84,7 @@ Value word_in(const Json& object, const char* name, const char* of, std::initial
     if (text == word) return value;
     expected.emplace_back(word);
   }
-  refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), shown(text));
+  refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), kernels::shown(text));
 }
 
 bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
@@ -191,9 +192,9 @@ std::string misspelt(const Json& reply) {
 SubjectInfo read_hello(std::string_view line) {
   const Json hello = object_on(line);
   const char* const of = "the hello";
-  if (text_in(hello, "type", of) != "hello") refuse("a message of type \"hello\"", shown(line));
+  if (text_in(hello, "type", of) != "hello") refuse("a message of type \"hello\"", kernels::shown(line));
   if (const std::string protocol = text_in(hello, "protocol", of); protocol != protocol_name)
-    refuse(fmt::format("protocol {}", protocol_name), shown(protocol));
+    refuse(fmt::format("protocol {}", protocol_name), kernels::shown(protocol));
   SubjectInfo info;
   info.name = text_in(hello, "name", of);
   info.version = text_in(hello, "version", of);
@@ -211,7 +212,7 @@ SubjectInfo read_hello(std::string_view line) {
 
 SubjectAnswer read_reply(std::string_view line, Precision precision) {
   const Json object = object_on(line);
-  if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", shown(line));
+  if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", kernels::shown(line));
   SubjectAnswer answer{id_in(object), Failed(), ""};
   if (field(object, "unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
   else if (field(object, "failed")) answer.said = Failed{reason_in(object, "failed")};

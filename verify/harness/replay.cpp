@@ -17,7 +17,7 @@ namespace fathom::harness {
 Replay Replay::read(const std::string& given) {
   const bool standard = given == "-";
   const std::string path = standard ? "<stdin>" : given;
-  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(path);
+  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   Replay replay;
   replay.info_.name = "replay";
   std::size_t number = 0;
@@ -52,7 +52,7 @@ void Replay::take(std::string_view line, const std::string& path, std::size_t nu
 
 Outcome Replay::examine(const Case& pair, const Tolerance& tolerance, const std::function<bool()>& stop) const {
   const auto found = answers_.find(pair.id);
-  if (found == answers_.end()) throw NoReply("no reply to case " + shown(pair.id));
+  if (found == answers_.end()) throw NoReply("no reply to case " + kernels::shown(pair.id));
   const std::optional<Case> seen = as_seen(pair, info_.precision);
   if (!seen) return overflowed(pair, info_.precision);
   Outcome outcome = outcome_for(*seen);

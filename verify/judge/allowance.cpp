@@ -7,7 +7,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/lowest_terms.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 struct Format {
@@ -36,7 +36,7 @@ mpq_class square(const mpq_class& x) { return x * x; }
 
 /// |d - sqrt(squared)| <= t.
 bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
-  return sign({d - t, -squared}) <= 0 && sign({d + t, -squared}) >= 0;
+  return kernels::sign({d - t, -squared}) <= 0 && kernels::sign({d + t, -squared}) >= 0;
 }
 
 /// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
@@ -67,7 +67,7 @@ Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, 
       squared_(std::max(proportional_, square(fixed_))) {}
 
 Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance) {
-  for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) require_lowest_terms(*part);
+  for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
   const mpq_class absolute = tolerance.absolute * sizes.extent;
   const Slack slack = rounding_slack(sizes, depth_squared, precision, tolerance.ulps);
   const auto allowed = [&](const mpq_class& length) { return Allowance(tolerance.relative, depth_squared, std::max(absolute, length)); };
@@ -79,14 +79,14 @@ Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Preci
 }
 
 bool Allowance::above(const mpq_class& d, const mpq_class& length) const {
-  return sign({d - fixed_, -length}) > 0 && sign_of_sum(d, -length, -proportional_) > 0;
+  return kernels::sign({d - fixed_, -length}) > 0 && kernels::sign_of_sum(d, -length, -proportional_) > 0;
 }
 
 bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
-  return sign({-d - fixed_, length}) > 0 && sign_of_sum(-d, length, -proportional_) > 0;
+  return kernels::sign({-d - fixed_, length}) > 0 && kernels::sign_of_sum(-d, length, -proportional_) > 0;
 }
 
-bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
+bool Allowance::negligible(const kernels::Surd& squared) const { return kernels::sign({squared.rational - squared_, squared.root}) <= 0; }
 
 Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision) {
   if (correctly_rounded(d, depth_squared, precision)) return Accuracy::correctly_rounded;
@@ -97,6 +97,10 @@ Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const m
       sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth_squared && square(d) <= square(1 + millionth) * depth_squared;
   return close ? Accuracy::millionth : Accuracy::tolerance;
 }
+
+}  // namespace fathom::judging
+
+namespace fathom {
 
 std::string_view name(Accuracy accuracy) {
   constexpr std::string_view names[] = {"correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance"};

@@ -8,7 +8,7 @@
 #include "kernels/number/surd.hpp"
 #include "verify/judge/scene.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 
 /// The most by which the residuals of an optimum are off once its numbers are rounded: an upper bound for each.
 struct Slack {
@@ -35,7 +35,7 @@ class Allowance {
   [[nodiscard]] bool below(const mpq_class& d, const mpq_class& length) const;
   [[nodiscard]] bool off(const mpq_class& d, const mpq_class& length) const { return above(d, length) || below(d, length); }
   /// Whether a length, given by its square, is within the allowance.
-  [[nodiscard]] bool negligible(const Surd& squared) const;
+  [[nodiscard]] bool negligible(const kernels::Surd& squared) const;
   [[nodiscard]] bool negligible(const mpq_class& squared) const { return squared <= squared_; }
   [[nodiscard]] const mpq_class& squared() const { return squared_; }
 
@@ -59,4 +59,4 @@ mpq_class unit_roundoff(Precision precision);
 /// Returns the best class of a depth d that is within the tolerance; u_r is u R.
 Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision);
 
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -6,7 +6,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 Vector integral(const Point& p) {
@@ -49,4 +49,4 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions) {
   return claim;
 }
 
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -9,7 +9,7 @@
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 
 struct Claim {
   bool overlap = false;
@@ -28,4 +28,4 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions);
 Point exact_point(const Triple& p);
 bool is_finite(const Triple& p);
 
-}  // namespace fathom
+}  // namespace fathom::judging

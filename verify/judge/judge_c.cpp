@@ -17,7 +17,7 @@
 #include "kernels/number/surd.hpp"
 #include "verify/judge/claim.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -75,7 +75,9 @@ Reply reply_of(const fathom_claim& claim) {
   return reply;
 }
 
-double rounded_root(const std::optional<mpq_class>& signed_square) { return signed_square ? nearest_binary64({0, *signed_square}) : none; }
+double rounded_root(const std::optional<mpq_class>& signed_square) {
+  return signed_square ? kernels::nearest_binary64({0, *signed_square}) : none;
+}
 
 void fill(const Judgement& from, fathom_judgement& to) {
   to.verdict = static_cast<int>(from.verdict);
@@ -114,7 +116,7 @@ void judge_claim(const fathom_claim& claim, fathom_judgement& judgement, char* s
 }
 
 }  // namespace
-}  // namespace fathom
+}  // namespace fathom::judging
 
 void fathom_claim_init(fathom_claim* claim) {
   *claim = {};
@@ -124,7 +126,7 @@ void fathom_claim_init(fathom_claim* claim) {
 }
 
 void fathom_judgement_init(fathom_judgement* judgement) {
-  using fathom::none;
+  using fathom::judging::none;
   *judgement = {};
   judgement->size = sizeof(fathom_judgement);
   judgement->verdict = judgement->accuracy = judgement->status = -1;
@@ -137,21 +139,21 @@ void fathom_judgement_init(fathom_judgement* judgement) {
 }
 
 int fathom_judge(const fathom_claim* claim, fathom_judgement* judgement, char* sentence, size_t capacity) {
-  const fathom::DefaultFloatEnvironment environment;
+  const fathom::kernels::DefaultFloatEnvironment environment;
   if (judgement == nullptr || judgement->size != sizeof(fathom_judgement)) {
-    fathom::copy("the judgement was not made by fathom_judgement_init of this version", sentence, capacity);
+    fathom::judging::copy("the judgement was not made by fathom_judgement_init of this version", sentence, capacity);
     return FATHOM_BAD_ARGUMENT;
   }
   const auto refused = [&](int code, std::string_view reason) {
     fathom_judgement_init(judgement);
-    fathom::copy(reason, sentence, capacity);
+    fathom::judging::copy(reason, sentence, capacity);
     return code;
   };
   fathom_judgement_init(judgement);
   if (claim == nullptr) return refused(FATHOM_BAD_ARGUMENT, "there is no claim");
-  if (const std::string_view fault = fathom::fault(*claim); !fault.empty()) return refused(FATHOM_BAD_ARGUMENT, fault);
+  if (const std::string_view fault = fathom::judging::fault(*claim); !fault.empty()) return refused(FATHOM_BAD_ARGUMENT, fault);
   try {
-    fathom::judge_claim(*claim, *judgement, sentence, capacity);
+    fathom::judging::judge_claim(*claim, *judgement, sentence, capacity);
     return FATHOM_JUDGED;
   } catch (const std::invalid_argument& error) {
     return refused(FATHOM_BAD_ARGUMENT, error.what());

@@ -11,7 +11,7 @@
 #include "reference/polytope/position.hpp"
 #include "verify/judge/way_out.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   Sizes sizes;
@@ -30,7 +30,7 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   return sizes;
 }
 
-Scene::Scene(const Truth& truth) : truth_(truth), placed_(place(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
+Scene::Scene(const Truth& truth) : truth_(truth), placed_(polytope::place(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
 Scene::~Scene() = default;
 
 mpq_class Scene::price(const Vector& u) const {
@@ -38,7 +38,7 @@ mpq_class Scene::price(const Vector& u) const {
   for (const Vector& p : placed_.a.points()) low = std::min(low, dot(u, p));
   for (const Vector& p : placed_.b.points()) high = std::max(high, dot(u, p));
   const mpz_class height = high - low, size = abs(height);
-  return ratio(height * size, placed_.denominator * placed_.denominator * dot(u, u));
+  return kernels::ratio(height * size, placed_.denominator * placed_.denominator * dot(u, u));
 }
 
 mpq_class Scene::travel(const Vector& u) {
@@ -47,19 +47,19 @@ mpq_class Scene::travel(const Vector& u) {
   std::optional<mpq_class> out;
   if (penetration->inner) out = way_out(placed_, *penetration->inner, u);
   if (!out) {
-    Context context;
+    kernels::Context context;
     if (!pair_) pair_ = std::make_unique<const BodyPair>(context, truth_.a, truth_.b);
-    out = shoot_ray(pair_->a(), pair_->b(), u).factor;
+    out = approximate::shoot_ray(pair_->a(), pair_->b(), u).factor;
   }
   const mpq_class factor = *out / placed_.denominator;
   return factor * factor * dot(u, u);
 }
 
 mpq_class squared_distance(const Point& point, std::span<const Point> body) {
-  const PlacedPair placed = place({&point, 1}, body);
-  if (position_of_origin(placed.a, placed.b).position != Position::outside) return 0;
-  const NearestPoints nearest = nearest_points(placed.a, placed.b);
-  return ratio(nearest.height * nearest.height, placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
+  const polytope::PlacedPair placed = polytope::place({&point, 1}, body);
+  if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return 0;
+  const polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
+  return kernels::ratio(nearest.height * nearest.height, placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
 }
 
-}  // namespace fathom
+}  // namespace fathom::judging

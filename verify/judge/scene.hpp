@@ -15,6 +15,10 @@ namespace fathom {
 
 class BodyPair;
 
+}  // namespace fathom
+
+namespace fathom::judging {
+
 /// Lengths of two bodies along the axes.
 struct Sizes {
   mpq_class extent;    ///< the longest side of the bodies' boxes, the larger of the two
@@ -39,7 +43,7 @@ class Scene {
 
  private:
   const Truth& truth_;
-  PlacedPair placed_;
+  polytope::PlacedPair placed_;
   Sizes sizes_;
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };
@@ -47,4 +51,4 @@ class Scene {
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);
 
-}  // namespace fathom
+}  // namespace fathom::judging

@@ -8,7 +8,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
@@ -32,11 +32,11 @@ class Teller {
     return precision_ == Precision::binary32 && std::isfinite(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
   }
   [[nodiscard]] std::string depth() const { return fmt::format("{}", root(truth_.squared())); }
-  [[nodiscard]] std::string claimed() const { return shortest(nearest_binary64({*claim_.depth, 0})); }
+  [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.depth, 0})); }
   [[nodiscard]] std::string apart() const {
     return truth_.distance() ? fmt::format("the bodies are apart by {}", root(truth_.distance()->squared)) : "the bodies are apart";
   }
-  [[nodiscard]] std::string off_by() const { return amount(nearest_binary64({*claim_.depth, -truth_.squared()})); }
+  [[nodiscard]] std::string off_by() const { return amount(kernels::nearest_binary64({*claim_.depth, -truth_.squared()})); }
 
   [[nodiscard]] std::string told(Verdict finding) const {
     switch (finding) {
@@ -53,10 +53,10 @@ class Teller {
       case Verdict::too_shallow: return fmt::format("too shallow by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
       case Verdict::not_separating:
         return fmt::format("not separating: {} of overlap is left along its direction",
-                           amount(nearest_binary64({-*claim_.depth, *judgement_.travel_squared})));
+                           amount(kernels::nearest_binary64({-*claim_.depth, *judgement_.travel_squared})));
       case Verdict::inconsistent:
         return fmt::format("inconsistent: the plane across its direction is at {}, not at {}",
-                           nearest_binary64({0, *judgement_.price_squared}), claimed());
+                           kernels::nearest_binary64({0, *judgement_.price_squared}), claimed());
       case Verdict::witness_off: return witness_off();
       default: return std::string(name(finding));
     }
@@ -131,4 +131,4 @@ std::string sentence(const Judgement& judgement, const Depth& truth, const Reply
   return Teller(judgement, truth, reply, mended, precision, remarks).all();
 }
 
-}  // namespace fathom
+}  // namespace fathom::judging

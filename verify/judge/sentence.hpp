@@ -7,7 +7,7 @@
 #include "fathom/judge.hpp"
 #include "verify/judge/claim.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 
 /// Which of several reasons a finding has.
 struct Remarks {
@@ -20,4 +20,4 @@ struct Remarks {
 std::string sentence(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
                      const Remarks& remarks);
 
-}  // namespace fathom
+}  // namespace fathom::judging

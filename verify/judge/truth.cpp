@@ -9,12 +9,12 @@
 #include "kernels/number/lowest_terms.hpp"
 #include "verify/judge/claim.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 /// False if it overflows.
 bool round_to(mpq_class& x, Precision precision) {
-  require_lowest_terms(x);
+  kernels::require_lowest_terms(x);
   const double rounded = precision == Precision::binary64 ? round_binary64(x, Rounding::rn) : round_binary32(x, Rounding::rn);
   if (!std::isfinite(rounded)) return false;
   x = exact_value(rounded);
@@ -34,10 +34,14 @@ std::vector<Point> points_of(const std::vector<Triple>& body, Precision precisio
 
 }  // namespace
 
+}  // namespace fathom::judging
+
+namespace fathom {
+
 std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision) {
   std::vector<Point> result = points;
   for (Point& p : result) {
-    if (!round_to(p.x, precision) || !round_to(p.y, precision) || !round_to(p.z, precision)) return std::nullopt;
+    if (!judging::round_to(p.x, precision) || !judging::round_to(p.y, precision) || !judging::round_to(p.z, precision)) return std::nullopt;
   }
   return result;
 }
@@ -50,7 +54,7 @@ Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& opt
 
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,
                 Precision precision, const Tolerance& tolerance) {
-  return judge(truth_about(points_of(a, precision), points_of(b, precision)), reply, conventions, precision, tolerance);
+  return judge(truth_about(judging::points_of(a, precision), judging::points_of(b, precision)), reply, conventions, precision, tolerance);
 }
 
 }  // namespace fathom

@@ -4,7 +4,7 @@
 
 #include "fathom/judge.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 constexpr std::string_view names[] = {"crash",
@@ -30,12 +30,16 @@ static_assert(std::size(names) == static_cast<std::size_t>(Verdict::pass) + 1);
 
 }  // namespace
 
-std::string_view name(Verdict verdict) { return names[static_cast<std::size_t>(verdict)]; }
+}  // namespace fathom::judging
+
+namespace fathom {
+
+std::string_view name(Verdict verdict) { return judging::names[static_cast<std::size_t>(verdict)]; }
 
 std::optional<Verdict> verdict_named(std::string_view name) {
-  const auto found = std::ranges::find(names, name);
-  if (found == std::end(names)) return std::nullopt;
-  return static_cast<Verdict>(found - std::begin(names));
+  const auto found = std::ranges::find(judging::names, name);
+  if (found == std::end(judging::names)) return std::nullopt;
+  return static_cast<Verdict>(found - std::begin(judging::names));
 }
 
 }  // namespace fathom

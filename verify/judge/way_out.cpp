@@ -8,7 +8,7 @@
 
 #include "kernels/number/ratio.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 namespace {
 
 /// Counter-clockwise seen from outside: O lies below its plane.
@@ -24,7 +24,7 @@ bool meets(const Triangle& t, const Vector& u) {
 
 class Search {
  public:
-  Search(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u) : placed_(placed), u_(u) {
+  Search(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u) : placed_(placed), u_(u) {
     for (const auto& facet : inside.facets) {
       for (std::size_t k = 2; k < facet.size() && !portal_; ++k) {
         try_portal({corner(inside, facet[0]), corner(inside, facet[k - 1]), corner(inside, facet[k])});
@@ -39,7 +39,7 @@ class Search {
       const Vector n = cross(t[1] - t[0], t[2] - t[0]), p = extreme(n);
       const mpz_class height = dot(n, t[0]);
       if (dot(n, p) == height) {
-        return ratio(height, dot(n, u_));
+        return kernels::ratio(height, dot(n, u_));
       }
       portal_.reset();
       for (std::size_t k = 0; k < 3 && !portal_; ++k) try_portal({t[k], t[(k + 1) % 3], p});
@@ -74,15 +74,15 @@ class Search {
     return farthest(placed_.b.points(), n) - farthest(placed_.a.points(), -n);
   }
 
-  const PlacedPair& placed_;
+  const polytope::PlacedPair& placed_;
   const Vector& u_;
   std::optional<Triangle> portal_;
 };
 
 }  // namespace
 
-std::optional<mpq_class> way_out(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience) {
+std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience) {
   return Search(placed, inside, u).run(patience);
 }
 
-}  // namespace fathom
+}  // namespace fathom::judging

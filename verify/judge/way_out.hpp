@@ -10,10 +10,10 @@
 #include "fathom/depth.hpp"
 #include "reference/polytope/placed_pair.hpp"
 
-namespace fathom {
+namespace fathom::judging {
 
 /// Returns the greatest f with f u in P, in units of the lattice: exact. Returns nullopt after `patience` support queries; only rays
 /// through edges and corners may need many. u is not zero.
-std::optional<mpq_class> way_out(const PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
+std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
 
-}  // namespace fathom
+}  // namespace fathom::judging

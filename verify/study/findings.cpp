@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace fathom {
+namespace fathom::studies {
 
 Feature Subject::edge(std::uint32_t i) const {
-  const Edge& edge = body.edges[i];
+  const polytope::Edge& edge = body.edges[i];
   const std::uint32_t p = body.input_ids[edge.from], q = body.input_ids[edge.to];
   return {std::min(p, q), std::max(p, q)};
 }
@@ -18,4 +18,4 @@ Feature Subject::facet(std::uint32_t i) const {
   return points;
 }
 
-}  // namespace fathom
+}  // namespace fathom::studies

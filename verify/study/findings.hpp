@@ -9,7 +9,7 @@
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "verify/study/study.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 
 /// For maps with directions as keys.
 struct LexicographicOrder {
@@ -18,8 +18,8 @@ struct LexicographicOrder {
 
 /// A body and its Gaussian diagram, that of its reflection for A.
 struct Subject {
-  const Polytope& body;
-  const GaussianDiagram& diagram;
+  const polytope::Polytope& body;
+  const gaussian::GaussianDiagram& diagram;
 
   [[nodiscard]] Feature edge(std::uint32_t i) const;
   [[nodiscard]] Feature facet(std::uint32_t i) const;
@@ -75,8 +75,8 @@ class Findings {
 void find_parallel_edges(const Subject& a, const Subject& b, Findings& findings);
 void find_common_normals(const Subject& a, const Subject& b, Findings& findings);
 /// Finds the kinds that are seen on the sphere. The first reports its progress.
-void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings);
+void find_normals_on_arcs(kernels::Context& context, const Subject& a, const Subject& b, Findings& findings);
 void find_equator_hits(const Subject& a, const Subject& b, Findings& findings);
 void find_verticals(const Subject& a, const Subject& b, Findings& findings);
 
-}  // namespace fathom
+}  // namespace fathom::studies

@@ -5,7 +5,7 @@
 
 #include "verify/study/findings.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 namespace {
 
 /// The one of u and -u whose first component other than zero is positive, primitive: equal for parallel vectors alone.
@@ -18,7 +18,7 @@ using Groups = std::map<Vector, std::array<std::vector<std::uint32_t>, 2>, Lexic
 
 void group_edges(const Subject& subject, std::size_t side, Groups& groups) {
   for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i)
-    groups[line_direction(subject.diagram.arcs[ArcId(i)].circle.exact())][side].push_back(i);
+    groups[line_direction(subject.diagram.arcs[gaussian::ArcId(i)].circle.exact())][side].push_back(i);
 }
 
 /// Whether the supporting planes of two facets with parallel normals are one.
@@ -63,4 +63,4 @@ void find_common_normals(const Subject& a, const Subject& b, Findings& findings)
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::studies

@@ -5,11 +5,11 @@
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "verify/study/findings.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 namespace {
 
 /// Whether u, a direction on the arc's great circle, lies inside the arc, its ends excluded.
-bool inside(const GaussianDiagram& diagram, const Arc& arc, const Vector& u) {
+bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
   if (diagram.rank == 1) return true;
   // On an arc shorter than pi only its own directions pass both; on a half-circle the second condition repeats the first.
   return det(diagram.nodes[arc.from].exact(), u, arc.circle.exact()) > 0 && det(u, diagram.nodes[arc.to].exact(), arc.circle.exact()) > 0;
@@ -24,15 +24,15 @@ Involved one_facet(const Subject& subject, bool of_a, std::uint32_t i) {
   return of_a ? Involved{{subject.facet(i)}, {}} : Involved{{}, {subject.facet(i)}};
 }
 
-bool on_equator(const Arc& arc) { return arc.circle.exact().x == 0 && arc.circle.exact().y == 0; }
+bool on_equator(const gaussian::Arc& arc) { return arc.circle.exact().x == 0 && arc.circle.exact().y == 0; }
 
 /// The directions in which arcs of one diagram pass through the equator inside, each with its arc. No two are equal but for bodies of
 /// rank 1, whose one arc passes twice: arcs of a diagram do not cross. With d = circle and z the pole, an arc that leaves z's side does
 /// so at d x z: it runs on along d x (d x z), which points downward.
-std::map<Vector, std::uint32_t, LexicographicOrder> passages(const GaussianDiagram& diagram) {
+std::map<Vector, std::uint32_t, LexicographicOrder> passages(const gaussian::GaussianDiagram& diagram) {
   std::map<Vector, std::uint32_t, LexicographicOrder> result;
   for (std::uint32_t i = 0; i < diagram.arcs.size(); ++i) {
-    const Arc& arc = diagram.arcs[ArcId(i)];
+    const gaussian::Arc& arc = diagram.arcs[gaussian::ArcId(i)];
     if (on_equator(arc)) continue;
     const Vector leaves = primitive({arc.circle.exact().y, -arc.circle.exact().x, 0});
     if (diagram.rank == 1) {
@@ -48,10 +48,10 @@ std::map<Vector, std::uint32_t, LexicographicOrder> passages(const GaussianDiagr
 
 void find_on_equator(const Subject& subject, bool of_a, Findings& findings) {
   for (std::uint32_t i = 0; i < subject.diagram.nodes.size(); ++i) {
-    if (subject.diagram.nodes[NodeId(i)].exact().z == 0) findings.add(Coincidence::nodes_on_equator, one_facet(subject, of_a, i));
+    if (subject.diagram.nodes[gaussian::NodeId(i)].exact().z == 0) findings.add(Coincidence::nodes_on_equator, one_facet(subject, of_a, i));
   }
   for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i) {
-    if (on_equator(subject.diagram.arcs[ArcId(i)])) findings.add(Coincidence::arcs_on_equator, one_edge(subject, of_a, i));
+    if (on_equator(subject.diagram.arcs[gaussian::ArcId(i)])) findings.add(Coincidence::arcs_on_equator, one_edge(subject, of_a, i));
   }
 }
 
@@ -59,9 +59,9 @@ void find_on_equator(const Subject& subject, bool of_a, Findings& findings) {
 void find_passages_through_arcs(const Subject& lying, const Subject& passing, bool a_lies, Findings& findings) {
   const auto through = passages(passing.diagram);
   for (std::uint32_t i = 0; i < lying.diagram.arcs.size(); ++i) {
-    if (!on_equator(lying.diagram.arcs[ArcId(i)])) continue;
+    if (!on_equator(lying.diagram.arcs[gaussian::ArcId(i)])) continue;
     for (const auto& [u, j] : through) {
-      if (!inside(lying.diagram, lying.diagram.arcs[ArcId(i)], u)) continue;
+      if (!inside(lying.diagram, lying.diagram.arcs[gaussian::ArcId(i)], u)) continue;
       findings.add(Coincidence::crossings_on_equator,
                    a_lies ? Involved{{lying.edge(i)}, {passing.edge(j)}} : Involved{{passing.edge(j)}, {lying.edge(i)}});
     }
@@ -70,18 +70,18 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, bo
 
 }  // namespace
 
-void find_normals_on_arcs(Context& context, const Subject& a, const Subject& b, Findings& findings) {
-  const UnperturbedKernel kernel(context.counters.predicates);
+void find_normals_on_arcs(kernels::Context& context, const Subject& a, const Subject& b, Findings& findings) {
+  const kernels::UnperturbedKernel kernel(context.counters.predicates);
   const double all = static_cast<double>(a.diagram.nodes.size() + b.diagram.nodes.size());
   std::size_t done = 0;
   for (const bool node_of_a : {true, false}) {
     const Subject &nodes = node_of_a ? a : b, &arcs = node_of_a ? b : a;
     for (std::uint32_t i = 0; i < nodes.diagram.nodes.size(); ++i) {
       context.report("normals on arcs", static_cast<double>(done++) / all);
-      const Direction& node = nodes.diagram.nodes[NodeId(i)];
+      const kernels::Direction& node = nodes.diagram.nodes[gaussian::NodeId(i)];
       for (std::uint32_t j = 0; j < arcs.diagram.arcs.size(); ++j) {
-        const Arc& arc = arcs.diagram.arcs[ArcId(j)];
-        if (kernel.side_of_arc(node, arc.circle) != Sign::zero || !inside(arcs.diagram, arc, node.exact())) continue;
+        const gaussian::Arc& arc = arcs.diagram.arcs[gaussian::ArcId(j)];
+        if (kernel.side_of_arc(node, arc.circle) != kernels::Sign::zero || !inside(arcs.diagram, arc, node.exact())) continue;
         findings.add(Coincidence::normals_on_arcs, node_of_a ? Involved{{a.facet(i)}, {b.edge(j)}} : Involved{{a.edge(j)}, {b.facet(i)}});
       }
     }
@@ -95,7 +95,8 @@ void find_equator_hits(const Subject& a, const Subject& b, Findings& findings) {
   for (const auto& [u, e] : of_a) {
     const auto found = of_b.find(u);
     if (found == of_b.end()) continue;
-    const bool one_circle = is_zero(cross(a.diagram.arcs[ArcId(e)].circle.exact(), b.diagram.arcs[ArcId(found->second)].circle.exact()));
+    const bool one_circle =
+        is_zero(cross(a.diagram.arcs[gaussian::ArcId(e)].circle.exact(), b.diagram.arcs[gaussian::ArcId(found->second)].circle.exact()));
     if (!one_circle) findings.add(Coincidence::crossings_on_equator, {{a.edge(e)}, {b.edge(found->second)}});
   }
   find_passages_through_arcs(a, b, true, findings);
@@ -108,11 +109,12 @@ void find_verticals(const Subject& a, const Subject& b, Findings& findings) {
   for (const bool of_a : {true, false}) {
     const Subject& subject = of_a ? a : b;
     for (std::uint32_t i = 0; i < subject.diagram.nodes.size(); ++i) {
-      const Vector& n = subject.diagram.nodes[NodeId(i)].exact();
+      const Vector& n = subject.diagram.nodes[gaussian::NodeId(i)].exact();
       if (n.z != 0) groups[primitive({n.x, 0, n.z})][of_a ? 0 : 1].push_back(i);
     }
     for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i) {
-      if (subject.diagram.arcs[ArcId(i)].circle.exact().y == 0) findings.add(Coincidence::arcs_on_verticals, one_edge(subject, of_a, i));
+      if (subject.diagram.arcs[gaussian::ArcId(i)].circle.exact().y == 0)
+        findings.add(Coincidence::arcs_on_verticals, one_edge(subject, of_a, i));
     }
   }
   for (const auto& [abscissa, nodes] : groups) {
@@ -125,4 +127,4 @@ void find_verticals(const Subject& a, const Subject& b, Findings& findings) {
   }
 }
 
-}  // namespace fathom
+}  // namespace fathom::studies

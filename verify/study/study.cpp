@@ -14,17 +14,17 @@
 #include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/study/findings.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 namespace {
 
-BodySize size_of(const Polytope& body) { return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()}; }
+BodySize size_of(const polytope::Polytope& body) { return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()}; }
 
 /// The predicates that the topology of a pair calls, whether or not the bodies overlap.
-PredicateCounts predicates_of(const GaussianDiagram& minus_a, const GaussianDiagram& b) {
-  Context context;
-  for (const Hemisphere hemisphere : both_hemispheres) {
-    const Charts charts = make_charts(context, minus_a, b, chart_frame(hemisphere));
-    canonical_subsets(context, charts);
+PredicateCounts predicates_of(const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b) {
+  kernels::Context context;
+  for (const chart::Hemisphere hemisphere : chart::both_hemispheres) {
+    const chart::Charts charts = chart::make_charts(context, minus_a, b, chart::chart_frame(hemisphere));
+    canonical::canonical_subsets(context, charts);
   }
   return context.counters.predicates;
 }
@@ -56,14 +56,14 @@ Vector stretch_axes(Bodies& bodies) {
 }
 
 /// The face of a body in direction u.
-Feature face(const Polytope& body, const Vector& u) {
+Feature face(const polytope::Polytope& body, const Vector& u) {
   Feature points;
-  for (const std::uint32_t v : extreme_points(PointCloud(body.vertices), u)) points.push_back(body.input_ids[v]);
+  for (const std::uint32_t v : kernels::extreme_points(kernels::PointCloud(body.vertices), u)) points.push_back(body.input_ids[v]);
   std::ranges::sort(points);
   return points;
 }
 
-void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, const Depth& depth, Findings& findings) {
+void find_contacts(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& units, const Depth& depth, Findings& findings) {
   if (depth.touch()) {
     const Vector& n = depth.touch()->direction;
     const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
@@ -75,24 +75,19 @@ void find_contacts(const Polytope& a, const Polytope& b, const Vector& units, co
 
 }  // namespace
 
-Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
-  const DefaultFloatEnvironment environment;
-  Context context(options.monitor);
-  return study(context, a, b, options);
-}
-
-Study study(Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
+Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
   Study result;
   result.depth = penetration_depth(a, b, {.method = Method::exact, .monitor = options.monitor});
   context.report("hulls");
-  const PlacedPair placed = place(a, b);
+  const polytope::PlacedPair placed = polytope::place(a, b);
   Bodies bodies{placed.a.points(), placed.b.points()};
   const Vector units = stretch_axes(bodies);
-  const Polytope body_a = convex_hull(bodies[0]), body_b = convex_hull(bodies[1]);
+  const polytope::Polytope body_a = polytope::convex_hull(bodies[0]), body_b = polytope::convex_hull(bodies[1]);
   result.a = size_of(body_a);
   result.b = size_of(body_b);
   context.report("diagrams");
-  const GaussianDiagram diagram_a = gaussian_diagram_of_reflection(body_a), diagram_b = gaussian_diagram(body_b);
+  const gaussian::GaussianDiagram diagram_a = gaussian::gaussian_diagram_of_reflection(body_a),
+                                  diagram_b = gaussian::gaussian_diagram(body_b);
   result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
 
   context.report("coincidences");
@@ -107,11 +102,21 @@ Study study(Context& context, std::span<const Point> a, std::span<const Point> b
   return result;
 }
 
+}  // namespace fathom::studies
+
+namespace fathom {
+
+Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(options.monitor);
+  return studies::study(context, a, b, options);
+}
+
 std::string monomial_name(std::uint64_t packed) {
-  constexpr std::array<std::string_view, infinitesimals> names{"E11", "E12", "E13", "E21", "E22", "E23",
-                                                               "E31", "E32", "E33", "a",   "b",   "c"};
-  const Monomial monomial = Monomial::unpacked(packed);
-  const Perturbation perturbation;
+  constexpr std::array<std::string_view, kernels::infinitesimals> names{"E11", "E12", "E13", "E21", "E22", "E23",
+                                                                        "E31", "E32", "E33", "a",   "b",   "c"};
+  const kernels::Monomial monomial = kernels::Monomial::unpacked(packed);
+  const kernels::Perturbation perturbation;
   std::string result;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const unsigned exponent = monomial.exponent(perturbation.rank[i]);

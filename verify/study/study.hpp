@@ -4,9 +4,9 @@
 #include "fathom/study.hpp"
 #include "kernels/context.hpp"
 
-namespace fathom {
+namespace fathom::studies {
 
 /// The public function with a context, which counts the predicates of the search for coincidences.
-Study study(Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
+Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
 
-}  // namespace fathom
+}  // namespace fathom::studies

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace fathom {
+namespace fathom::approximate {
 namespace {
 
 /// Where a cell lies: on the positive or the negative side of an axis, in a row and a column.
@@ -36,7 +36,7 @@ Vector on_face(const Place& p, std::int64_t i, std::int64_t j, std::uint64_t sid
 
 /// Cells are carried into each other by the symmetries of the cube; one of each orbit is looked at: on the face of positive x, in one
 /// eighth of it. The cone of directions that a centre covers is convex, so that its four corners speak for a cell.
-bool all_covered(Context& context, std::uint64_t side, const mpq_class& delta) {
+bool all_covered(kernels::Context& context, std::uint64_t side, const mpq_class& delta) {
   const Place face{0, false, 0, 0};
   const auto n = static_cast<std::int64_t>(side);
   for (std::int64_t i = n % 2 == 0 ? 1 : 0; i < n; i += 2) {
@@ -64,7 +64,7 @@ bool covers(const Vector& p, const Vector& v, const mpq_class& delta) {
 }
 
 // The search begins where 4/3 / side^2 is just above 2 delta + delta^2, which is a cell or two from its end.
-DirectionGrid::DirectionGrid(Context& context, const mpq_class& delta) : side_(1) {
+DirectionGrid::DirectionGrid(kernels::Context& context, const mpq_class& delta) : side_(1) {
   if (delta < least_delta) throw std::invalid_argument("a grid of directions needs a positive delta, 1e-9 or more");
   const mpq_class squared_tangent = delta * (2 + delta);
   const mpz_class square = mpz_class(4 * squared_tangent.get_den()) / mpz_class(3 * squared_tangent.get_num()), begin = sqrt(square);
@@ -85,4 +85,4 @@ std::array<Vector, 4> DirectionGrid::corners(std::uint64_t cell) const {
   return {on_face(p, i, j, side_), on_face(p, i + 2, j, side_), on_face(p, i + 2, j + 2, side_), on_face(p, i, j + 2, side_)};
 }
 
-}  // namespace fathom
+}  // namespace fathom::approximate

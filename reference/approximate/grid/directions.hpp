@@ -11,7 +11,7 @@
 #include "kernels/context.hpp"
 #include "kernels/vector.hpp"
 
-namespace fathom {
+namespace fathom::approximate {
 
 /// Whether <v,p> > 0 and (1 + delta)^2 <v,p>^2 >= |v|^2 |p|^2: then a ray along p is at most 1 + delta times as long as the one along v
 /// to the plane whose normal is v.
@@ -25,7 +25,7 @@ class DirectionGrid {
  public:
   /// 6 directions at least; about 4 / delta for small delta. Deterministic.
   /// Throws std::invalid_argument unless delta >= least_delta. Throws Interrupted.
-  DirectionGrid(Context& context, const mpq_class& delta);
+  DirectionGrid(kernels::Context& context, const mpq_class& delta);
 
   /// Of cells. Those from size() / 2 on are the opposites of those before, in another order.
   [[nodiscard]] std::uint64_t size() const { return 6 * side_ * side_; }
@@ -40,4 +40,4 @@ class DirectionGrid {
   std::uint64_t side_;
 };
 
-}  // namespace fathom
+}  // namespace fathom::approximate

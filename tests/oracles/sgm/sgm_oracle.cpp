@@ -70,12 +70,13 @@ std::vector<HalfSpace> facets(const Map& map) {
 void fill(Map& map, const std::vector<Vector>& body) {
   std::vector<Vector> placed;
   for (const Vector& v : body) placed.push_back(turned(v));
-  const Polytope hull = convex_hull(placed);
+  const polytope::Polytope hull = polytope::convex_hull(placed);
   if (hull.rank != 3) throw std::invalid_argument("the Gaussian map needs a body of rank 3");
   std::vector<Kernel::Point_3> points;
   for (const Vector& v : hull.vertices) points.emplace_back(number(v.x), number(v.y), number(v.z));
   std::vector<std::vector<std::size_t>> cycles;
-  for (const Facet& facet : hull.facets) cycles.emplace_back(hull.corners.begin() + facet.begin, hull.corners.begin() + facet.end);
+  for (const polytope::Facet& facet : hull.facets)
+    cycles.emplace_back(hull.corners.begin() + facet.begin, hull.corners.begin() + facet.end);
   Initializer initializer(map);
   Kernel::Point_3* const first = points.data();
   initializer(first, first + points.size(), points.size(), cycles.begin(), cycles.end(), cycles.size());

@@ -108,7 +108,7 @@ std::optional<std::string_view> ZstdReader::line() {
       return std::string_view(text_).substr(begin, end - begin);
     }
     const std::size_t unfinished = text_.size() - begin_;
-    if (unfinished > longest_line) throw FileError("a line is too long");
+    if (unfinished > files::longest_line) throw FileError("a line is too long");
     ended_ = !more();
     seen = begin_ + unfinished;
     if (ended_ && begin_ != text_.size()) throw FileError("the last line has no line feed");

@@ -21,10 +21,12 @@ Vector without_sense(Vector v) {
 
 }  // namespace
 
-BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominator) : distinct(points), hull(convex_hull(points)) {
+BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominator)
+    : distinct(points), hull(polytope::convex_hull(points)) {
   sort_uniquely(distinct);
-  for (const Edge& edge : hull.edges) edges.push_back(without_sense(primitive(hull.vertices[edge.to] - hull.vertices[edge.from])));
-  for (const Facet& facet : hull.facets) normals.push_back(facet.normal);
+  for (const polytope::Edge& edge : hull.edges)
+    edges.push_back(without_sense(primitive(hull.vertices[edge.to] - hull.vertices[edge.from])));
+  for (const polytope::Facet& facet : hull.facets) normals.push_back(facet.normal);
   sort_uniquely(edges);
   sort_uniquely(normals);
   const mpz_class Vector::*const axes[] = {&Vector::x, &Vector::y, &Vector::z};
@@ -34,8 +36,8 @@ BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominat
         std::ranges::minmax_element(hull.vertices, {}, [axis](const Vector& v) -> const mpz_class& { return v.*axis; });
     sides.emplace_back((*high).*axis - (*low).*axis);
   }
-  shortest = ratio(*std::ranges::min_element(sides), denominator);
-  longest = ratio(*std::ranges::max_element(sides), denominator);
+  shortest = kernels::ratio(*std::ranges::min_element(sides), denominator);
+  longest = kernels::ratio(*std::ranges::max_element(sides), denominator);
 }
 
 Look::Look(const Facts& f)

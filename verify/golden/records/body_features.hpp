@@ -14,7 +14,7 @@ namespace fathom::golden {
 /// A body's measures.
 struct BodyLook {
   std::vector<Vector> distinct;  ///< its points, each once, in lexicographic order
-  Polytope hull;
+  polytope::Polytope hull;
   std::vector<Vector> edges;    ///< primitive directions with a positive first component that is not 0, sorted
   std::vector<Vector> normals;  ///< of facets, outward, sorted
   mpq_class shortest, longest;  ///< sides of the axis-parallel bounding box

@@ -18,7 +18,7 @@ mpq_class power_of_two(long exponent) {
   return result;
 }
 
-mpq_class magnitude(const mpz_class& n, const Look& look) { return ratio(n, look.integers.denominator); }
+mpq_class magnitude(const mpz_class& n, const Look& look) { return kernels::ratio(n, look.integers.denominator); }
 
 bool penetrating(const Look& look) { return look.facts.answer.status() == Status::penetrating; }
 
@@ -27,7 +27,7 @@ bool flat_difference(const Look& look) {
   for (const std::vector<Vector>* points : {&look.integers.a, &look.integers.b}) {
     for (const Vector& p : *points) directions.push_back(p - points->front());
   }
-  return affine_rank(directions) < 3;
+  return polytope::affine_rank(directions) < 3;
 }
 
 bool near_tie(const Look& look) { return look.facts.gap && *look.facts.gap < look.facts.answer.squared() * (1 + power_of_two(-20)); }
@@ -54,8 +54,8 @@ bool identical_bodies(const Look& look) {
   return a == b;
 }
 
-bool polygonal(const Polytope& hull) {
-  return hull.rank == 3 && std::ranges::any_of(hull.facets, [](const Facet& facet) { return facet.end - facet.begin > 3; });
+bool polygonal(const polytope::Polytope& hull) {
+  return hull.rank == 3 && std::ranges::any_of(hull.facets, [](const polytope::Facet& facet) { return facet.end - facet.begin > 3; });
 }
 
 bool opposite_normals(const Look& look) {

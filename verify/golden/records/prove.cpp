@@ -29,7 +29,7 @@ struct Proved {
   Point common;  ///< touching
 };
 
-mpq_class value_of(const fathom_check::Rational& q) { return ratio(q.num, q.den); }
+mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num, q.den); }
 
 bool same(const Point& p, const fathom_check::RationalPoint& q) {
   const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) { return x.get_num() * y.den == y.num * x.get_den(); };
@@ -103,7 +103,7 @@ struct Sides {
   Point translation;
 
   Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
-    factor = ratio(a.height + b.height, dot(n, n) * bodies.denominator);
+    factor = kernels::ratio(a.height + b.height, dot(n, n) * bodies.denominator);
     translation = {factor * n.x, factor * n.y, factor * n.z};
   }
 
@@ -148,8 +148,8 @@ Facts facts_from(const Claimed& claimed, const Proved& proved) {
   const std::vector<Point>&a = claimed.points.a.points, &b = claimed.points.b.points;
   const Integers bodies = integers_of(a, b);
   Depth answer;
-  answer.flat_a = affine_rank(bodies.a) < 3;
-  answer.flat_b = affine_rank(bodies.b) < 3;
+  answer.flat_a = polytope::affine_rank(bodies.a) < 3;
+  answer.flat_b = polytope::affine_rank(bodies.b) < 3;
   if (!claimed.witness) throw Refusal("expected.witness: there is none");
   switch (proved.status) {
     case Status::penetrating: answer.outcome = proved_penetration(bodies, proved, *claimed.witness); break;

@@ -46,7 +46,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
 }
 
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor) {
-  Context context(monitor);
+  kernels::Context context(monitor);
   context.check();
   const Case base = base_case(recipe);
   std::vector<Record> records{record_of(recipe, Form::given, base, monitor)};

@@ -21,7 +21,7 @@ Rounded mirrored(Rounded rounded) {
 
 Rounded signed_root(const mpz_class& component, const mpz_class& norm) {
   if (component == 0) return {};
-  const Rounded root = rounded_root(ratio(component * component, norm));
+  const Rounded root = rounded_root(kernels::ratio(component * component, norm));
   return component < 0 ? mirrored(root) : root;
 }
 

@@ -45,7 +45,8 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
   for (const fs::directory_entry& entry : entries) {
     std::string name = entry.path().filename().string();
     if (name.starts_with(hidden_prefix)) name.erase(0, hidden_prefix.size());
-    if (names.count(name) == 0) throw FolderError(folder.string() + " holds " + shown(name) + ", which is no file of this release");
+    if (names.count(name) == 0)
+      throw FolderError(folder.string() + " holds " + kernels::shown(name) + ", which is no file of this release");
   }
 }
 

@@ -61,7 +61,8 @@ class Verifier {
     if (!dataset) return refuse(name, "this is not the page of a release as dataset.schema.json says and this program writes it");
     dataset_ = std::move(*dataset);
     if (dataset_.version != data_version)
-      return refuse(name, "data version " + printable(dataset_.version, 40) + ", and this program knows " + std::string(data_version));
+      return refuse(name,
+                    "data version " + kernels::printable(dataset_.version, 40) + ", and this program knows " + std::string(data_version));
     shards_ = plan(dataset_.level, dataset_.seed);
     if (shards_.size() != dataset_.shards.size())
       return refuse(name, std::to_string(dataset_.shards.size()) + " shards, and the plan has " + std::to_string(shards_.size()));
@@ -84,7 +85,7 @@ class Verifier {
   bool check_names() {
     const std::set<std::string> expected = release_names(shards_);
     for (const std::string& name : names_)
-      if (expected.count(name) == 0) refuse(printable(name, 200), "no file of this release");
+      if (expected.count(name) == 0) refuse(kernels::printable(name, 200), "no file of this release");
     for (const std::string& name : expected)
       if (names_.count(name) == 0) refuse(name, "the file is missing");
     return accepted();
@@ -108,7 +109,7 @@ class Verifier {
   }
 
   std::string wrong_sum(const Sum& sum) const {
-    Context(options_->monitor).check();
+    kernels::Context(options_->monitor).check();
     try {
       return digest_of_file(folder_ / sum.name).sha256 == sum.sha256
                  ? ""

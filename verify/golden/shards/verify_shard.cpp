@@ -137,7 +137,7 @@ class Verification {
   }
 
   Shared prove(const Shared& item) const {
-    Context(monitor_).check();
+    kernels::Context(monitor_).check();
     if (item->refusal || stopped_) return item;
     if (auto fault = faults_of(item->line, item->certificate)) {
       item->refusal = {item->record_place, std::move(*fault)};

@@ -99,7 +99,7 @@ bool is_opening(std::string_view line) { return line.starts_with(opening) && lin
 std::string failure_key(const Outcome& outcome) { return key_of(outcome.id, outcome.variant); }
 std::string failure_line(const Outcome& outcome) { return fmt::format("{} {}", name(outcome.verdict), failure_key(outcome)); }
 
-ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(read_file(path), path); }
+ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(files::read_file(path), path); }
 
 std::string ExpectedFailures::Entry::text() const { return fmt::format("{} {}", fathom::name(verdict), key); }
 
@@ -107,14 +107,15 @@ std::optional<ExpectedFailures::Entry> ExpectedFailures::entry_in(std::string_vi
   const std::string_view first = next_word(words);
   if (first.empty()) return std::nullopt;
   const std::optional<Verdict> verdict = verdict_named(first);
-  if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + shown(first));
-  if (!fails(*verdict)) throw InputError(name, line, shown(first) + " is no failure");
+  if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + kernels::shown(first));
+  if (!fails(*verdict)) throw InputError(name, line, kernels::shown(first) + " is no failure");
   const std::string_view second = next_word(words);
-  if (second.empty()) throw InputError(name, line, "expected the id of a case after " + shown(first));
+  if (second.empty()) throw InputError(name, line, "expected the id of a case after " + kernels::shown(first));
   const std::optional<std::string> key = canonical_key(second);
-  if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + shown(second));
+  if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + kernels::shown(second));
   if (const std::string_view more = next_word(words); !more.empty())
-    throw InputError(name, line, "expected nothing but a comment after the id, found " + shown(more) + "; a blank in an id is %20");
+    throw InputError(name, line,
+                     "expected nothing but a comment after the id, found " + kernels::shown(more) + "; a blank in an id is %20");
   return Entry{*verdict, *key, line};
 }
 

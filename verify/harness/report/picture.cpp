@@ -53,7 +53,7 @@ Subject subject_of(const Truth& truth, std::optional<Point> claimed) {
   const bool cut = claimed && size(*claimed) > longest;
   if (cut) claimed = scaled(*claimed, mpq_class(longest / size(*claimed)));
   const View view = view_of(depth, moved, claimed);
-  const PlacedPair placed = place(truth.a, truth.b);
+  const polytope::PlacedPair placed = polytope::place(truth.a, truth.b);
   return {truth,
           witness ? witness->a : truth.b.front(),
           moved,
@@ -61,8 +61,8 @@ Subject subject_of(const Truth& truth, std::optional<Point> claimed) {
           cut,
           extent,
           view,
-          wires_of(convex_hull(placed.a.points()), view),
-          wires_of(convex_hull(placed.b.points()), view)};
+          wires_of(polytope::convex_hull(placed.a.points()), view),
+          wires_of(polytope::convex_hull(placed.b.points()), view)};
 }
 
 /// One of the pictures: places of the plane in multiples of a unit around a centre, and the frame that shows them.
@@ -160,7 +160,7 @@ std::string description_of(const Subject& s) {
 }  // namespace
 
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions) {
-  const Claim claim = exact_claim(reply, conventions);
+  const judging::Claim claim = judging::exact_claim(reply, conventions);
   if (!claim.overlap || !claim.depth || !claim.direction) return std::nullopt;
   const Vec3<double> u = unit_vector(point_of(*claim.direction));
   return scaled({exact_value(u.x), exact_value(u.y), exact_value(u.z)}, *claim.depth);

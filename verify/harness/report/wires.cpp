@@ -14,13 +14,13 @@ constexpr double margin = 16;  // pixels
 
 }  // namespace
 
-Wires wires_of(const Polytope& hull, const View& view) {
+Wires wires_of(const polytope::Polytope& hull, const View& view) {
   std::vector<bool> seen;
-  for (const Facet& facet : hull.facets) seen.push_back(view.faces_us(facet.normal));
+  for (const polytope::Facet& facet : hull.facets) seen.push_back(view.faces_us(facet.normal));
   const bool all = hull.edges.size() <= most_edges;
   Wires result{{}, hull.input_ids};
-  for (const Edge& edge : hull.edges) {
-    const bool left = edge.left == no_facet || seen[edge.left], right = edge.right == no_facet || seen[edge.right];
+  for (const polytope::Edge& edge : hull.edges) {
+    const bool left = edge.left == polytope::no_facet || seen[edge.left], right = edge.right == polytope::no_facet || seen[edge.right];
     if (all || left != right) result.wires.push_back({hull.input_ids[edge.from], hull.input_ids[edge.to], !left && !right});
   }
   if (hull.rank == 2)  // a polygon seen from its edge has no side that we see, and hides nothing

@@ -20,7 +20,7 @@ struct Wires {
   std::vector<std::uint32_t> corners;  ///< the extreme points
 };
 
-Wires wires_of(const Polytope& hull, const View& view);
+Wires wires_of(const polytope::Polytope& hull, const View& view);
 
 /// A rectangle of the picture's plane, shown as a rectangle of pixels.
 class Viewport {

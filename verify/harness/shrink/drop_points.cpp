@@ -11,7 +11,7 @@ namespace fathom::harness {
 namespace {
 
 std::vector<Point> extreme(const std::vector<Point>& points) {
-  const Polytope hull = convex_hull(place(points, points).a.points());
+  const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
   std::vector<Point> result;
   for (const std::uint32_t id : hull.input_ids) result.push_back(points[id]);
   return result;

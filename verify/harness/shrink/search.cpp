@@ -31,7 +31,9 @@ bool fits(const Case& pair, Precision precision) {
   return all;
 }
 
-bool is_solid(const Body& body) { return body.points.size() > 3 && affine_rank(place(body.points, body.points).a.points()) == 3; }
+bool is_solid(const Body& body) {
+  return body.points.size() > 3 && polytope::affine_rank(polytope::place(body.points, body.points).a.points()) == 3;
+}
 
 /// The text of a certificate of the truth, which the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {

@@ -22,7 +22,7 @@ constexpr std::size_t longest_comment = 600;
 
 /// Safe behind "//": one line, printable, and not joined to the next.
 std::string comment_text(const std::string& text) {
-  std::string shown = printable(text, longest_comment);
+  std::string shown = kernels::printable(text, longest_comment);
   while (shown.ends_with('\\')) shown.pop_back();
   return shown;
 }
