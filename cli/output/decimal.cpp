@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/ratio.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -26,8 +27,7 @@ std::string few_digits(const mpq_class& value) {
 
 /// Component / length, from its exact square.
 std::string unit_component(const mpz_class& component, const mpz_class& squared_length) {
-  mpq_class squared(component * component, squared_length);
-  squared.canonicalize();
+  const mpq_class squared = kernels::ratio(component * component, squared_length);
   if (sgn(squared) == 0) return "0";
   const double rounded = root_binary64(squared, Rounding::rn);
   return fmt::format("{}{}", sgn(component) < 0 ? "-" : "",

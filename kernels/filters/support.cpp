@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "kernels/filters/double_images.hpp"
+#include "kernels/filters/greatest.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace fathom::kernels {
@@ -118,23 +119,6 @@ std::vector<std::uint32_t> all_indices(std::size_t n) {
   return all;
 }
 
-// Of the listed points, those that maximise <u, p>.
-std::vector<std::uint32_t> extreme_among(std::span<const Vector> points, const Vector& u, const std::vector<std::uint32_t>& listed) {
-  std::vector<std::uint32_t> extreme;
-  mpz_class best, value;
-  for (const std::uint32_t i : listed) {
-    set_dot(value, u, points[i]);
-    const int order = extreme.empty() ? 1 : cmp(value, best);
-    if (order < 0) continue;
-    if (order > 0) {
-      extreme.clear();
-      swap(best, value);
-    }
-    extreme.push_back(i);
-  }
-  return extreme;
-}
-
 }  // namespace
 
 PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
@@ -173,7 +157,8 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
   std::vector<std::uint32_t> near;
   visit_from(cloud, v, maxima, *std::max_element(maxima.begin(), maxima.end()) - v.slack,
              [&near](std::uint32_t i, double) { near.push_back(i); });
-  return near.size() == 1 || v.slack == 0 ? near : extreme_among(cloud.points(), u, near);
+  if (near.size() == 1 || v.slack == 0) return near;
+  return greatest<mpz_class>(near, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud.points()[i]); });
 }
 
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {

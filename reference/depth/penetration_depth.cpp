@@ -45,8 +45,8 @@ class NearestFacets {
         in_two_threads(), context_, [&](kernels::Context&) { of_minus_a_ = gaussian::gaussian_diagram_of_reflection(a_); },
         [&](kernels::Context&) { of_b_ = gaussian::gaussian_diagram(b_); });
     if (!options_.validate) return;
-    kernels::insist(gaussian::validate(of_minus_a_, a_, true));
-    kernels::insist(gaussian::validate(of_b_, b_, false));
+    kernels::insist(gaussian::validate(of_minus_a_, a_, gaussian::Colour::a));
+    kernels::insist(gaussian::validate(of_b_, b_, gaussian::Colour::b));
   }
 
   // "Computing F": the overlay of both diagrams is never built, its crossings are found chart by chart.

@@ -13,7 +13,8 @@ static_assert(NodeId::none().value == polytope::no_facet, "the arc of a segment'
 // For B: the face on the side of d = to - from is the edge's head, since <u,d> > 0 prefers it. Between the normals of the left and of
 // the right facet the arc runs on the circle of left x right, a positive multiple of d. Reflection negates both normals and both
 // points: the circle stays, head and tail change places.
-GaussianDiagram diagram(const polytope::Polytope& polytope, bool reflected) {
+GaussianDiagram diagram(const polytope::Polytope& polytope, Colour colour) {
+  const bool reflected = colour == Colour::a;
   GaussianDiagram result;
   result.rank = polytope.rank;
   result.nodes.reserve(polytope.facets.size());
@@ -66,11 +67,12 @@ void check_ends(kernels::Report& report, const GaussianDiagram& diagram, const A
 
 }  // namespace
 
-GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope) { return diagram(polytope, false); }
+GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope) { return diagram(polytope, Colour::b); }
 
-GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope) { return diagram(polytope, true); }
+GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope) { return diagram(polytope, Colour::a); }
 
-kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
+kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
+  const bool reflected = colour == Colour::a;
   kernels::Report report;
   const bool sizes = diagram.nodes.size() == polytope.facets.size() && diagram.arcs.size() == polytope.edges.size();
   if (!report.expect(diagram.rank == polytope.rank && sizes, "the polytope's rank, one node a facet and one arc an edge")) return report;

@@ -51,8 +51,8 @@ GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope);
 GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope);
 
 /// Checks every node against its facet, the orientation of every arc, that both faces beside an arc are equally extreme at its ends, that
-/// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `reflected` tells which diagram of the polytope it
+/// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `colour` tells which diagram of the polytope it
 /// should be.
-[[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected);
+[[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour);
 
 }  // namespace fathom::gaussian

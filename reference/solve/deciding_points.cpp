@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "kernels/filters/greatest.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/solve/methods.hpp"
@@ -53,19 +54,7 @@ mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.
 
 // Of the listed points, those that maximise <u, p>.
 std::vector<std::uint32_t> extreme_among(std::span<const Point> body, const Vector& u, std::span<const std::uint32_t> listed) {
-  std::vector<std::uint32_t> extreme;
-  mpq_class best;
-  for (const std::uint32_t i : listed) {
-    mpq_class value = product(u, body[i]);
-    const int order = extreme.empty() ? 1 : cmp(value, best);
-    if (order < 0) continue;
-    if (order > 0) {
-      extreme.clear();
-      swap(best, value);
-    }
-    extreme.push_back(i);
-  }
-  return extreme;
+  return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = product(u, body[i]); });
 }
 
 // The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice

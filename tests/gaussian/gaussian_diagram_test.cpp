@@ -58,25 +58,25 @@ std::vector<Body> make_bodies() {
   return result;
 }
 
-GaussianDiagram diagram_of(const polytope::Polytope& polytope, bool reflected) {
-  return reflected ? gaussian_diagram_of_reflection(polytope) : gaussian_diagram(polytope);
+GaussianDiagram diagram_of(const polytope::Polytope& polytope, Colour colour) {
+  return colour == Colour::a ? gaussian_diagram_of_reflection(polytope) : gaussian_diagram(polytope);
 }
 
-std::vector<Vector> points_of(const polytope::Polytope& polytope, bool reflected) {
+std::vector<Vector> points_of(const polytope::Polytope& polytope, Colour colour) {
   std::vector<Vector> points = polytope.vertices;
-  if (reflected) {
+  if (colour == Colour::a) {
     for (Vector& p : points) p = -p;
   }
   return points;
 }
 
-/// Calls law(name, diagram, polytope, reflected) for all bodies and both diagrams.
-void for_all(const std::function<void(const GaussianDiagram&, const polytope::Polytope&, bool)>& law) {
+/// Calls law(name, diagram, polytope, colour) for all bodies and both diagrams.
+void for_all(const std::function<void(const GaussianDiagram&, const polytope::Polytope&, Colour)>& law) {
   static const std::vector<Body> bodies = make_bodies();
   for (const Body& body : bodies) {
-    for (const bool reflected : {false, true}) {
-      SCOPED_TRACE(body.name + (reflected ? ", reflected" : ""));
-      law(diagram_of(body.polytope, reflected), body.polytope, reflected);
+    for (const Colour colour : both_colours) {
+      SCOPED_TRACE(body.name + (colour == Colour::a ? ", reflected" : ""));
+      law(diagram_of(body.polytope, colour), body.polytope, colour);
     }
   }
 }
@@ -91,8 +91,8 @@ Vector middle(const GaussianDiagram& diagram, const Arc& arc) {
 std::vector<std::uint32_t> sorted_pair(std::uint32_t i, std::uint32_t j) { return {std::min(i, j), std::max(i, j)}; }
 
 TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
-  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
-    const std::vector<Vector> points = points_of(polytope, reflected);
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
+    const std::vector<Vector> points = points_of(polytope, colour);
     ASSERT_EQ(diagram.rank, polytope.rank);
     ASSERT_EQ(diagram.arcs.size(), polytope.edges.size());
     for (const ArcId i : diagram.arcs.ids()) {
@@ -111,8 +111,8 @@ TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
 }
 
 TEST(GaussianDiagram, NodesAreTheNormalsOfTheirFacets) {
-  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
-    const std::vector<Vector> points = points_of(polytope, reflected);
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
+    const std::vector<Vector> points = points_of(polytope, colour);
     ASSERT_EQ(diagram.nodes.size(), polytope.facets.size());
     for (const NodeId i : diagram.nodes.ids()) {
       const polytope::Facet& facet = polytope.facets[i.value];
@@ -136,15 +136,15 @@ TEST(GaussianDiagram, OfASquare) {
 }
 
 TEST(Validate, AcceptsEveryDiagram) {
-  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
-    const kernels::Report report = validate(diagram, polytope, reflected);
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
+    const kernels::Report report = validate(diagram, polytope, colour);
     EXPECT_TRUE(report.ok()) << report.faults.front();
   });
 }
 
 TEST(Validate, TellsADiagramFromThatOfTheReflection) {
-  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
-    EXPECT_EQ(validate(diagram, polytope, !reflected).ok(), polytope.rank == 0);
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
+    EXPECT_EQ(validate(diagram, polytope, other(colour)).ok(), polytope.rank == 0);
   });
 }
 
@@ -190,12 +190,12 @@ std::vector<Mutation> mutations_of_arcs() {
 TEST(Validate, RefusesEveryMutationOfAnArc) {
   for (const Mutation& mutation : mutations_of_arcs()) {
     int tried = 0;
-    for_all([&](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
+    for_all([&](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
       for (const ArcId i : diagram.arcs.ids()) {
         GaussianDiagram spoiled = diagram;
         if (!mutation.spoil(spoiled, i)) continue;
         ++tried;
-        ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << mutation.name << ", arc " << i.value;
+        ASSERT_FALSE(validate(spoiled, polytope, colour).ok()) << mutation.name << ", arc " << i.value;
       }
     });
     EXPECT_GT(tried, 0) << mutation.name;
@@ -203,31 +203,31 @@ TEST(Validate, RefusesEveryMutationOfAnArc) {
 }
 
 TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
-  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, bool reflected) {
+  for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
     for (const NodeId i : diagram.nodes.ids()) {
       GaussianDiagram spoiled = diagram;
       spoiled.nodes[i] = kernels::Direction(-diagram.nodes[i].exact());
-      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "negated node " << i.value;
+      ASSERT_FALSE(validate(spoiled, polytope, colour).ok()) << "negated node " << i.value;
       spoiled = diagram;
       std::swap(spoiled.nodes[i], spoiled.nodes[NodeId((i.value + 1) % static_cast<std::uint32_t>(diagram.nodes.size()))]);
-      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok()) << "exchanged node " << i.value;
+      ASSERT_FALSE(validate(spoiled, polytope, colour).ok()) << "exchanged node " << i.value;
       spoiled = diagram;
       spoiled.nodes.pop_back();
-      ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
+      ASSERT_FALSE(validate(spoiled, polytope, colour).ok());
     }
     GaussianDiagram spoiled = diagram;
     for (Arc& arc : spoiled.arcs) std::swap(arc.from, arc.to);
-    ASSERT_EQ(validate(spoiled, polytope, reflected).ok(), polytope.rank < 2) << "every arc reversed";
+    ASSERT_EQ(validate(spoiled, polytope, colour).ok(), polytope.rank < 2) << "every arc reversed";
     spoiled = diagram;
     ++spoiled.rank;
-    ASSERT_FALSE(validate(spoiled, polytope, reflected).ok());
+    ASSERT_FALSE(validate(spoiled, polytope, colour).ok());
   });
 }
 
 // The diagram of a polytope that is none follows its facets and edges faithfully, and is refused all the same.
 TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
   const auto expect_refused = [](const std::string& what, const polytope::Polytope& broken) {
-    for (const bool reflected : {false, true}) EXPECT_FALSE(validate(diagram_of(broken, reflected), broken, reflected).ok()) << what;
+    for (const Colour colour : both_colours) EXPECT_FALSE(validate(diagram_of(broken, colour), broken, colour).ok()) << what;
   };
   const polytope::Polytope segment = polytope::convex_hull(corners({1, 2, 3, 4, 6, 8})),
                            square = polytope::convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
@@ -237,7 +237,7 @@ TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
   expect_refused("a segment of length 0", broken);
   broken = square;
   broken.facets[1].normal = broken.facets[1].normal + Vector{0, 0, 3 * broken.facets[1].normal.z};
-  EXPECT_TRUE(validate(gaussian_diagram(broken), broken, false).ok()) << "lengths carry no meaning";
+  EXPECT_TRUE(validate(gaussian_diagram(broken), broken, Colour::b).ok()) << "lengths carry no meaning";
   broken.facets[1].normal = broken.facets[0].normal;
   expect_refused("both sides of a polygon face up", broken);
   broken.facets[0].normal = broken.facets[0].normal + Vector{1, 0, 0};

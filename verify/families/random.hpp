@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "kernels/number/ratio.hpp"
+
 namespace fathom::families {
 
 /// splitmix64 (Steele, Lea, Flood 2014). The same numbers on every machine and with every compiler.
@@ -38,12 +40,7 @@ class Random {
   std::uint64_t state_;
 };
 
-/// p / q in lowest terms; q must not be 0.
-inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
-  mpq_class value(p, q);
-  value.canonicalize();
-  return value;
-}
+using kernels::ratio;
 
 /// value * 2^exponent.
 inline mpq_class times_power_of_two(const mpq_class& value, long exponent) {
