@@ -14,6 +14,7 @@ namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
+using testing::operator*;  // that of Sign hides it
 
 struct Plane {
   Vector normal;
