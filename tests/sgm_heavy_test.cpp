@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pipeline and its naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other oracles.
+// The exact method and its naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other
+// oracles.
 #include <gtest/gtest.h>
 
 #include <string>

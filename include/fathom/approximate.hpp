@@ -113,7 +113,7 @@ struct ApproxPenetration {
 struct ApproxDepth : SeparationOr<ApproxPenetration> {
   mpq_class delta;
 
-  /// 0 unless penetrating, as the next.
+  /// These three are 0 unless penetrating.
   [[nodiscard]] mpq_class squared() const { return penetration() ? penetration()->squared : mpq_class(0); }
   [[nodiscard]] mpq_class bound_squared() const { return penetration() ? penetration()->bound_squared : mpq_class(0); }
   [[nodiscard]] Point translation() const { return penetration() ? penetration()->translation : Point(); }
@@ -131,7 +131,7 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
 // ---- shallow ----
 
 /// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of
-/// O. The same result for every delta, and as penetration_depth's but for Depth::method, which is nullopt, and the counters. Of the options
+/// O. The result is that of penetration_depth for every delta, except that Depth::method is nullopt and the counters differ. Of the options
 /// it reads `monitor` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2.
 ///                                                                         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},

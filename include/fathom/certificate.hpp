@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and an answer.
-// Output  a proof of it, for a reader who trusts nobody: an inner polytope and supporting directions, as exact text. Four independent
-//         checkers read it: fathom/check.hpp and the program fathom-check, check.py, and one extracted from a proof in Coq.
+// Output  a proof of it, for a reader who trusts nobody: an inner polytope and supporting directions, as exact text. Three independent
+//         checkers read it: fathom-check (as a library, fathom/check.hpp), check.py, and fathom-check-proved, extracted from a Coq proof.
 //                                                                                                                  [proofs/certificate.md]
 #pragma once
 

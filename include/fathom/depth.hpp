@@ -3,6 +3,7 @@
 // Output  the exact penetration depth of the two hulls, squared, with every optimum.             [AGHRS, PENETRATION-DEPTH, section 2.2]
 //
 // P = B (+) (-A) is the set of all differences b - a, and O the origin. h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
+// <u,v> is the scalar product. Lengths are in the unit of the coordinates, and given as their squares, which are rational.
 #pragma once
 
 #include <gmpxx.h>
@@ -87,7 +88,8 @@ struct Separation {
   [[nodiscard]] Status status() const { return touching ? Status::touching : Status::disjoint; }
 };
 
-/// How a depth is found. The answers of all methods are equal, but for Penetration::inner and Depth::method.
+/// How a depth is found. All methods give the same answer; only Penetration::inner, Depth::method, the numbers of extreme points and the
+/// counters depend on the method.
 enum class Method {
   automatic,    ///< certificate within Options::expansion_budget, past it exact
   exact,        ///< AGHRS, section 2: Gaussian diagrams, canonical subsets, closest lines
@@ -102,7 +104,7 @@ enum class ClosestLines : std::uint8_t {
   naive,    ///< every pair, through a double filter
 };
 
-/// How to run. The answer does not depend on it.
+/// How to compute a depth. The answer does not depend on it.
 struct Options {
   Method method = Method::automatic;
   /// Method automatic: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
@@ -110,7 +112,7 @@ struct Options {
   std::optional<std::size_t> expansion_budget = std::nullopt;
   /// The engine of the exact method, cutting if not set. If set, automatic is exact.
   std::optional<ClosestLines> closest_lines = std::nullopt;
-  /// Of the closest lines' random order. Results do not depend on it, only counters do.
+  /// Of the random order in which closest lines are searched. Results do not depend on it, only counters do.
   std::uint64_t seed = 1;
   /// Hears of progress and may stop the work; may be null.
   Monitor* monitor = nullptr;
@@ -137,8 +139,8 @@ struct SeparationOr : BodyFacts {
 /// The answer about two bodies: `outcome` holds what the status has.
 struct Depth : BodyFacts {
   std::variant<Penetration, Touch, Distance> outcome;
-  /// The method that ran to the end: never automatic. Of bodies that do not penetrate the certificate method does not decide: exact. None:
-  /// shallow_depth.
+  /// The method that gave the answer, never automatic. The certificate method cannot decide bodies that do not penetrate: this is exact
+  /// then. nullopt if shallow_depth gave the answer.
   std::optional<Method> method;
   Counters counters;
 
@@ -159,13 +161,13 @@ struct Depth : BodyFacts {
   [[nodiscard]] const Point& translation() const;
   /// Of the first optimum; null unless penetrating.
   [[nodiscard]] const Contact* contact() const;
-  /// Points with b - a = translation(): in the faces of contact(), or a common point twice. None of disjoint bodies.
+  /// Points with b - a = translation(): in the faces of contact(), or a common point twice. nullopt if disjoint: see distance()->witness.
   [[nodiscard]] std::optional<Witness> witness() const;
 };
 
 /// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, for bodies of every rank:
-/// degenerate input is input as any other. Time is near-linear in the size of the bodies but where very many edges of A and B cross nearly
-/// at the same distance. Throws std::invalid_argument if a body is empty or a coordinate is not in lowest terms, and Interrupted.
+/// degenerate input needs no special care. Time is near-linear in the size of the bodies, except where very many edges of A and B cross at
+/// nearly the same distance. Throws std::invalid_argument if a body is empty or a coordinate is not in lowest terms, and Interrupted.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
 
 /// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* fathom::judge for C99 and everything that can call C: is this an answer to that pair of convex bodies, and if not, how wrong is it?
- * The definitions are those of VERDICTS.md. No call throws, prints or keeps anything; all of them may run at once in many threads. */
+ * The definitions are those of verify/judge/VERDICTS.md. No call throws, prints or keeps anything; all of them may run at once in many threads. */
 #ifndef FATHOM_JUDGE_H
 #define FATHOM_JUDGE_H
 

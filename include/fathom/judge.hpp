@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies, and what an implementation of penetration depth answered about them.
-// Output  whether the answer is right, and if not, how wrong it is, by exact comparison. VERDICTS.md defines every verdict and number.
+// Output  whether the answer is right, and if not, how wrong it is, by exact comparison.
+//         verify/judge/VERDICTS.md defines every verdict and number.
 // C programs include fathom/judge.h.
 #pragma once
 
@@ -72,13 +73,13 @@ enum class Verdict {
   false_separation,  ///< the bodies overlap by more than the tolerance, and it says that they do not
   false_overlap,     ///< the bodies are apart by more than the tolerance, and it says that they overlap
   not_a_direction,   ///< the direction is zero, or not of unit length where that was promised
-  wrong_sign,        ///< right but for a sign: of the depth, or of the direction
+  wrong_sign,        ///< only a sign is wrong: of the depth, or of the direction
   too_deep,          ///< the depth is larger than the penetration depth
   too_shallow,       ///< the depth is smaller than the penetration depth
   not_separating,    ///< the bodies still overlap after the translation that it gives
   inconsistent,      ///< the depth is not that of its own direction
   witness_off,       ///< a witness point is not on its body, or they do not differ by the translation
-  not_invariant,     ///< a case that is the same but for a symmetry is answered differently; `judge` never returns it
+  not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
   // Passes.
@@ -101,6 +102,7 @@ enum class Accuracy { correctly_rounded, ulps_4, u_r_16, millionth, tolerance };
 /// "correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance".
 std::string_view name(Accuracy accuracy);
 
+/// What is right and wrong about one answer, with the truth beside it.
 struct Judgement {
   Verdict verdict = Verdict::garbage;
   std::vector<Verdict> findings;     ///< everything that is wrong with the answer, in order of rank
@@ -110,8 +112,8 @@ struct Judgement {
   mpq_class depth_squared;           ///< the truth; 0 unless penetrating
   mpq_class distance_squared;        ///< the truth; 0 unless disjoint
 
-  // Residuals are those of the claim as it stands, conventions undone, whatever the verdict; infinite beyond binary64.
-  // Of a claimed depth, correctly rounded to nearest: how much it is too deep, or if negative, too shallow.
+  // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are infinite beyond binary64.
+  // Of a claimed depth: how much deeper it is than the true one, correctly rounded to nearest; negative if it is too shallow.
   std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of depth 0
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart.
   std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u

@@ -21,7 +21,7 @@ enum class Decimals {
 };
 
 /// A number in lowest terms, or a phrase for the user: "expected a number, found '1/0': the denominator is zero".
-/// The phrase is short printable ASCII, whatever the token was.
+/// The phrase is short printable ASCII for any token.
 struct ParsedNumber {
   std::optional<mpq_class> value;
   std::string error;  ///< empty if there is a value

@@ -65,11 +65,13 @@ struct Coincidences {
   std::vector<Involved> listed;  ///< the first of them, as many as were asked for
 };
 
+/// How large a body's convex hull is.
 struct BodySize {
   int rank = 0;  ///< dimension of the body: 0 a point, 1 a segment, 2 flat, 3
   std::uint64_t vertices = 0, edges = 0, facets = 0;
 };
 
+/// What is degenerate about two bodies, and their depth.
 struct Study {
   Depth depth;
   BodySize a, b;
@@ -81,12 +83,13 @@ struct Study {
   [[nodiscard]] const Coincidences& operator[](Coincidence kind) const { return coincidences[static_cast<std::size_t>(kind)]; }
 };
 
+/// How much to list, and who watches.
 struct StudyOptions {
   std::size_t listed = 20;     ///< the most coincidences of a kind that are listed; counts are always complete
   Monitor* monitor = nullptr;  ///< hears of progress and may stop the work; may be null
 };
 
-/// Finds what is degenerate about two bodies. Exact, for bodies of every rank. Near-linear in the size of the bodies, but for
+/// Finds what is degenerate about two bodies. Exact, for bodies of every rank. Near-linear in the size of the bodies, except for
 /// normals_on_arcs and arcs_on_equator, which look at all pairs, and for the depth itself. Throws as penetration_depth does.
 Study study(std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
 

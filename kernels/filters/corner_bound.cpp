@@ -9,8 +9,6 @@
 namespace fathom::kernels {
 namespace {
 
-using error_bound::unit;
-
 struct Crossing {
   double height, squared_length;
 };
@@ -23,13 +21,13 @@ Crossing crossing(const Vec3<double>& s, const LineImages& a, std::size_t i, con
 // The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from above, W - S the length from below.
 CornerVerdict verdict(const Crossing& c, const LineBound& bound) {
   const double low = c.height - error_bound::height_over_line;
-  if (low > 0 && low * low - bound.above * (1 + 16 * unit) * (c.squared_length + error_bound::squared_length) > 0) {
+  if (low > 0 && low * low - bound.above * error_bound::raised_bound * (c.squared_length + error_bound::squared_length) > 0) {
     return CornerVerdict::beyond;
   }
   const double high = c.height + error_bound::height_over_line;
   if (high <= 0) return CornerVerdict::within;
   const double shortest = c.squared_length - error_bound::squared_length;
-  if (shortest > 0 && bound.below * (1 - 16 * unit) * shortest - high * high > 0) return CornerVerdict::within;
+  if (shortest > 0 && bound.below * error_bound::lowered_bound * shortest - high * high > 0) return CornerVerdict::within;
   return CornerVerdict::unsure;
 }
 
@@ -39,7 +37,7 @@ LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, l
   LineBound bound{image_bound(numerator, denominator, exponent), 0};
   // image_bound exceeds the value by less than a part in 2^48, unless it was raised to the least normal number or cut at infinity.
   const bool raised = bound.above <= 2 * std::numeric_limits<double>::min();
-  if (std::isfinite(bound.above) && !raised) bound.below = bound.above * (1 - 0x1p-47);
+  if (std::isfinite(bound.above) && !raised) bound.below = bound.above * error_bound::below_raised;
   return bound;
 }
 

@@ -10,7 +10,6 @@
 namespace fathom::kernels {
 namespace {
 
-using error_bound::unit;
 using taylor::combination;
 using taylor::operator*;
 using Six = std::array<double, 6>;
@@ -36,7 +35,7 @@ class Normaliser {
     const double t = dot(p - o_, c_) / cc_;
     const Vec3<double> turned{d.x * scale, d.y * scale, d.z * scale};
     result = {turned.x, turned.y, turned.z, p.x - t * turned.x, p.y - t * turned.y, p.z - t * turned.z};
-    error = unit * (16 + 32 * std::fabs(t));
+    error = error_bound::tuple(t);
     return true;
   }
 
@@ -106,7 +105,7 @@ bool orthonormal(const Vec3<double>& w, std::array<Vec3<double>, 3>& basis) {
   basis[2] = normalised(cross(basis[0], basis[1]));
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      if (!(std::fabs(dot(basis[i], basis[j]) - (i == j)) <= 16 * unit)) return false;
+      if (!(std::fabs(dot(basis[i], basis[j]) - (i == j)) <= error_bound::orthonormal)) return false;
     }
   }
   return true;
@@ -136,7 +135,7 @@ LineFrame line_frame(const LineImages& lines, std::span<const std::uint32_t> run
     for (std::size_t i = 0; i < 6; ++i) {
       const double fitted = frame.m[i] + (frame.e[i] + frame.k[i] * s) * s;
       const double size = std::fabs(frame.m[i]) + std::fabs(frame.e[i]) + std::fabs(frame.k[i]) + std::fabs(x[i]);
-      frame.r[i] = std::max(frame.r[i], taylor::rounded_up(std::fabs(x[i] - fitted) + error + 8 * unit * size));
+      frame.r[i] = std::max(frame.r[i], taylor::rounded_up(std::fabs(x[i] - fitted) + error + error_bound::parabola * size));
     }
   }
   frame.valid = true;
@@ -158,8 +157,8 @@ bool frames_beyond(const LineFrame& a, const LineFrame& b, double bound) {
   const TaylorModel y0 = along(w, basis[0]), y1 = along(w, basis[1]), y2 = along(w, basis[2]);
   const double shortest = taylor::least(y0);
   if (!(shortest > 0)) return false;
-  const TaylorModel length = combination(1, y0, 1 / (2 * shortest) * (1 + 8 * unit), combination(1, y1 * y1, 1, y2 * y2));
-  const double rho = std::sqrt(bound) * (1 + 0x1p-43);
+  const TaylorModel length = combination(1, y0, 1 / (2 * shortest) * error_bound::raised_quotient, combination(1, y1 * y1, 1, y2 * y2));
+  const double rho = std::sqrt(bound) * error_bound::raised_frame_length;
   return taylor::least(combination(1, dot(s, w), -rho, length)) > 0;
 }
 

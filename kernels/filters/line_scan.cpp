@@ -12,8 +12,7 @@
 namespace fathom::kernels {
 namespace {
 
-// Each step below is justified in proofs/closest_lines.md.
-using error_bound::unit;
+// Each step below is justified in proofs/closest_lines.md, "Filter".
 
 // Two neighbours at a time, or one. A vector type of the compiler, since -O2 alone would not vectorise these loops.
 typedef double Lanes __attribute__((vector_size(16)));
@@ -42,7 +41,7 @@ struct Farther {
   double bound;
 
   Farther(const LineImages& lines, std::size_t i, double squared_bound)
-      : p(lines.point(i)), d(lines.direction(i)), bound(squared_bound * (1 + 16 * unit)) {}
+      : p(lines.point(i)), d(lines.direction(i)), bound(squared_bound * error_bound::raised_bound) {}
 
   template <class Lane>
   Lane margin(const LineImages& many, std::size_t j) const {
@@ -136,7 +135,8 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
   const long shift = n_exponent - d_exponent - 2 * exponent;
   if (shift > 1000 && n > 0) return std::numeric_limits<double>::infinity();
   // Truncation makes n too small by less than one unit, and d no larger; quotient and product round by one unit each: 8 are enough.
-  return std::max(std::ldexp(n / d * (1 + 8 * unit), static_cast<int>(std::max(shift, -4000L))), std::numeric_limits<double>::min());
+  return std::max(std::ldexp(n / d * error_bound::raised_quotient, static_cast<int>(std::max(shift, -4000L))),
+                  std::numeric_limits<double>::min());
 }
 
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure) {

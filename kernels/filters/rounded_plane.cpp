@@ -8,19 +8,13 @@
 #include "kernels/filters/double_images.hpp"
 
 namespace fathom::kernels {
-namespace {
-
-constexpr double slack = 1 + 0x1p-40;  // of a few operations, by far
-
-}  // namespace
-
 // sqrt(m / n) has few roundings, each by a factor below 1 + 2^-51.
 double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
   if (numerator == 0) return 0;
   long i = 0, j = 0;
   const double m = mpz_get_d_2exp(&i, numerator.get_mpz_t()), n = mpz_get_d_2exp(&j, denominator.get_mpz_t());
   const long k = i - j - (i - j) % 2;  // even, and what is left is -1, 0 or 1
-  const double root = std::sqrt(std::ldexp(m / n, static_cast<int>(i - j - k))) * slack;
+  const double root = std::sqrt(std::ldexp(m / n, static_cast<int>(i - j - k))) * error_bound::raised_root;
   const long shift = k / 2 - exponent;
   if (shift > 500) return std::numeric_limits<double>::infinity();
   return std::ldexp(root, static_cast<int>(std::max(shift, -500L)));
@@ -42,6 +36,6 @@ std::optional<Sign> RoundedPlane::side(const Vec3<double>& s) const {
   return sure_sign(dot(n_, w), error(largest(w)));
 }
 
-bool RoundedPlane::surely_beyond(double radius) const { return height_ > 0 && height_ > radius * length_ * slack; }
+bool RoundedPlane::surely_beyond(double radius) const { return height_ > 0 && height_ > radius * length_ * error_bound::raised_root; }
 
 }  // namespace fathom::kernels

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plane through three points in binary64 with the error it may have: answers at once where it is sure, and says so where it is not.
+// A plane through three points in binary64, with a bound on its error: it returns the answers that are certain, and says when none is.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace fathom::kernels {
 /// At least sqrt(numerator / denominator) * 2^-exponent, and hardly more. `numerator` >= 0, `denominator` > 0.
 double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
-/// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p). What it says of the sides and of
-/// the distance holds for the exact points, whatever the rounding mode.                               [proofs/kernels.md]
+/// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p).
+/// What it says of sides and of distance holds for the exact points, in every rounding mode.          [proofs/kernels.md]
 class RoundedPlane {
  public:
   RoundedPlane(const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r);

@@ -14,8 +14,8 @@ namespace fathom::kernels {
 class PointCloud {
  public:
   PointCloud() = default;
-  /// With one exponent for all axes, so that clouds can share it. Throws std::invalid_argument unless it is at least binary_exponent(points), so
-  /// that images stay in [-1, 1].
+  /// With one exponent for all axes, so that clouds can share it. Throws std::invalid_argument if it is less than binary_exponent(points):
+  /// images must stay in [-1, 1].
   PointCloud(std::vector<Vector> points, long exponent);
   /// With the least exponent for each axis: a body stretched along the axes looks like others.
   explicit PointCloud(std::vector<Vector> points);

@@ -50,7 +50,7 @@ double least_of(const Quadratic& q) {
 
 double least(const TaylorModel& f) {
   const double bound = least_of({f.c[1], f.c[2], f.c[3], f.c[4], f.c[5]});
-  return f.c[0] + bound - rounded_up(f.radius + 64 * error_bound::unit * f.norm());
+  return f.c[0] + bound - rounded_up(f.radius + error_bound::taylor_least * f.norm());
 }
 
 }  // namespace fathom::kernels::taylor

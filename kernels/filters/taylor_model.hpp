@@ -25,7 +25,7 @@ struct TaylorModel {
 namespace taylor {
 
 // Each radius is a sum of fewer than 30 products of non-negative numbers: this makes up for its own rounding, and for underflow.
-inline double rounded_up(double radius) { return radius * (1 + 64 * error_bound::unit) + 0x1p-1000; }
+inline double rounded_up(double radius) { return radius * error_bound::raised_radius + error_bound::underflow; }
 
 inline TaylorModel operator*(const TaylorModel& f, const TaylorModel& g) {
   TaylorModel h;
@@ -38,7 +38,7 @@ inline TaylorModel operator*(const TaylorModel& f, const TaylorModel& g) {
   const double fl = f.linear(), fq = f.quadratic(), gl = g.linear(), gq = g.quadratic();
   const double fn = std::fabs(f.c[0]) + fl + fq, gn = std::fabs(g.c[0]) + gl + gq;
   const double truncated = fl * gq + fq * gl + fq * gq;
-  const double rounding = 8 * error_bound::unit * fn * gn;
+  const double rounding = error_bound::taylor_product * fn * gn;
   h.radius = rounded_up(truncated + rounding + fn * g.radius + gn * f.radius + f.radius * g.radius);
   return h;
 }
@@ -48,7 +48,7 @@ inline TaylorModel combination(double a, const TaylorModel& f, double b, const T
   TaylorModel h;
   for (std::size_t i = 0; i < 6; ++i) h.c[i] = a * f.c[i] + b * g.c[i];
   const double absolute = std::fabs(a) * f.norm() + std::fabs(b) * g.norm();
-  h.radius = rounded_up(std::fabs(a) * f.radius + std::fabs(b) * g.radius + 4 * error_bound::unit * absolute);
+  h.radius = rounded_up(std::fabs(a) * f.radius + std::fabs(b) * g.radius + error_bound::taylor_sum * absolute);
   return h;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between binary64 and exact arithmetic, for lines of long coordinates: the first 256 bits of each tell of nearly every pair whether it is farther
-// apart than a bound.                                                           [proofs/closest_lines.md, "Long coordinates"]
+// A filter between binary64 and exact arithmetic, for lines of long coordinates: their first 256 bits decide for nearly every pair whether
+// it is farther apart than a bound.                                             [proofs/closest_lines.md, "Long coordinates"]
 #pragma once
 
 #include <vector>

@@ -2,7 +2,7 @@
 // Input   two bodies and a rational delta, 0 < delta <= 2.
 // Output  the exact depth with every optimum, by looking at the facets of P = B (+) (-A) near O alone.
 //         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
-// Time    at most O(1 / delta) rays, and a walk over K_delta facets at most, those within (1 + delta) depth of O, once the hierarchies stand.
+// Time    with the hierarchies built: O(1 / delta) rays, and a walk over at most K_delta facets, those within (1 + delta) depth of O.
 // Departs from the paper: the grid is that for delta / 4, and a search starts from the facet that a ray hits.   [proofs/errata.md]
 #pragma once
 

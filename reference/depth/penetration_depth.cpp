@@ -22,8 +22,8 @@ constexpr std::size_t worth_a_thread = 4096;  // edges
 template <class T>
 using PerHemisphere = std::array<T, 2>;
 
-/// Seeks the facet planes of P nearest to O, which is in the interior of P. A facet of P is a facet of one body and a vertex of the other, or
-/// is spanned by an edge of each: steps 1 and 2 offer the planes of these two kinds.
+/// Finds the facet planes of P nearest to O, which is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of
+/// the other, or it is spanned by an edge of each: steps 1 and 2 offer the planes of these two kinds.
 class NearestFacets {
  public:
   NearestFacets(kernels::Context& context, const polytope::PlacedPair& pair, const Hulls& hulls, const ExactOptions& options)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies on one lattice.
 // Output  their exact penetration depth, by the exact method.                                [AGHRS, PENETRATION-DEPTH, section 2.2]
-// Time    near-linear in the size of the bodies but for the closest lines of many crossings; AGHRS, Theorem 2.5.
+// Time    near-linear in the size of the bodies, except for the closest lines where very many edges cross; AGHRS, Theorem 2.5.
 #pragma once
 
 #include "fathom/depth.hpp"

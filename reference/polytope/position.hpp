@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two finite point sets A and B.
-// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof.       [AGHRS, section 2.2, step before the algorithm]
+// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof.   [AGHRS, section 2.2, step before the algorithm]
 // Time    linear expected in |A| + |B|.
 #pragma once
 

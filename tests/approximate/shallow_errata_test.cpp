@@ -116,8 +116,8 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
 // ---- the grid ----
 
 // Step 1 takes the grid for delta, step 2 an approximation within 1 + delta/4. With delta = 1 the grid may be the six axes. P is a
-// tetrahedron: x + y + z <= 17 is at 17 / sqrt 3 = 9.81, x >= -10 at 10, the others at 60. The shortest ray, 10 along -x, is within 1 + 1/4
-// of the depth. The rays that cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge to the nearest
+// tetrahedron: x + y + z <= 17 is at 17 / sqrt 3 = 9.81, x >= -10 at 10, the others at 60. The shortest ray, 10 along -x, is within 5/4 of
+// the depth. The rays that cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge to the nearest
 // facet is at a distance of 21, the ball has the radius 15.
 TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
   kernels::Context context;

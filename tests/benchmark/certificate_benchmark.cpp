@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates: to find the depth with its proof, to write it, to check it, per family and size; beside the exact pipeline and, on hulls of 20
-// vertices, Bullet's EPA, all in one run. After the times: processor time, with and without the check, as a multiple of the others'.
+// Certificates: the time to find the depth with its proof, to write it and to check it, per family and size, beside the exact method and,
+// on hulls of 20 vertices, Bullet's EPA, all in one run. Then: processor time, with and without the check, as a multiple of the others'.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies whose denominators share little. The oracle is the same pair times a common denominator: integers, for which there is a slim lattice.
+// Bodies whose denominators share few factors. The oracle is the same pair times a common denominator: integers, which are placed directly.
 #include "reference/solve/deciding_points.hpp"
 
 #include <gtest/gtest.h>

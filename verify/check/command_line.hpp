@@ -10,7 +10,7 @@ namespace fathom_check {
 class SecondChecker;
 
 /// Understands the words behind the program's name, checks, prints to the standard streams. `program` is for messages. Returns the exit
-/// code; does not throw. `second`, if there is one, must accept too what is accepted. GMP is told to end the process with 2 where it would abort for lack of memory.
+/// code; does not throw. `second`, if given, must accept as well. Where GMP would abort for lack of memory, the process ends with 2.
 int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second = nullptr) noexcept;
 
 }  // namespace fathom_check

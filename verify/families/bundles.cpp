@@ -63,8 +63,8 @@ Body twisted_fan(Random& random, unsigned n) {
   return body;
 }
 
-/// n - 2 points a fixed step apart on the circle, symmetric about the top, of half width pi / 202 (about 1/64); then one point on each side,
-/// on the prolongation of what would be the next edge, at the half width 2: nothing but the patch comes near O.
+/// n - 2 points a fixed step apart on the circle, symmetric about the top, of half width pi / 202 (about 1/64); then one point on each
+/// side, at the half width 2, on the line of what would be the next edge: only the patch comes near O.
 Chain patch_chain(unsigned n) {
   const std::int64_t inner = n - 2, quarter = 101 * (inner - 1);  // angles are counted in half steps, `quarter` to the right angle
   const auto point = [&](std::int64_t i) {

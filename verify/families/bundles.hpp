@@ -20,9 +20,10 @@ Bodies crossed_parabolas(Random& random, unsigned n);
 /// The same with chains at random places on the parabola: near ties along a circle. Coordinates are binary64 numbers.
 Bodies crossed_random_parabolas(Random& random, unsigned n);
 
-/// Chains on the twisted cubics (t^3 / 16, t, -t^2) and (t, t^3 / 16, -t^2), |t| <= 1, at random places: the directions of no
-/// three edges of a chain lie in one plane, and no arc is upright or level. With its circle of minima broken by x y (x^2 + y^2) / 128, P has two separate minima, near
-/// (1, -1) and (-1, 1) in the chart, that tie but for the random places of the edges: to about 1 / n^2. Coordinates are binary64 numbers.
+/// Chains on the twisted cubics (t^3 / 16, t, -t^2) and (t, t^3 / 16, -t^2), |t| <= 1, at random places: the directions of no three edges
+/// of a chain lie in one plane, and no arc is upright or level. As x y (x^2 + y^2) / 128 breaks its circle of minima, P has two separate
+/// minima, near (1, -1) and (-1, 1) in the chart. They tie up to the random places of the edges, to about 1 / n^2. Coordinates are
+/// binary64 numbers.
 Bodies crossed_twists(Random& random, unsigned n);
 
 /// Chains on circles of radius 1 over a small patch, O at depth 1: the distances of all (n-3)^2 facets of the patch agree to about w^4 / 4,

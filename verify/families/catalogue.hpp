@@ -22,7 +22,8 @@ struct CatalogueEntry {
   Case pair;
 };
 
-/// All entries, in groups: touching, contact kinds, shared features, the sphere of directions, input points, flat bodies, nearly degenerate.
+/// All entries, in groups: touching, contact kinds, shared features, the sphere of directions, input points, flat bodies, nearly
+/// degenerate ones.
 std::span<const CatalogueEntry> catalogue();
 
 /// Returns null if no entry has that name.

@@ -43,8 +43,8 @@ mpz_class common_divisor(const Bodies& bodies, mpz_class Vector::*axis) {
   return divisor == 0 ? 1 : divisor;
 }
 
-/// Gives each axis a unit of its own, and returns the units. No coincidence sees them, and bodies of 1 by 10^300 have short coordinates again,
-/// on which filters decide.
+/// Gives each axis a unit of its own, and returns the units. No coincidence depends on them, and bodies of 1 by 10^300 get short
+/// coordinates, on which filters decide.
 Vector stretch_axes(Bodies& bodies) {
   Vector units;
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and the path that two convex hulls take in a
-// world, btGjkPairDetector, whose margins are undone: A and B grow by them, so 2 * margin is taken off the depth.
+// fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and btGjkPairDetector, the path of two
+// convex hulls in a world. Its margins are undone: A and B grow by them, so 2 * margin is taken off the depth.
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text of others in documents: any bytes give something well-formed, good text comes back as it was, and nothing that tells ids apart is lost.
+// Foreign text in documents: any bytes become something well-formed, good text stays as it is, and different ids stay different.
 #include "verify/harness/report/markup.hpp"
 
 #include <gtest/gtest.h>
