@@ -42,7 +42,7 @@ class SumSurface {
   /// All edges, in cyclic order: linear in the number of corners of both faces.
   [[nodiscard]] std::vector<SumEdge> edges(const SumFacet& facet) const;
 
-  /// The facet beyond an edge of a facet. O(1), but for the degrees of the vertices that the edge is made of: *steps grows by them.
+  /// The facet beyond an edge of a facet. O(1), except for the degrees of the vertices that the edge is made of: *steps grows by them.
   [[nodiscard]] SumFacet across(const SumEdge& edge, std::uint64_t* steps) const;
 
  private:

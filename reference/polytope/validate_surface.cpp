@@ -87,7 +87,7 @@ std::vector<Index> star(const Sides& sides, Index start) {
   return around;
 }
 
-/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first facet but for its own two, and all
+/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first facet except for its own two, and all
 /// other facets lie strictly above the first edge. At the edges convexity is known.
 bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
   // Facet i lies between the edges i and i + 1.

@@ -12,7 +12,7 @@
 
 namespace fathom_check {
 
-/// Another checker, without whose assent nothing is accepted.
+/// A second checker: a certificate is accepted only if both accept it.
 class SecondChecker {
  public:
   /// What it says of one certificate: the line to print for it.

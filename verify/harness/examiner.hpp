@@ -26,10 +26,10 @@ struct Settings {
   double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};                               ///< of the verdicts
   std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
-  std::function<void(const Unattributed&)> unattributed;  ///< hears what no case is to blame for; called from any thread
+  std::function<void(const Unattributed&)> unattributed;  ///< hears of failures that no case caused; called from any thread
 };
 
-/// The subject cannot be started, or its hello is missing or wrong. No case is to blame.
+/// The subject cannot be started, or its hello is missing or wrong. No case caused this.
 struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

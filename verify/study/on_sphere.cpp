@@ -26,7 +26,7 @@ Involved one_facet(const Subject& subject, bool of_a, std::uint32_t i) {
 
 bool on_equator(const gaussian::Arc& arc) { return arc.circle.exact().x == 0 && arc.circle.exact().y == 0; }
 
-/// The directions in which arcs of one diagram pass through the equator inside, each with its arc. No two are equal but for bodies of
+/// The directions in which arcs of one diagram pass through the equator inside, each with its arc. No two are equal except for bodies of
 /// rank 1, whose one arc passes twice: arcs of a diagram do not cross. With d = circle and z the pole, an arc that leaves z's side does
 /// so at d x z: it runs on along d x (d x z), which points downward.
 std::map<Vector, std::uint32_t, LexicographicOrder> passages(const gaussian::GaussianDiagram& diagram) {
