@@ -79,7 +79,7 @@ json reply_to(const json& request, const Solver& solve) {
   return reply;
 }
 
-/// The line that answers `line`; nothing for "stop". Throws for a line that is not of the protocol.
+/// The line that answers `line`; nullopt for "stop". Throws for a line that is not of the protocol.
 std::optional<json> answer_to(const std::string& line, const Running& running) {
   const json request = json::parse(line);
   const std::string type = request.at("type").get<std::string>();
