@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tells the format of a mesh by extension or first bytes; what the formats share.
 #include <array>
 #include <optional>
 #include <utility>

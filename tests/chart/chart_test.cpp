@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <tuple>
 
 #include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"

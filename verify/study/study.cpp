@@ -11,7 +11,6 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/study/findings.hpp"
 
 namespace fathom::studies {
