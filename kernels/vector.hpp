@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arithmetic of vectors. It is in their namespace, where argument-dependent lookup finds it.
 #pragma once
 
 #include "fathom/point.hpp"
