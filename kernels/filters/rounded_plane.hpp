@@ -31,7 +31,7 @@ class RoundedPlane {
   [[nodiscard]] bool trustworthy() const { return trustworthy_; }
 
  private:
-  /// Of the computed <n, w>, for a w with this largest component.
+  /// The error bound of the computed <n, w>, for a w with this largest component.
   [[nodiscard]] double error(double length) const { return error_.slope * length + error_.floor; }
 
   Vec3<double> p_, n_;
