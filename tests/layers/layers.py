@@ -9,7 +9,7 @@ cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
-names     no two types of the project share a name, whatever their namespaces
+names     no two types share a name, whatever their namespaces; tests, and what stands alone (NAMES_OF_THEIR_OWN), may use theirs again
 examples  each installed header is included, and each of its functions called, by a program in examples
 """
 import pathlib
