@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of P = B (+) (-A), implicitly: a facet's edges, and the facet beyond an edge, from the two bodies' faces alone. Gift
-// wrapping with local adjacency: parallel edges, common normals and facets of any number of corners are no special cases.
+// wrapping with local adjacency: parallel edges, common normals and facets of any number of corners are not special cases.
 // [proofs/shallow.md]
 #pragma once
 

@@ -263,7 +263,7 @@ TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
   EXPECT_NO_THROW(read_result("{\"certificate\": \"\"} \t\r", 1, result));
 }
 
-// 1/2 <= depth^2 <= 16/5 is no proof that it is 2, nor that it is 16/5.
+// 1/2 <= depth^2 <= 16/5 is not a proof that it is 2, nor that it is 16/5.
 TEST(CheckResult, BoundsAreNoDepth) {
   Certificate c = certificate("", "1 0 0", "1 1 1");
   c.claim = Claim::bounds;

@@ -60,7 +60,7 @@ class Examiner {
   struct Fault {
     Verdict verdict;
     std::string seen;    ///< "killed by signal 11 (Segmentation fault)", "wrote 'oops'"
-    std::string reason;  ///< why that is no answer; empty if it is obvious
+    std::string reason;  ///< why that is not an answer; empty if it is obvious
     std::string words;   ///< the last words on its standard error
     std::optional<std::string> after;
     bool unread;  ///< whether the process read no byte of the case

@@ -112,7 +112,7 @@ void serve(const Running& running) {
       throw std::invalid_argument("line " + std::to_string(number) + ": " + reason.what());
     }
     if (!answer) return;
-    // A library's message may hold bytes that are no UTF-8.
+    // A library's message may hold bytes that are not UTF-8.
     const std::string text = answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
       throw std::runtime_error("an answer cannot be written");

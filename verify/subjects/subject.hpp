@@ -36,9 +36,9 @@ struct Unsupported : std::runtime_error {
 /// The library's parameters: each has the library's own default unless key=value was given. The hello lists all of them.
 class Settings {
  public:
-  /// Throws std::invalid_argument for a word that is no key=value, or a key that comes twice.
+  /// Throws std::invalid_argument for a word that is not key=value, or a key that comes twice.
   explicit Settings(const std::vector<std::string>& words);
-  /// The value in force. Throws std::invalid_argument for a value that is no number (for `count`: no whole number; the largest, which
+  /// The value in force. Throws std::invalid_argument for a value that is not a number (for `count`: no whole number; the largest, which
   /// stands for none, is listed and may be given as "no limit").
   double number(const std::string& key, double usual);
   unsigned long count(const std::string& key, unsigned long usual);
