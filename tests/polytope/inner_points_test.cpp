@@ -23,6 +23,7 @@ TEST(InnerPoints, AreCounted) {
   EXPECT_EQ(count_inner_points(with(cube, {{half, half, half}})), 1U) << "inside";
   EXPECT_EQ(count_inner_points(with(cube, {{half, half, 0}, {half, 0, 0}})), 2U) << "in a facet, on an edge";
   EXPECT_EQ(count_inner_points(with(cube, cube)), 0U) << "vertices again";
+  EXPECT_EQ(count_inner_points(with(with(cube, cube), {{half, half, half}})), 1U) << "vertices again, and one inside";
   EXPECT_EQ(count_inner_points(with(cube, {{half, half, half}, {half, half, half}})), 2U) << "one inner point twice";
 }
 
