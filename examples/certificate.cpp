@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An answer with its proof: the certificate is checked by a program that shares no code with the one that made it.
+// An answer with its proof: a checker that shares no code with the library reads the certificate.
 #include <fathom/certificate.hpp>
 #include <fathom/check.hpp>
 #include <iostream>
@@ -19,7 +19,7 @@ int main() {
   const auto bounds = fathom::make_bounds_certificate(a, b, mpq_class(1, 4), 1);
   std::cout << fathom_check::verdict_line(fathom_check::verify(fathom::certificate_text(bounds)), "bounds") << "\n";
 
-  // Whoever changes a digit is found out.
+  // A text that was changed is refused.
   std::cout << fathom_check::verify(text + "end\n").accepted() << "\n";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer holds: bodies penetrate, touch or are disjoint. A segment of length 2 and a unit cube, moved towards each other.
+// What an answer holds: bodies penetrate, touch or are disjoint. An octahedron is moved into a unit cube.
 #include <fathom/depth.hpp>
 #include <iostream>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums and differences of counts.
+// Sums and differences of counts. They are in the namespace of their operands, where argument-dependent lookup finds them.
 #pragma once
 
 #include "fathom/counters.hpp"

@@ -7,8 +7,6 @@
 
 #include <cfenv>
 #include <cstdio>
-#include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
-#include <limits>
-#include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"

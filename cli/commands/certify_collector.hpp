@@ -35,7 +35,7 @@ class Collector {
 
   /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
-  /// The same for what no case is to blame for; `known`: it is in the report already.
+  /// The same for a failure that no case caused; `known`: it is in the report already.
   void take(const harness::Unattributed& unattributed, bool known = false);
   /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and counts the others.
   void tell(const std::string& kind, const std::string& sentence);

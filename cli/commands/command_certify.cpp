@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iostream>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -81,7 +80,7 @@ class Certify {
     else talk(sentence);
   }
 
-  /// Takes what no case is to blame for. Once the report is complete, it is only printed.
+  /// Takes a failure that no case caused. Once the report is complete, it is only printed.
   void take(const harness::Unattributed& thing) {
     tell("notes on the subject", "no case's fault: the subject, " +
                                      (thing.after ? "after case " + kernels::shown(*thing.after) : "before any case") + ": " +

@@ -36,7 +36,7 @@ ExitCode run_check(std::vector<std::string> words) {
   const auto proved = std::find(words.begin(), files, "--proved");
   if (proved == files) {
     const int code = fathom_check::command_line(words, "fathom check");
-    return std::cout ? static_cast<ExitCode>(code) : internal_error;  // a program of its own has no such code: fathom-check says 2
+    return std::cout ? static_cast<ExitCode>(code) : internal_error;  // fathom-check, which has no code for internal errors, returns 2
   }
   const auto has = [&](const char* option) { return std::find(words.begin(), files, option) != files; };
   const bool compares = has("--case") || has("--results") || has("--echo") || has("--help"), width = has("--width");

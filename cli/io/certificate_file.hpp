@@ -31,7 +31,7 @@ class CertificateFile {
 /// A folder for the certificates of a stream; made if it is missing.
 class CertificateFolder {
  public:
-  /// Throws InputError if it is no folder and cannot be made.
+  /// Throws InputError if it is not a folder and cannot be made.
   explicit CertificateFolder(std::string path);
 
   /// Returns the path for the certificate of a case. Throws InputError if the id occurred before.

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "cli/io/interrupt.hpp"
-#include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {

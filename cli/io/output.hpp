@@ -24,7 +24,7 @@ void print(std::string_view text);
 /// Returns `text` with control characters, which a terminal would obey, as \xNN: line ends and those of two bytes in UTF-8 too.
 std::string without_controls(std::string_view text);
 
-/// Returns the message for `error`, which no input is to blame for.
+/// Returns the message for `error`, which no input caused.
 std::string fault_text(const std::exception& error);
 
 /// Writes "fathom: `text`" and a newline to standard error. Never fails. Escapes control characters other than line ends.

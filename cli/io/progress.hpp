@@ -26,7 +26,7 @@ class Progress : public StopOnInterrupt {
   void report(std::string_view stage, double share) override;
   /// Takes the bar off the screen until the next report, so that other text can be printed.
   void clear();
-  /// The same before text for standard output: where that is no terminal the bar stays, or short cases in quick succession would show none.
+  /// The same before text for standard output: if that is not a terminal the bar stays, or many short cases would show none.
   void answered();
 
  private:

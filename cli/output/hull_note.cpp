@@ -4,15 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <span>
 #include <vector>
 
 #include "cli/io/output.hpp"
 #include "kernels/filters/all_extreme.hpp"
 #include "kernels/parallel.hpp"
-#include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/placed_pair.hpp"
-#include "reference/polytope/polytope.hpp"
+#include "reference/polytope/inner_points.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -21,16 +18,9 @@ constexpr std::size_t worth_a_thread = 2048;  // points
 
 /// What there is to say of the points of a body; empty if all are extreme.
 std::string note_on(char body, const std::vector<Point>& points) {
-  if (kernels::all_seen_extreme(points)) return "";
-  const std::optional<polytope::PlacedPair> placed = polytope::place_if_slim(points, std::span(points).first(1));
-  if (!placed) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
-  const std::vector<Vector>& integers = placed->a.points();
-  const polytope::Polytope hull = polytope::convex_hull(integers);
-  polytope::DistinctPoints extreme = polytope::no_points_yet(integers, hull.input_ids.size());
-  extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
-  std::size_t inner = 0;
-  for (std::uint32_t i = 0; i < integers.size(); ++i) inner += !extreme.contains(i);
-  return inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, inner, points.size()) : "";
+  const std::optional<std::size_t> inner = polytope::count_inner_points(points);
+  if (!inner) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  return *inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, *inner, points.size()) : "";
 }
 
 }  // namespace

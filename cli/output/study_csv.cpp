@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Studies as lines of CSV.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <string_view>
 
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_result.hpp"

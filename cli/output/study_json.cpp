@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Studies as JSON, schema fathom/study/1.
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "cli/output/study_output.hpp"
 #include "fathom/numbers.hpp"

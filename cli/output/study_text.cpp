@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Studies for people: a block for one case, a line for each case of a stream.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -50,7 +50,7 @@ DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Poi
 
 // ---- in a norm or gauge ----
 
-/// Thrown for a point set that is no unit ball: its hull is flat, or does not have O in its interior. what() says which.
+/// Thrown for a point set that is not a unit ball: its hull is flat, or does not have O in its interior. what() says which.
 struct NoUnitBall : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

@@ -81,7 +81,7 @@ struct Distance {
   Witness witness;    ///< nearest points: b - a = translation
 };
 
-/// A plane between bodies that do not penetrate: all that rays and approximations tell of them.
+/// A plane between bodies that do not penetrate: rays and approximations return nothing else about them.
 struct Separation {
   Vector normal;  ///< primitive n with h(n) = 0 if the bodies touch, h(n) < 0 if they are disjoint
   bool touching = false;
@@ -120,13 +120,13 @@ struct Options {
   bool validate = false;
 };
 
-/// What every answer about two bodies tells of the bodies themselves.
+/// What every answer says about the bodies themselves.
 struct BodyFacts {
   bool flat_a = false, flat_b = false;         ///< whether the body has no interior
   std::uint32_t extreme_a = 0, extreme_b = 0;  ///< number of extreme points of each body; 0 if no hull was needed
 };
 
-/// An answer about two bodies that tells of those which do not penetrate no more than a plane between them.
+/// An answer about two bodies: if they do not penetrate, it is a plane between them.
 template <class Penetrating>
 struct SeparationOr : BodyFacts {
   std::variant<Penetrating, Separation> outcome;

@@ -22,7 +22,7 @@ struct Body {
   std::vector<Point> points;
 };
 
-/// Two bodies to be judged against each other.
+/// Two bodies about which a question is asked, with a name.
 struct Case {
   std::string id;
   Body a, b;

@@ -66,7 +66,7 @@ enum class Verdict {
   crash,     ///< the program ended by a signal, or with a failure, while it held the case
   time_out,  ///< no answer in the time that was given
   silent,    ///< the program ended well, or closed its output, without an answer
-  garbage,   ///< its output is no reply to the case
+  garbage,   ///< its output is not a reply to the case
   failed,    ///< it says itself that it could not answer: an exception, an error code
   // The answer is wrong.
   nan,               ///< a number that it needs is NaN or infinite

@@ -10,7 +10,7 @@
 
 namespace fathom::kernels {
 
-/// At least sqrt(numerator / denominator) * 2^-exponent, and hardly more. `numerator` >= 0, `denominator` > 0.
+/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it. `numerator` >= 0, `denominator` > 0.
 double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
 
 /// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p).
@@ -23,15 +23,15 @@ class RoundedPlane {
   [[nodiscard]] std::optional<Sign> side(const Vec3<double>& s) const;
   /// True only if <n, p> > radius * |n| for certain: O lies below the plane, farther from it than `radius` >= 0.
   [[nodiscard]] bool surely_beyond(double radius) const;
-  /// An estimate of <n, p> / |n|, finite; nothing is promised.
+  /// An estimate of <n, p> / |n|, finite, without an error bound.
   [[nodiscard]] double estimated_distance() const { return distance_; }
-  /// An estimate of n, up to its length; nothing is promised.
+  /// An estimate of n, up to its length, without an error bound.
   [[nodiscard]] const Vec3<double>& estimated_normal() const { return n_; }
   /// Whether the estimates are likely to be good to a few digits at least.
   [[nodiscard]] bool trustworthy() const { return trustworthy_; }
 
  private:
-  /// Of the computed <n, w>, for a w with this largest component.
+  /// The error bound of the computed <n, w>, for a w with this largest component.
   [[nodiscard]] double error(double length) const { return error_.slope * length + error_.floor; }
 
   Vec3<double> p_, n_;

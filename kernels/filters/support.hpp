@@ -49,7 +49,7 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
 
-/// The index of a point that is extreme in direction u as far as binary64 can tell; nothing is promised. The cloud may not be empty.
+/// Returns the index of a point that is extreme in direction u by its binary64 image, without a guarantee. The cloud may not be empty.
 std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u);
 
 /// The naive twins: exact arithmetic only.

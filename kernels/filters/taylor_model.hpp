@@ -52,7 +52,7 @@ inline TaylorModel combination(double a, const TaylorModel& f, double b, const T
   return h;
 }
 
-/// A lower bound of every f held, over the whole square.
+/// Returns a lower bound, over the whole square, of every function that the model holds.
 double least(const TaylorModel& f);
 
 }  // namespace taylor

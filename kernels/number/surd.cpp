@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"

@@ -21,7 +21,7 @@ DoubleInterval enclose(const mpz_class& c, long shift);
 /// those below 2^-1022 after scaling get a neighbour on either side.
 Vec3<DoubleInterval> enclose(const Vector& v);
 
-/// An exact direction, not zero, and what it is. Length carries no meaning.
+/// An exact direction, not zero, and its role in the chart. Its length has no meaning.
 class Direction {
  public:
   Direction() = default;

@@ -12,7 +12,7 @@
 
 namespace fathom::kernels {
 
-// A direction with another in its place if it is the vertical.
+// Returns v if d is the vertical, else d.
 inline ExactKernel::Vector_3 with_vertical(const Direction& d, const Vector& v) {
   return to_cgal<ExactKernel>(d.role() == Role::vertical ? v : d.exact());
 }

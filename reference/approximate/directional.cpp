@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The depth along a direction, by one ray.
 #include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"

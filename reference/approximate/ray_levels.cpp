@@ -2,7 +2,6 @@
 #include "reference/approximate/ray_levels.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "reference/polytope/hierarchy_descent.hpp"
 

@@ -35,7 +35,7 @@ struct ShallowResult {
 /// Two bodies made ready for queries from many places. Refers to the hierarchies and their polytopes, which must outlive it.
 class ShallowPenetration {
  public:
-  /// O(m + n + 1 / delta), but for sorting. Throws std::invalid_argument unless 0 < delta <= 2.
+  /// O(m + n + 1 / delta), except for sorting. Throws std::invalid_argument unless 0 < delta <= 2.
   ShallowPenetration(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
                      const mpq_class& delta = mpq_class(1, 4));
 

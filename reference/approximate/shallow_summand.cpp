@@ -2,12 +2,15 @@
 #include "reference/approximate/shallow_summand.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace fathom::approximate {
 namespace {
 
 using Index = std::uint32_t;
+
+constexpr Index no_edge = std::numeric_limits<Index>::max();
 
 std::vector<Vector> vertices_of(const polytope::Polytope& polytope, gaussian::Colour colour) {
   std::vector<Vector> vertices = polytope.vertices;
@@ -133,10 +136,10 @@ Turn Summand::turn(const Face& face, Index from, const Vector& d, std::uint64_t*
   *steps += spokes.size() - 1;
   const Vector& origin = vertices_[from];
   Vector best, across;
-  Index edge = polytope::no_facet, tied = polytope::no_facet;
+  Index edge = no_edge, tied = no_edge;
   for (const Spoke& s : spokes) {
     Vector x = vertices_[s.other] - origin;
-    const int order = edge == polytope::no_facet ? -1 : sgn(dot(across, x));
+    const int order = edge == no_edge ? -1 : sgn(dot(across, x));
     if (order > 0) continue;
     if (order == 0) {
       tied = s.edge;
@@ -145,9 +148,9 @@ Turn Summand::turn(const Face& face, Index from, const Vector& d, std::uint64_t*
     best = std::move(x);
     across = cross(d, best);
     edge = s.edge;
-    tied = polytope::no_facet;
+    tied = no_edge;
   }
-  if (tied == polytope::no_facet) return {false, std::move(best), {Face::Kind::edge, edge}};
+  if (tied == no_edge) return {false, std::move(best), {Face::Kind::edge, edge}};
   const Index facet = common_facet(edge, tied, -across);
   return {false, std::move(best), {Face::Kind::facet, facet}};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of P = B (+) (-A), implicitly: a facet's edges, and the facet beyond an edge, from the two bodies' faces alone. Gift
-// wrapping with local adjacency: parallel edges, common normals and facets of any number of corners are no special cases.
+// wrapping with local adjacency: parallel edges, common normals and facets of any number of corners are not special cases.
 // [proofs/shallow.md]
 #pragma once
 
@@ -42,7 +42,7 @@ class SumSurface {
   /// All edges, in cyclic order: linear in the number of corners of both faces.
   [[nodiscard]] std::vector<SumEdge> edges(const SumFacet& facet) const;
 
-  /// The facet beyond an edge of a facet. O(1), but for the degrees of the vertices that the edge is made of: *steps grows by them.
+  /// The facet beyond an edge of a facet. O(1), except for the degrees of the vertices that the edge is made of: *steps grows by them.
   [[nodiscard]] SumFacet across(const SumEdge& edge, std::uint64_t* steps) const;
 
  private:

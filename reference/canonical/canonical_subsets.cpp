@@ -149,8 +149,8 @@ class CanonicalBuilder {
     context_.report("canonical subsets", (share + (stored_of_ == gaussian::Colour::a ? 0 : 1)) / 2);
   }
 
-  // Calls search(test) with a test of stored arcs: whether the query passes above them on the wall between strips `wall` - 1 and `wall`.
-  // Never at infinity: there queries end.
+  // Calls search(test), where test(arc) says whether the query passes above a stored arc on the wall between strips `wall` - 1 and `wall`.
+  // The wall is not at infinity: a query that reaches infinity ends there.
   template <class Search>
   auto with_test(chart::ChartArcId query, std::uint32_t wall, Search search) {
     const chart::ChartArc& q = charts_.of[query_of_].arcs[query];

@@ -2,7 +2,6 @@
 // The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
 // facet), where the checkers' is local (each edge).
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "kernels/vector.hpp"

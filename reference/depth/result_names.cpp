@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The words of fathom/depth.hpp.
 #include <stdexcept>
 
 #include "fathom/depth.hpp"

@@ -22,16 +22,16 @@ struct Radius {
 // A queue of triangles, the one that seems nearest first.
 class Waiting {
  public:
-  void add(double distance, std::uint32_t triangle) { queue_.emplace(-distance, triangle); }
+  void add(double distance, TriangleId triangle) { queue_.emplace(-distance, triangle); }
   [[nodiscard]] bool empty() const { return queue_.empty(); }
-  std::uint32_t take() {
-    const std::uint32_t triangle = queue_.top().second;
+  TriangleId take() {
+    const TriangleId triangle = queue_.top().second;
     queue_.pop();
     return triangle;
   }
 
  private:
-  std::priority_queue<std::pair<double, std::uint32_t>> queue_;
+  std::priority_queue<std::pair<double, TriangleId>> queue_;
 };
 
 class Expander {
@@ -53,7 +53,7 @@ class Expander {
 
   ExpansionEnd find_nearest() {
     Radius radius;
-    return grow([&](std::uint32_t t) { return !nearest.empty() && beyond(t, radius, false); },
+    return grow([&](TriangleId t) { return !nearest.empty() && beyond(t, radius, false); },
                 [&](const ExactPlane& plane) {
                   if (nearest.offer(plane.normal, plane.height)) radius = radius_of(nearest.numerator(), nearest.denominator());
                   return true;
@@ -64,7 +64,7 @@ class Expander {
   ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
     const Radius radius = radius_of(squared.get_num(), squared.get_den());
     bool met = false;  // a facet of P that cuts the ball
-    const ExpansionEnd end = grow([&](std::uint32_t t) { return beyond(t, radius, true); },
+    const ExpansionEnd end = grow([&](TriangleId t) { return beyond(t, radius, true); },
                                   [&](const ExactPlane&) {
                                     met = true;
                                     return false;
@@ -76,7 +76,7 @@ class Expander {
   // Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance found, ignoring facets at `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
     Radius radius = radius_of(next.get_num(), next.get_den());
-    return grow([&](std::uint32_t t) { return beyond(t, radius, true); },
+    return grow([&](TriangleId t) { return beyond(t, radius, true); },
                 [&](const ExactPlane& plane) {
                   const mpq_class squared = kernels::ratio(plane.height * plane.height, dot(plane.normal, plane.normal));
                   if (squared != depth) {
@@ -92,8 +92,8 @@ class Expander {
   ExpansionEnd find_direction(const mpq_class& squared, Vector& direction) {
     wait_for_all();
     while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.take();
-      if (!surface_->triangle(t).alive) continue;
+      const TriangleId t = waiting_.take();
+      if (!surface_->triangles()[t].alive) continue;
       const Vector normal = surface_->plane(t).normal;
       if (shows(normal, squared)) {
         direction = primitive(normal);
@@ -110,8 +110,8 @@ class Expander {
   template <class PassOver, class GoOn>
   ExpansionEnd grow(PassOver pass_over, GoOn go_on) {
     while (!waiting_.empty()) {
-      const std::uint32_t t = waiting_.take();
-      if (!surface_->triangle(t).alive || pass_over(t)) continue;
+      const TriangleId t = waiting_.take();
+      if (!surface_->triangles()[t].alive || pass_over(t)) continue;
       if (std::optional<SurfaceVertex> above = point_above(t)) {
         if (!expand(std::move(*above), t)) return ExpansionEnd::spent;
         continue;
@@ -145,16 +145,16 @@ class Expander {
     return {numerator, denominator, kernels::root_from_above(numerator, denominator, exponent_)};
   }
 
-  void wait_for(std::uint32_t t) { waiting_.add(estimated_distance(t), t); }
+  void wait_for(TriangleId t) { waiting_.add(estimated_distance(t), t); }
 
   void wait_for_all() {
-    for (std::uint32_t t = 0; t < surface_->size(); ++t)
-      if (surface_->triangle(t).alive) wait_for(t);
+    for (const TriangleId t : surface_->triangles().ids())
+      if (surface_->triangles()[t].alive) wait_for(t);
   }
 
   // Decides nothing but the order.
-  double estimated_distance(std::uint32_t t) {
-    const kernels::RoundedPlane& rounded = surface_->triangle(t).rounded;
+  double estimated_distance(TriangleId t) {
+    const kernels::RoundedPlane& rounded = surface_->triangles()[t].rounded;
     if (rounded.trustworthy()) return rounded.estimated_distance();
     const ExactPlane& plane = surface_->plane(t);
     const double distance = kernels::root_from_above(plane.height * plane.height, dot(plane.normal, plane.normal), exponent_);
@@ -162,8 +162,8 @@ class Expander {
   }
 
   // Whether O lies below the plane, at a greater distance than the radius, or perhaps an equal one.
-  bool beyond(std::uint32_t t, const Radius& radius, bool or_equal) {
-    if (surface_->triangle(t).rounded.surely_beyond(radius.from_above)) return true;
+  bool beyond(TriangleId t, const Radius& radius, bool or_equal) {
+    if (surface_->triangles()[t].rounded.surely_beyond(radius.from_above)) return true;
     const ExactPlane& plane = surface_->plane(t);
     if (plane.height <= 0) return false;
     const mpz_class mine = plane.height * plane.height * radius.denominator, limit = radius.numerator * dot(plane.normal, plane.normal);
@@ -172,7 +172,7 @@ class Expander {
 
   // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms, or an extreme point. Returns nullopt if
   // the plane supports P.
-  std::optional<SurfaceVertex> point_above(std::uint32_t t) {
+  std::optional<SurfaceVertex> point_above(TriangleId t) {
     SurfaceVertex guess = vertex(likely_extreme(t));
     if (surface_->side(t, guess) > 0) return guess;
     SurfaceVertex extreme = vertex(differences_.extreme(surface_->plane(t).normal));
@@ -180,8 +180,8 @@ class Expander {
     return std::nullopt;
   }
 
-  polytope::Difference likely_extreme(std::uint32_t t) {
-    const kernels::RoundedPlane& plane = surface_->triangle(t).rounded;
+  polytope::Difference likely_extreme(TriangleId t) {
+    const kernels::RoundedPlane& plane = surface_->triangles()[t].rounded;
     Vec3<double> n = plane.estimated_normal();
     if (!plane.trustworthy()) {
       const Vector& exact = surface_->plane(t).normal;
@@ -190,11 +190,11 @@ class Expander {
     return {kernels::likely_extreme_point(a_, -n), kernels::likely_extreme_point(b_, n)};
   }
 
-  bool expand(SurfaceVertex above, std::uint32_t t) {
+  bool expand(SurfaceVertex above, TriangleId t) {
     if (points == budget_) return false;
     context_.report("expanding polytope");
     ++points;
-    for (const std::uint32_t fresh : surface_->insert(std::move(above), t)) wait_for(fresh);
+    for (const TriangleId fresh : surface_->insert(std::move(above), t)) wait_for(fresh);
     return true;
   }
 

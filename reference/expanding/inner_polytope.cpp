@@ -16,11 +16,12 @@ constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
 class Merging {
  public:
-  explicit Merging(Surface& surface) : surface_(surface), facet_of_(surface.size(), none), name_(surface.vertices().size(), none) {}
+  explicit Merging(Surface& surface)
+      : surface_(surface), facet_of_(surface.triangles().size(), none), name_(surface.vertices().size(), none) {}
 
   InnerPolytope run() {
-    for (std::uint32_t t = 0; t < surface_.size(); ++t) {
-      if (!surface_.triangle(t).alive || facet_of_[t] != none) continue;
+    for (const TriangleId t : surface_.triangles().ids()) {
+      if (!surface_.triangles()[t].alive || facet_of_[t] != none) continue;
       flood(t);
       add_facet();
     }
@@ -29,19 +30,19 @@ class Merging {
 
  private:
   // For neighbours. Only the corner that they do not share can lie off the plane.
-  bool coplanar(std::uint32_t t, std::uint32_t other) {
-    const std::array<std::uint32_t, 3>& known = surface_.triangle(t).corners;
-    for (const std::uint32_t corner : surface_.triangle(other).corners)
+  bool coplanar(TriangleId t, TriangleId other) {
+    const std::array<CornerId, 3>& known = surface_.triangles()[t].corners;
+    for (const CornerId corner : surface_.triangles()[other].corners)
       if (std::find(known.begin(), known.end(), corner) == known.end()) return surface_.side(t, surface_.vertices()[corner]) == 0;
     throw std::logic_error("two triangles of the expanding polytope have the same corners");
   }
 
   // All triangles of the facet that holds t, into members_.
-  void flood(std::uint32_t t) {
+  void flood(TriangleId t) {
     members_.assign(1, t);
     facet_of_[t] = static_cast<std::uint32_t>(result_.facets.size());
     for (std::size_t i = 0; i < members_.size(); ++i) {
-      for (const std::uint32_t other : surface_.triangle(members_[i]).across) {
+      for (const TriangleId other : surface_.triangles()[members_[i]].across) {
         if (facet_of_[other] != none || !coplanar(members_[i], other)) continue;
         facet_of_[other] = facet_of_[t];
         members_.push_back(other);
@@ -50,26 +51,27 @@ class Merging {
   }
 
   struct Side {
-    std::uint32_t triangle;
+    TriangleId triangle;
     int k;
   };
 
-  bool inner(const Side& side) const { return facet_of_[surface_.triangle(side.triangle).across[side.k]] == facet_of_[side.triangle]; }
+  bool inner(const Side& side) const { return facet_of_[surface_.triangles()[side.triangle].across[side.k]] == facet_of_[side.triangle]; }
 
   Side some_outer_side() const {
-    for (const std::uint32_t t : members_)
+    for (const TriangleId t : members_)
       for (int k = 0; k < 3; ++k)
         if (!inner({t, k})) return {t, k};
     throw std::logic_error("a facet of the expanding polytope has no boundary");
   }
 
-  std::uint32_t start(const Side& side) const { return surface_.triangle(side.triangle).corners[side.k]; }
+  CornerId start(const Side& side) const { return surface_.triangles()[side.triangle].corners[side.k]; }
 
   // The side that follows on the boundary of the facet, counter-clockwise: around the corner, over inner sides.
   Side following(Side side) const {
     side.k = next(side.k);
     while (inner(side)) {
-      const std::uint32_t pivot = start(side), other = surface_.triangle(side.triangle).across[side.k];
+      const CornerId pivot = start(side);
+      const TriangleId other = surface_.triangles()[side.triangle].across[side.k];
       side.triangle = other;
       for (side.k = 0; start(side) != pivot; ++side.k) {
       }
@@ -77,12 +79,12 @@ class Merging {
     return side;
   }
 
-  bool on_one_line(std::uint32_t u, std::uint32_t v, std::uint32_t w) const {
-    const std::vector<SurfaceVertex>& vertices = surface_.vertices();
+  bool on_one_line(CornerId u, CornerId v, CornerId w) const {
+    const kernels::IdVector<CornerId, SurfaceVertex>& vertices = surface_.vertices();
     return is_zero(cross(vertices[v].exact - vertices[u].exact, vertices[w].exact - vertices[v].exact));
   }
 
-  std::uint32_t name(std::uint32_t vertex) {
+  std::uint32_t name(CornerId vertex) {
     if (name_[vertex] == none) {
       name_[vertex] = static_cast<std::uint32_t>(result_.vertices.size());
       result_.vertices.push_back(surface_.vertices()[vertex].from);
@@ -91,7 +93,7 @@ class Merging {
   }
 
   void add_facet() {
-    std::vector<std::uint32_t> cycle;
+    std::vector<CornerId> cycle;
     const Side first = some_outer_side();
     Side side = first;
     do {
@@ -108,7 +110,9 @@ class Merging {
   }
 
   Surface& surface_;
-  std::vector<std::uint32_t> facet_of_, name_, members_;
+  kernels::IdVector<TriangleId, std::uint32_t> facet_of_;  // in result_, or none
+  kernels::IdVector<CornerId, std::uint32_t> name_;        // in result_, or none
+  std::vector<TriangleId> members_;
   InnerPolytope result_;
 };
 

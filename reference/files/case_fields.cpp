@@ -259,7 +259,7 @@ bool Listener::parse_error(std::size_t position, const std::string& last_token, 
   constexpr int number_overflow = 406;
   constexpr std::size_t readable_reason = 160;
   const std::size_t column = set_fault_line(position > 0 ? position - 1 : 0);
-  fields.fault.clear();  // what is no JSON at all is told as such
+  fields.fault.clear();  // text that is not JSON gets the error for that
   if (error.id == number_overflow) {
     fault(path(), "a number within the range of binary64", kernels::shown(last_token));
     return false;

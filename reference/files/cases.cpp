@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cases as JSON, one after another from a stream.
 #include <fstream>
 #include <iterator>
 #include <new>

@@ -28,8 +28,8 @@ struct FclFailure {
 /// Returns every failure in a log, in order. Skips lines of other programs between them, and what stands before "Shape 1:" on a line. Reads
 /// both spellings: that of FCL 0.6 and 0.7 ("Shape 1: Box0.5 0.5 0.5", matrices in columns) and the later one ("Box<double>(0.5, 0.5,
 /// 0.5);", matrices with commas). Boxes and Convex with their points are bodies; decimals mean the nearest binary64. Throws InputError with
-/// file, line and what was expected: another shape (a sphere is no polytope), a Convex printed without its points, a number that is none, a
-/// last row that is not 0 0 0 1, or no failure in the text at all.
+/// file, line and what was expected: another shape (a sphere is not a polytope), a Convex printed without its points, a bad number, a last
+/// row that is not 0 0 0 1, or no failure in the text at all.
 std::vector<FclFailure> read_fcl_text(std::string_view text, const std::string& name);
 
 }  // namespace fathom::files

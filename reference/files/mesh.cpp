@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tells the format of a mesh by extension or first bytes; what the formats share.
 #include <array>
 #include <optional>
 #include <utility>
@@ -30,7 +31,7 @@ bool is_obj_keyword(std::string_view token) {
   return false;
 }
 
-/// By the first token that is no comment; a binary STL by its size.
+/// By the first token that is not a comment; a binary STL by its size.
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   TextScanner scanner(bytes, "", {.comment = '#'});
   if (scanner.next_line()) {

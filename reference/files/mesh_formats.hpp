@@ -22,7 +22,7 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
 /// Returns whether the size is that which the header of a binary STL announces.
 bool is_binary_stl(std::string_view bytes);
 
-/// Sets `value` to the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is no number.
+/// Sets `value` to the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is not a number.
 void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value);
 
 /// The same with the next token of the line.

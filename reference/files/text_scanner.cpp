@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/files/text_scanner.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <utility>
 

@@ -10,7 +10,7 @@
 namespace fathom::gaussian {
 
 /// The signs s for which s (e.circle x f.circle) is a strict crossing: a transversal one, in the interior of both arcs. At most one sign,
-/// but for two full circles. With n_i the ends of e, (n1 x n2) x f.circle = n2 <n1,f.circle> - n1 <n2,f.circle> tells which of the two
+/// except for two full circles. With n_i the ends of e, (n1 x n2) x f.circle = n2 <n1,f.circle> - n1 <n2,f.circle> tells which of the two
 /// antipodal points of the great circles e meets.
 std::vector<kernels::Sign> strict_crossings(const kernels::UnperturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e,
                                             const GaussianDiagram& of_f, const Arc& f);

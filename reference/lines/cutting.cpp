@@ -2,7 +2,6 @@
 #include "reference/lines/cutting.hpp"
 
 #include <algorithm>
-#include <random>
 
 namespace fathom::lines {
 namespace {

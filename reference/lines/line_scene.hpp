@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the charts of one hemisphere, and the lines through the bodies' edges.
-// Output  what closest lines are sought in: the lines by chart arcs, all directed upward, so that every search speaks of chart arcs alone.
+// Output  the line of each chart arc, directed upward: searches for closest lines name lines by chart arcs alone.
 // Size    linear.
 #pragma once
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <random>
 
 #include "kernels/filters/line_frame.hpp"
 

@@ -22,7 +22,7 @@ std::vector<Index> independent_set(const HierarchySurface& surface, const std::v
     for (const Index v : group) {
       if (excluded[v]) continue;
       chosen.push_back(v);
-      for (const Index h : surface.leaving(v)) excluded[surface.target(h)] = true;
+      for (const HalfEdge h : surface.leaving(v)) excluded[surface.target(h)] = true;
     }
   }
   return chosen;
@@ -63,13 +63,13 @@ class Builder {
 
   void leave(Index v, Index level) {
     result_.last[v] = level;
-    for (const Index h : surface_.leaving(v)) links_[v].push_back({surface_.target(h), h / 2});
+    for (const HalfEdge h : surface_.leaving(v)) links_[v].push_back({surface_.target(h), edge_of(h)});
   }
 
   void remove(Index v) {
     for (const Index e : surface_.remove(v)) {
       while (result_.edges.size() <= e) {
-        const auto h = static_cast<Index>(2 * result_.edges.size());
+        const HalfEdge h(static_cast<Index>(2 * result_.edges.size()));
         result_.edges.push_back({surface_.origin(h), surface_.target(h), result_.levels, no_change});
       }
       Coarsening::Edge& edge = result_.edges[e];

@@ -13,11 +13,12 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
   // The half-edge that leaves each corner along its facet: half-edges grouped by facet, then looked up by their origin.
-  std::vector<Index> free(polytope.facets.size()), grouped(origin_.size()), at(polytope.vertices.size());
+  std::vector<Index> free(polytope.facets.size());
+  std::vector<HalfEdge> grouped(origin_.size()), at(polytope.vertices.size());
   for (Index f = 0; f < polytope.facets.size(); ++f) free[f] = polytope.facets[f].begin;
   for (Index e = 0; e < polytope.edges.size(); ++e) {
-    grouped[free[polytope.edges[e].left]++] = 2 * e;
-    grouped[free[polytope.edges[e].right]++] = 2 * e + 1;
+    grouped[free[polytope.edges[e].left]++] = HalfEdge(2 * e);
+    grouped[free[polytope.edges[e].right]++] = HalfEdge(2 * e + 1);
   }
   for (const Facet& f : polytope.facets) {
     for (Index c = f.begin; c < f.end; ++c) at[origin_[grouped[c]]] = grouped[c];
@@ -25,52 +26,52 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   }
 }
 
-Index HierarchySurface::add_edge(Index from, Index to) {
-  const auto h = static_cast<Index>(origin_.size());
+HalfEdge HierarchySurface::add_edge(Index from, Index to) {
+  const HalfEdge h(static_cast<Index>(origin_.size()));
   origin_.insert(origin_.end(), {from, to});
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
   leaving_[from] = h;
-  leaving_[to] = h + 1;
+  leaving_[to] = opposite(h);
   ++degree_[from];
   ++degree_[to];
   return h;
 }
 
-void HierarchySurface::join(Index h, Index following) {
+void HierarchySurface::join(HalfEdge h, HalfEdge following) {
   next_[h] = following;
   previous_[following] = h;
 }
 
-std::vector<Index> HierarchySurface::leaving(Index v) const {
-  std::vector<Index> ring;
-  Index h = leaving_[v];
+std::vector<HalfEdge> HierarchySurface::leaving(Index v) const {
+  std::vector<HalfEdge> ring;
+  HalfEdge h = leaving_[v];
   do {
     ring.push_back(h);
-    h = previous_[h] ^ 1;
+    h = opposite(previous_[h]);
   } while (h != leaving_[v]);
   return ring;
 }
 
 /// h leaves v. The half-edge with the hole to its left, from h's target to the next neighbour, where v's corner of the facet left of h
 /// is cut off. Of a triangle nothing is left but that side.
-Index HierarchySurface::cut_corner(Index h) {
-  const Index last = previous_[h], first = next_[h];
+HalfEdge HierarchySurface::cut_corner(HalfEdge h) {
+  const HalfEdge last = previous_[h], first = next_[h];
   if (next_[first] == last) return first;
-  const Index cut = add_edge(target(h), origin_[last]);
-  join(previous_[last], cut ^ 1);
-  join(cut ^ 1, first);
+  const HalfEdge cut = add_edge(target(h), origin_[last]);
+  join(previous_[last], opposite(cut));
+  join(opposite(cut), first);
   return cut;
 }
 
 std::vector<Index> HierarchySurface::remove(Index v) {
   std::vector<Index> touched;
   Cycle rim;
-  for (const Index h : leaving(v)) rim.push_back(cut_corner(h));
-  for (const Index h : rim) {
+  for (const HalfEdge h : leaving(v)) rim.push_back(cut_corner(h));
+  for (const HalfEdge h : rim) {
     leaving_[origin_[h]] = h;
     --degree_[origin_[h]];
-    touched.push_back(h / 2);
+    touched.push_back(edge_of(h));
   }
   degree_[v] = 0;
   close(rim, touched);
@@ -104,11 +105,11 @@ void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
     if (to == from + 1) {
       facet.push_back(hole[from]);
     } else {
-      const Index side = add_edge(origin_[hole[from]], to == hole.size() ? origin_[hole[0]] : origin_[hole[to]]);
+      const HalfEdge side = add_edge(origin_[hole[from]], to == hole.size() ? origin_[hole[0]] : origin_[hole[to]]);
       facet.push_back(side);
-      touched.push_back(side / 2);
+      touched.push_back(edge_of(side));
       Cycle& rest = holes.emplace_back(hole.begin() + static_cast<std::ptrdiff_t>(from), hole.begin() + static_cast<std::ptrdiff_t>(to));
-      rest.push_back(side ^ 1);
+      rest.push_back(opposite(side));
     }
     from = to;
   }

@@ -7,39 +7,48 @@
 #include <vector>
 
 #include "kernels/filters/plane.hpp"
+#include "kernels/id.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
 
 /// Half-edges 2 e and 2 e + 1 are the two senses of edge e; 2 e of the polytope's own edges runs as they do. A half-edge's facet lies to
 /// its left, seen from outside.
+using HalfEdge = kernels::Id<struct HalfEdgeTag>;
+
+constexpr HalfEdge opposite(HalfEdge h) { return HalfEdge(h.value ^ 1); }
+constexpr std::uint32_t edge_of(HalfEdge h) { return h.value / 2; }
+
+/// Vertices and edges are plain indices, as in a Polytope.
 class HierarchySurface {
  public:
   /// Rank 3.
   explicit HierarchySurface(const Polytope& polytope);
 
   [[nodiscard]] std::uint32_t degree(std::uint32_t v) const { return degree_[v]; }
-  [[nodiscard]] std::uint32_t origin(std::uint32_t h) const { return origin_[h]; }
-  [[nodiscard]] std::uint32_t target(std::uint32_t h) const { return origin_[h ^ 1]; }
+  [[nodiscard]] std::uint32_t origin(HalfEdge h) const { return origin_[h]; }
+  [[nodiscard]] std::uint32_t target(HalfEdge h) const { return origin_[opposite(h)]; }
   [[nodiscard]] std::size_t edges() const { return origin_.size() / 2; }
   /// Half-edges that leave v, counter-clockwise.
-  [[nodiscard]] std::vector<std::uint32_t> leaving(std::uint32_t v) const;
+  [[nodiscard]] std::vector<HalfEdge> leaving(std::uint32_t v) const;
 
   /// Removes v and closes the hole with the hull of its neighbours. New edges get the next numbers. Returns the edges of all new
   /// facets, each once: the rim first. What remains must be of rank 3.
   std::vector<std::uint32_t> remove(std::uint32_t v);
 
  private:
-  using Cycle = std::vector<std::uint32_t>;  // half-edges, each followed by the next
-  std::uint32_t add_edge(std::uint32_t from, std::uint32_t to);
-  void join(std::uint32_t h, std::uint32_t following);
-  std::uint32_t cut_corner(std::uint32_t h);
+  using Cycle = std::vector<HalfEdge>;  // each followed by the next
+  HalfEdge add_edge(std::uint32_t from, std::uint32_t to);
+  void join(HalfEdge h, HalfEdge following);
+  HalfEdge cut_corner(HalfEdge h);
   std::vector<std::size_t> corners_of_facet(const Cycle& hole) const;
   void close(const Cycle& hole, std::vector<std::uint32_t>& touched);
 
   kernels::BoxedPoints points_;
-  std::vector<std::uint32_t> origin_, next_, previous_;  // of half-edges
-  std::vector<std::uint32_t> leaving_, degree_;          // of vertices
+  kernels::IdVector<HalfEdge, std::uint32_t> origin_;
+  kernels::IdVector<HalfEdge, HalfEdge> next_, previous_;
+  std::vector<HalfEdge> leaving_;      // of each vertex, any one
+  std::vector<std::uint32_t> degree_;  // of each vertex
 };
 
 }  // namespace fathom::polytope

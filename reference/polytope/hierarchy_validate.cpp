@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The laws of a hierarchy, level by level, against hulls computed anew.
 #include <algorithm>
 #include <set>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looking up equal points by hashing, for convex_hull and validate.
+// Looking up equal points by hashing, for hulls and validate.
 #pragma once
 
 #include <cstddef>

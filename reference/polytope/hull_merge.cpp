@@ -3,6 +3,7 @@
 #include "reference/polytope/hull_merge.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
+
+constexpr Index no_vertex = std::numeric_limits<Index>::max();
 
 /// Half-edge 3 t + i runs from corner i of triangle t to the next one.
 struct Surface {
@@ -81,7 +84,7 @@ std::vector<Cycle> facet_cycles(const Surface& s, std::span<const Index> number)
     Cycle cycle{start / 3, {}};
     for (Index h = start; !seen[h]; h = s.next_border(h)) {
       seen[h] = true;
-      if (const Index v = number[s.origin(h)]; v != no_facet) cycle.corners.push_back(v);
+      if (const Index v = number[s.origin(h)]; v != no_vertex) cycle.corners.push_back(v);
     }
     start_at_lowest(cycle.corners);
     cycles.push_back(std::move(cycle));
@@ -113,7 +116,7 @@ std::vector<Edge> edges_of(const Polytope& polytope) {
 }  // namespace
 
 std::vector<std::uint32_t> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
-  std::vector<Index> number(points.size(), no_facet);
+  std::vector<Index> number(points.size(), no_vertex);
   for (Index id = 0; id < points.size(); ++id) {
     if (!extreme[id]) continue;
     number[id] = static_cast<Index>(polytope.vertices.size());

@@ -121,7 +121,7 @@ std::vector<Point> offsets(std::span<const Point> body, const Point& origin) {
   return result;
 }
 
-/// For points whose common denominator is much longer than they are: what differences do not need is left out beforehand, and there
+/// For points whose common denominator is much longer than they are: what differences do not need is left out first, and there
 /// are limits.
 PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
   Lattice lattice;

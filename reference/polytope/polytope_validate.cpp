@@ -2,6 +2,7 @@
 // Every law that polytope.hpp states, rank by rank. Nothing is assumed of the value, so shape and ranges of indices come first.
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
+
+constexpr Index nowhere = std::numeric_limits<Index>::max();  // place of a vertex that a cycle does not have
 
 void check_counts(const Polytope& p, kernels::Report& report) {
   const std::size_t v = p.vertices.size(), e = p.edges.size(), f = p.facets.size(), c = p.corners.size();
@@ -69,7 +72,7 @@ void check_segment(const Polytope& p, std::span<const Vector> points, kernels::R
 void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const auto n = static_cast<Index>(p.vertices.size());
   const auto slot_of = [&](Index begin) {
-    std::vector<Index> slots(n, no_facet);
+    std::vector<Index> slots(n, nowhere);
     for (Index i = 0; i < n; ++i) slots[p.corners[begin + i]] = i;
     return slots;
   };
@@ -78,12 +81,12 @@ void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::R
   report.expect(p.facets[1].normal == -p.facets[0].normal, "the normals of a polygon's facets are not opposite");
   for (Index i = 0; i < n; ++i) {
     const Index u = p.corners[i], v = p.corners[(i + 1) % n];
-    const bool reversed = back[u] != no_facet && back[v] != no_facet && (back[v] + 1) % n == back[u];
+    const bool reversed = back[u] != nowhere && back[v] != nowhere && (back[v] + 1) % n == back[u];
     report.expect(reversed, "a side of a polygon's facet 0 is not, reversed, one of facet 1");
   }
   std::vector<bool> used(n);
   for (const Edge& e : p.edges) {
-    const bool side = front[e.from] != no_facet && p.corners[(front[e.from] + 1) % n] == e.to && e.left == 0 && e.right == 1;
+    const bool side = front[e.from] != nowhere && p.corners[(front[e.from] + 1) % n] == e.to && e.left == 0 && e.right == 1;
     if (report.expect(side, "a polygon's edge does not run along facet 0 with facet 0 to its left")) {
       report.expect(!used[e.from], "a polygon's edge occurs twice");
       used[e.from] = true;

@@ -3,6 +3,7 @@
 #include "reference/polytope/validate_surface.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -11,9 +12,11 @@ namespace {
 
 using Index = std::uint32_t;
 
+constexpr Index no_side = std::numeric_limits<Index>::max();
+
 /// A slot is a position in polytope.corners; it stands also for the side of the facet from this corner to the next.
 struct Sides {
-  explicit Sides(const Polytope& polytope) : p(polytope), facet(p.corners.size()), twin(p.corners.size(), no_facet) {
+  explicit Sides(const Polytope& polytope) : p(polytope), facet(p.corners.size()), twin(p.corners.size(), no_side) {
     for (Index f = 0; f < p.facets.size(); ++f) std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
     for (Index s = 0; s < p.corners.size(); ++s) by_ends.push_back({ends(s), s});
     std::ranges::sort(by_ends);
@@ -27,10 +30,10 @@ struct Sides {
   [[nodiscard]] const Vector& normal(Index s) const { return p.facets[facet[s]].normal; }
   [[nodiscard]] Vector direction(Index s) const { return p.vertices[ends(s).second] - p.vertices[ends(s).first]; }
 
-  /// The side with these ends in facet f, or no_facet.
+  /// The side with these ends in facet f, or no_side.
   [[nodiscard]] Index find(Ends wanted, Index f) const {
     const auto found = std::ranges::lower_bound(by_ends, wanted, {}, &std::pair<Ends, Index>::first);
-    if (found == by_ends.end() || found->first != wanted || facet[found->second] != f) return no_facet;
+    if (found == by_ends.end() || found->first != wanted || facet[found->second] != f) return no_side;
     return found->second;
   }
 
@@ -62,16 +65,16 @@ bool pair_sides(Sides& sides, kernels::Report& report) {
   for (std::size_t i = 0; i < p.edges.size(); ++i) {
     const Edge& e = p.edges[i];
     const Index l = sides.find({e.from, e.to}, e.left), r = sides.find({e.to, e.from}, e.right);
-    if (l == no_facet || r == no_facet) {
+    if (l == no_side || r == no_side) {
       report.faults.push_back("edge " + std::to_string(i) + " is not a side of its left and, reversed, of its right facet");
-    } else if (sides.twin[l] != no_facet || sides.twin[r] != no_facet) {
+    } else if (sides.twin[l] != no_side || sides.twin[r] != no_side) {
       report.faults.push_back("edge " + std::to_string(i) + " repeats an earlier edge");
     } else {
       sides.twin[l] = r;
       sides.twin[r] = l;
     }
   }
-  const bool closed = std::ranges::find(sides.twin, no_facet) == sides.twin.end();
+  const bool closed = std::ranges::find(sides.twin, no_side) == sides.twin.end();
   report.expect(closed, "a side of a facet belongs to no edge");
   return report.ok();
 }
@@ -87,7 +90,7 @@ std::vector<Index> star(const Sides& sides, Index start) {
   return around;
 }
 
-/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first facet but for its own two, and all
+/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first facet except for its own two, and all
 /// other facets lie strictly above the first edge. At the edges convexity is known.
 bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
   // Facet i lies between the edges i and i + 1.
@@ -125,7 +128,7 @@ void validate_surface(const Polytope& polytope, kernels::Report& report) {
     const bool convex = !is_zero(along) && same_direction(along, polytope.vertices[e.to] - polytope.vertices[e.from]);
     report.expect(convex, "edge " + std::to_string(i) + " is flat or reflex");
   }
-  std::vector<Index> sides_at(polytope.vertices.size(), 0), some_side(polytope.vertices.size(), no_facet);
+  std::vector<Index> sides_at(polytope.vertices.size(), 0), some_side(polytope.vertices.size(), no_side);
   for (Index s = 0; s < polytope.corners.size(); ++s) {
     ++sides_at[polytope.corners[s]];
     some_side[polytope.corners[s]] = s;

@@ -17,8 +17,8 @@ std::size_t usual_budget(const polytope::PlacedPair& pair) {
   return std::min<std::size_t>(200 + 2 * (pair.a.size() + pair.b.size()), 20000);
 }
 
-// By an expanding polytope: no hulls of the bodies, and the proof is there when the answer is. Returns nullopt if O is not interior or the
-// budget is exhausted.
+// Answers by an expanding polytope, which needs no hulls and proves its answer. Returns nullopt if O is not interior or the budget is
+// exhausted.
 std::optional<Depth> certified_depth(kernels::Context& context, const polytope::PlacedPair& pair, std::size_t budget, bool checked) {
   expanding::Expansion expansion = expanding::nearest_by_expansion(context, pair.a, pair.b, budget);
   if (expansion.end != expanding::ExpansionEnd::proved) return std::nullopt;

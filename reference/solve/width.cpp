@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The width is the depth of a body against itself.
 #include "fathom/width.hpp"
 
 namespace fathom {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <tuple>
 
 #include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"
@@ -108,7 +107,7 @@ TEST(Chart, WallsAreTotallyOrdered) {
   }
 }
 
-// Nodes (K + a, -K + b, 0) beside the pole (1,1,0): abscissae grow with a + b, of which no image knows much when K is large.
+// Nodes (K + a, -K + b, 0) beside the pole (1,1,0): abscissae grow with a + b, which is lost in the images when K is large.
 TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
   families::Random random(5);
   const mpz_class k = mpz_class(1) << 60;

@@ -176,7 +176,7 @@ TEST(CheckCase, CasesAreFoundById) {
   EXPECT_EQ(compared(line("\"id\": \"x\", ", 1), certificate("y", "1 0 0", "1 1 1")), "") << "the only case";
 }
 
-// Not the certificate's, and even where there is one case only.
+// The result's id counts, not the certificate's, even if there is one case only.
 TEST(CheckCase, AResultIsFoundByItsOwnId) {
   const std::string x = "{\"id\": \"x\", \"a\": " + body("1, 0, 0") + ", \"b\": " + body("1, 1, 1") + "}\n";
   const std::string y = "{\"id\": \"y\", \"a\": " + body("2, 0, 0") + ", \"b\": " + body("1, 1, 1") + "}\n";
@@ -263,7 +263,7 @@ TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
   EXPECT_NO_THROW(read_result("{\"certificate\": \"\"} \t\r", 1, result));
 }
 
-// 1/2 <= depth^2 <= 16/5 is no proof that it is 2, nor that it is 16/5.
+// 1/2 <= depth^2 <= 16/5 is not a proof that it is 2, nor that it is 16/5.
 TEST(CheckResult, BoundsAreNoDepth) {
   Certificate c = certificate("", "1 0 0", "1 1 1");
   c.claim = Claim::bounds;

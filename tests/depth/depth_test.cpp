@@ -40,7 +40,7 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
   }
 }
 
-// Topology is perturbed, values never: nothing of the answer depends on how coincidences are resolved.
+// Topology is perturbed, values never are: the answer does not depend on how coincidences are resolved.
 TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 9);

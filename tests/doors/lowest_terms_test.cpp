@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"

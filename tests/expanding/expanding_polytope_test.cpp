@@ -197,9 +197,9 @@ TEST(Surface, IsTheHullWhateverTheOrderOfThePoints) {
     if (det(Vector(points[1] - points[0]), Vector(points[2] - points[0]), Vector(points[3] - points[0])) == 0) continue;
     Surface surface({vertex(0), vertex(1), vertex(2), vertex(3)}, 3);
     for (std::uint32_t j = 4; j < points.size(); ++j) {
-      for (std::uint32_t t = 0; t < surface.size(); ++t) {
-        if (!surface.triangle(t).alive || surface.side(t, vertex(j)) <= 0) continue;
-        for (const std::uint32_t fresh : surface.insert(vertex(j), t)) ASSERT_FALSE(is_zero(surface.plane(fresh).normal));
+      for (const TriangleId t : surface.triangles().ids()) {
+        if (!surface.triangles()[t].alive || surface.side(t, vertex(j)) <= 0) continue;
+        for (const TriangleId fresh : surface.insert(vertex(j), t)) ASSERT_FALSE(is_zero(surface.plane(fresh).normal));
         break;
       }
     }
@@ -215,7 +215,7 @@ TEST(Surface, RefusesAFlatStartAndPointsThatAreNotAbove) {
   EXPECT_THROW(Surface({vertex(0, 0, 0), vertex(1, 0, 0), vertex(0, 1, 0), vertex(1, 1, 0)}, 4), std::logic_error);
   Surface surface({vertex(0, 0, 0), vertex(4, 0, 0), vertex(0, 4, 0), vertex(0, 0, 4)}, 4);
   EXPECT_EQ(surface.alive(), 4U);
-  for (std::uint32_t t = 0; t < 4; ++t) {
+  for (const TriangleId t : surface.triangles().ids()) {
     EXPECT_EQ(surface.side(t, vertex(1, 1, 1)), -1);
     EXPECT_THROW(surface.insert(vertex(1, 1, 1), t), std::logic_error);
   }

@@ -2,7 +2,6 @@
 // One body in every format, and what each format may vary.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 

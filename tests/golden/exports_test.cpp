@@ -9,12 +9,10 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
-#include "fathom/numbers.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/golden/records/record.hpp"
 

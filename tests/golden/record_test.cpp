@@ -14,8 +14,6 @@
 #include "reference/depth/gap.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/families.hpp"
-#include "verify/golden/records/names.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {

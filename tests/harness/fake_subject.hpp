@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subjects in this process, right but for a rule of the test's making.
+// Subjects in this process, right except for a rule of the test's making.
 #pragma once
 
 #include <cmath>

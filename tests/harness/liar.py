@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A subject for axis-parallel boxes that misbehaves on request: liar.py WAY [SECONDS].
 
-It answers rightly, but for cases that are marked: the first point of A lies at x >= 1000. WAY is a key of WAYS below, or
+It answers rightly, except for cases that are marked: the first point of A lies at x >= 1000. WAY is a key of WAYS below, or
 "honest"; ways that concern the hello or the end need no mark. SECONDS: each answer takes so long."""
 import json
 import os

@@ -102,7 +102,7 @@ TEST(Process, IsGoneBeforeItIsWrittenTo) {
 }
 
 TEST(Process, Signals) {
-  for (const char* command : {"kill -SEGV $$", "sh -c 'kill -SEGV $$'; exit $?"}) {  // the shell's own, and one that it tells of
+  for (const char* command : {"kill -SEGV $$", "sh -c 'kill -SEGV $$'; exit $?"}) {  // the shell's own signal, and one of its child
     Process process(command);
     const auto ending = process.ending(in_time());
     ASSERT_TRUE(ending);

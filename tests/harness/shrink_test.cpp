@@ -159,7 +159,7 @@ TEST(Shrink, WaitsForFewTimeOuts) {
 }
 
 TEST(Shrink, KeepsOneUlpThatMatters) {
-  // Wrong whenever some coordinate of A is no multiple of 2^-40.
+  // Wrong whenever some coordinate of A is not a multiple of 2^-40.
   const Examine picky = judged([](const Case& pair, Reply& reply) {
     const auto is_fine = [](const Point& p) { return p.x != 0 && lowest_bit(p.x) < -40; };
     const bool fine = std::ranges::any_of(pair.a.points, is_fine);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <string>
 
 #include "fathom/judge.h"
 #include "tests/judge/pairs.hpp"

@@ -13,7 +13,7 @@ namespace fathom::testing {
 inline Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 inline mpq_class product(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
-/// Solves the rows (matrix | right side) of a positive definite system; nothing if it is singular.
+/// Solves the rows (matrix | right side) of a positive definite system; returns nullopt if it is singular.
 inline std::optional<std::vector<mpq_class>> solved(std::vector<std::vector<mpq_class>> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i][i] == 0) return std::nullopt;

@@ -91,7 +91,7 @@ class NaiveJudge {
   static mpq_class along(const Point& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
   static mpf_class length(const Point& u) { return root(real(along(u, u))); }
 
-  /// The direction in which A moves, mended; nothing if it is zero.
+  /// The direction in which A moves, mended; nullopt if it is zero.
   std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found) const {
     if (given == Point{0, 0, 0}) {
       found.push_back(Verdict::not_a_direction);

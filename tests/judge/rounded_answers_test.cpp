@@ -64,7 +64,7 @@ struct Placed {
   Truth truth;
 };
 
-/// The case scaled, after it was moved along x, y and z, as the precision sees it. Nothing if that overflows.
+/// The case scaled, after it was moved along x, y and z, as the precision sees it. Returns nullopt if that overflows.
 std::optional<Placed> placed(const Case& input, Precision precision, long offset, const char* scale) {
   const mpq_class factor = *parse_number(scale, Decimals::exact).value;
   const auto moved = [&](std::vector<Point> points) {

@@ -56,7 +56,7 @@ TEST(Images, AreTruncatedAndOdd) {
   EXPECT_GT(image(mpz_class(-long_one), 60), -1);
 }
 
-// Normal to d but for a multiple of some power of two: values on both sides of the error bound.
+// Normal to d except for a multiple of some power of two: values on both sides of the error bound.
 TEST(Images, SureSidesAreRight) {
   std::mt19937_64 random(3);
   Tally near, far;

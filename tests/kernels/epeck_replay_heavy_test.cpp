@@ -37,7 +37,7 @@ Sign recorded(Predicate id, bool perturbed, Sign answer, const Directions&... op
 
 }  // namespace
 
-// The linker takes these instead of the library's, which do the same but for the recording.
+// The linker takes these instead of the library's, which do the same except for the recording.
 Sign UnperturbedKernel::side_of_equator(const Direction& n, const Direction& z) const {
   return recorded(Predicate::side_of_equator, false, decide<SideOfEquator>(n, z), n, z);
 }

@@ -126,7 +126,7 @@ TEST(NotFarther, DoesNotDependOnTheNeighbours) {
   }
 }
 
-// Lines in random position with the least of all their distances as bound: hardly anything else comes back.
+// Lines in random position with the least of all their distances as bound: almost nothing else comes back.
 TEST(NotFarther, LeavesOutNearlyEverything) {
   Random random(6);
   const Scene of_a = random_lines(random, 60, 300), of_b = random_lines(random, 60, 300);

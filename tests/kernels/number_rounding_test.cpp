@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Correct rounding against a twin that knows nothing of cuts: it bisects over all floating-point numbers in order and asks exact
+// Correct rounding against a twin that does not cut: it bisects over all floating-point numbers in order and asks exact
 // questions only (is x <= q? is x^2 <= q?).
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <tuple>
 
 #include "kernels/predicates/perturbed_kernel.hpp"
 

@@ -290,7 +290,7 @@ TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
         }
       }
       ASSERT_EQ(nodes.size(), 26U);
-      // Counted, not sorted: a sort may not be asked to order what is no order.
+      // Counted, not sorted: a sort may not be asked to order what is not an order.
       std::vector<std::size_t> right_of(nodes.size());
       for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (std::size_t j = 0; j < nodes.size(); ++j) {

@@ -28,7 +28,7 @@ std::array<Vector, 4> four_points(Random& random, unsigned long bits) {
     const unsigned long fine = 1 + random() % bits;
     for (std::size_t i = 1; i < 4; ++i) p[i] = p[0] + random_vector(random, fine);
   }
-  if (random() % 4 == 0) {  // so near to p[0] that images hardly tell
+  if (random() % 4 == 0) {  // so near to p[0] that the images almost agree
     p[3] = p[0] + random_vector(random, bits > 55 ? bits - 55 + random() % 8 : 1);
   } else if (random() % 2 == 0) {
     p[3] = p[0] + p[1] - p[2];

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "kernels/filters/support.hpp"
 
 namespace fathom::kernels {

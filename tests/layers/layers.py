@@ -9,7 +9,8 @@ cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines
-names     no two types of the project share a name, whatever their namespaces
+names     no two types share a name, whatever their namespaces; tests, and what stands alone (NAMES_OF_THEIR_OWN), may use theirs again
+namespace a room's names are in its own namespace inside fathom, those for users in fathom itself
 examples  each installed header is included, and each of its functions called, by a program in examples
 """
 import pathlib
@@ -46,6 +47,9 @@ DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/")
 NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/examples/", "examples/", "tests/", "proofs/")
 
+# The namespace of a room is called like its folder, except where a public function has that name.
+NAMESPACES = {"verify/judge": "judging", "verify/study": "studies", "include/fathom": ""}
+
 # What is installed: all headers of this folder, by the file set of this target; and the checker's one header.
 INSTALLED = {"fathom_headers": "include/fathom", "fathom_check": "verify/check/check.hpp"}
 CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who includes it has CGAL
@@ -58,6 +62,7 @@ SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_]+|gmp(xx)?\.h")
 NAMESPACE = re.compile(r"(?:inline )?namespace ?([\w:]*) \{")
+ROOM_NAMESPACE = re.compile(r"^(?:inline )?namespace fathom::(\w+)", re.MULTILINE)
 NAMESPACE_END = re.compile(r"\}  // namespace")
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:,])[^;]*(?:\{.*|$)"
                   r"|(?:template <.*> )?using (\w+) =.*")
@@ -130,6 +135,11 @@ def source_breaches(root, path, text, listed):
         yield "rounding", f"{hit.group()} outside kernels"
     if (lines := text.count("\n")) > LINES:
         yield "length", f"{lines} lines, more than {LINES}"
+    room = room_of(name)
+    if room and not name.startswith(NAMES_OF_THEIR_OWN):
+        own = NAMESPACES.get(room, room.rsplit("/", 1)[-1])
+        for other in sorted(set(ROOM_NAMESPACE.findall(text)) - {own}):
+            yield "namespace", f"fathom::{other} in {room}"
 
 
 def type_names(text):

@@ -120,6 +120,16 @@ class Layers(unittest.TestCase):
         changes = {"kernels/one.hpp": place % ("fathom", "fathom"), "cli/two.cpp": place % ("fathom::cli", "fathom::cli")}
         self.assertEqual(breaches(changes), [("kernels/one.hpp", "names")])
 
+    def test_a_room_has_a_namespace_of_its_own(self):
+        space = SPDX + "namespace fathom::%s {\n}  // namespace fathom::%s\n"
+        for name, own in (("kernels/number/a.hpp", "kernels"), ("reference/depth/a.cpp", "depth"), ("verify/judge/a.cpp", "judging"), ("cli/io/a.hpp", "cli")):
+            self.expect(name, space % (own, own))
+            self.expect(name, SPDX + "namespace fathom {\n}  // namespace fathom\n")
+            self.expect(name, space % ("polytope", "polytope"), "namespace")
+        self.expect("kernels/number/a.hpp", space % ("kernels::inner", "kernels::inner"))
+        self.expect("include/fathom/bad.hpp", space % ("kernels", "kernels"), "namespace")
+        self.expect("tests/depth/a.hpp", space % ("polytope", "polytope"))
+
     def test_types_that_may_share_a_name(self):
         inside = SPDX + "namespace fathom {\n%s}  // namespace fathom\n"
         one = {"reference/depth/one.hpp": inside % "struct Place {\n};\n"}

@@ -11,7 +11,7 @@ NO_NAMES = {"requires", "decltype", "static_assert", "noexcept", "alignas"}  # t
 
 
 def functions_of(header):
-    """The names of the functions that a header declares, members included, but for constructors, destructors and operators."""
+    """The names of the functions that a header declares, members included, except for constructors, destructors and operators."""
     names, types, statement = [], set(), []
     scopes = []  # whether each open brace is that of a namespace or type, and not of a body
     parentheses = 0  # open ones

@@ -197,7 +197,7 @@ TEST(ConvexHull, RandomSphere) {
   EXPECT_TRUE(validate(p, points, false).ok());
 }
 
-/// Large facets: all points of either base are coplanar, and the bases also hold points that are no corners.
+/// Large facets: all points of either base are coplanar, and the bases also hold points that are not corners.
 TEST(ConvexHull, PrismWithManyCorners) {
   Points points;
   const int half = 300;
@@ -250,7 +250,7 @@ TEST(ConvexHull, IsWrittenInOneWayOnly) {
   EXPECT_TRUE(rc::check([] {
     const Points points = degenerate_points();
     const Polytope p = convex_hull(points);
-    // More points that are no vertices change the hull's construction, not its result.
+    // More points that are not vertices change the hull's construction, not its result.
     Points more = mpz_class(2) * points;
     Points twice = more;
     for (std::size_t i = 0; i < points.size(); ++i) twice.push_back(points[i] + points[(i * 5 + 3) % points.size()]);

@@ -53,7 +53,7 @@ mpz_class wild(std::mt19937_64& random, unsigned long bits) {
   return random() & 1 ? r : mpz_class(-r);
 }
 
-// An invertible affine map keeps the position; its entries have up to thousands of bits, so images in binary64 tell nothing.
+// An invertible affine map keeps the position; its entries have up to thousands of bits, so images in binary64 decide nothing.
 TEST(PositionOfOrigin, IsInvariantUnderExactAffineMaps) {
   std::mt19937_64 random(1);
   int repeat = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stops the checking of an input, and the memory of JSON. Nothing is ever reserved because a file announces it.
+// What stops the checking of an input, and the memory of JSON. No memory is reserved because a file announces a size.
 #pragma once
 
 #include <cstddef>

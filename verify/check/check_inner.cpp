@@ -2,7 +2,6 @@
 // The polytope inside P that holds the ball. Facets are polygons; no hull code, no topology, no tolerance.   [FORMAT.md, sections 4 and 5]
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "budget.hpp"
 #include "checks.hpp"

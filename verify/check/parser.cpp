@@ -69,7 +69,7 @@ void Parser::require_line(const char* expected) {
   if (bytes_ > longest_certificate) throw malformed(lines_->number(), "a certificate of more bytes than the limit, 1000000000");
 }
 
-// Moves on to the next line that is no comment and splits it into its fields. Blanks in excess yield empty fields, which are no tokens.
+// Moves on to the next line that is not a comment and splits it into its fields. Blanks in excess yield empty fields, which are not tokens.
 void Parser::next(const char* expected) {
   lines_->advance();
   skip_comments();

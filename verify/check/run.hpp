@@ -12,10 +12,10 @@
 
 namespace fathom_check {
 
-/// Another checker, without whose assent nothing is accepted.
+/// A second checker: a certificate is accepted only if both accept it.
 class SecondChecker {
  public:
-  /// What it says of one certificate: the line to print for it.
+  /// Its verdict on one certificate, with the line to print.
   struct Opinion {
     Outcome outcome = Outcome::refused;
     std::string line;
@@ -41,7 +41,7 @@ struct Options {
   SecondChecker* second = nullptr;  ///< may be absent
 };
 
-/// Prints verdicts to `out`, complaints about the case file to `err`. The exit code.
+/// Prints verdicts to `out`, complaints about the case file to `err`. Returns the exit code.
 int run(const Options& options, std::istream& standard_input, std::ostream& out, std::ostream& err);
 
 }  // namespace fathom_check

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <set>
-#include <vector>
 
 #include "verify/families/circle.hpp"
 #include "verify/families/fans.hpp"

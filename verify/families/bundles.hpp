@@ -33,7 +33,7 @@ Bodies crossed_patch(Random& random, unsigned n);
 /// Near-regular n-gonal prisms of radius 1 along the y-axis and the x-axis; O close to the part of P that their rims make.
 Bodies crossed_prisms(Random& random, unsigned n);
 
-/// The same with corners at random angles (but for eight), and with random heights of the prisms. Coordinates are binary64 numbers.
+/// The same with corners at random angles (except for eight), and with random heights of the prisms. Coordinates are binary64 numbers.
 Bodies crossed_random_prisms(Random& random, unsigned n);
 
 /// Points of thin bands around full circles in the xz-plane and the yz-plane.

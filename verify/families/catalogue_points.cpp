@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs whose input points are degenerate before any geometry begins, and pairs that are degenerate but for 2^-1000.
+// Pairs whose input points are degenerate before any geometry begins, and pairs that are degenerate except for 2^-1000.
 #include "verify/families/catalogue_groups.hpp"
 #include "verify/families/solids.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/families/degrade.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <string>
 
@@ -46,11 +45,6 @@ static_assert(std::size(ways) == std::size(names));
 }  // namespace
 
 std::span<const DegradationName> degradations() { return names; }
-
-const DegradationName* find_degradation(std::string_view name) {
-  const auto found = std::ranges::find(names, name, &DegradationName::name);
-  return found == std::end(names) ? nullptr : &*found;
-}
 
 Case degrade(const Case& generic, Degradation way, std::uint64_t seed) {
   Random random(seed);

@@ -44,9 +44,6 @@ struct DegradationName {
 /// All ways, in the order of the enumeration.
 std::span<const DegradationName> degradations();
 
-/// Returns null if no way has that name.
-const DegradationName* find_degradation(std::string_view name);
-
 /// Returns `generic`, degraded in this way, with the id "<id>-<name>". The result is the same on every machine. If there is a choice of
 /// features to coincide, the seed makes it. A body that lacks the feature (a point has no edge) stays as it is. Bodies must not be empty.
 Case degrade(const Case& generic, Degradation way, std::uint64_t seed);

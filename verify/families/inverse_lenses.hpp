@@ -27,7 +27,7 @@ struct Lenses {
 /// The two bodies, with about `points` points each. Let r be the distance in direction -n, that in direction n at most r, and
 /// each body's thickness between a quarter and three quarters of the sum of both. Then all facets of P in other directions are farther
 /// than r (1 + 2^-8), and the two facets, if the features that meet span them, hold the foot points of O; if the distance in direction n
-/// is negative, it is the distance of the bodies. Coordinates are multiples of powers of 2 with about 20 bits, but for the four numbers
+/// is negative, it is the distance of the bodies. Coordinates are multiples of powers of 2 with about 20 bits, except for the four numbers
 /// times n.
 Bodies lenses(const Lenses& plan, Random& random, unsigned points);
 

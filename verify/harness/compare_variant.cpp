@@ -51,7 +51,7 @@ class Comparison {
  private:
   [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
 
-  /// The tolerance, or what rounding costs both answers.
+  /// Sets what is allowed: the larger of the tolerance and what rounding may change in both answers.
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = judging::sizes_of(made_.seen.a.points, made_.seen.b.points);

@@ -20,7 +20,7 @@ using Clock = Process::Clock;
 constexpr auto grace = std::chrono::seconds(1);          // to end after the output was closed
 constexpr auto grace_to_stop = std::chrono::seconds(5);  // to end after "stop"
 constexpr int most_starts = 3;                           // in a row, of a subject that had said hello before
-constexpr int most_faults = 4;                           // of one case, until it is blamed for whatever the last one is
+constexpr int most_faults = 4;                           // of one case; then the last of them is its outcome
 
 Clock::duration duration(double seconds) {
   constexpr double longest = 1e8;  // three years; the clock counts nanoseconds in 64 bits
@@ -55,9 +55,9 @@ void Examiner::finish() {
   std::optional<Fault> found;
   if (got == Process::Got::line) found = fault(Verdict::garbage, "wrote " + quoted(line));
   if (got == Process::Got::end) found = fault_of_end(line);
-  // Ended as it was told to: that is silence in good order.
+  // It ended normally, without an answer: silent.
   const bool is_well = found && found->verdict == Verdict::silent && !found->unread;
-  // When a line was written nobody knows.
+  // It is unknown when a line was written.
   if (found && !is_well) tell(*found, found->unread || found->verdict == Verdict::garbage ? "" : "after stop: ");
   process_.reset();
 }
@@ -131,7 +131,7 @@ void Examiner::start_again() {
   }
 }
 
-/// The case is to blame for what happens twice, the second time in a fresh process.
+/// A failure is the case's if it happens twice, the second time in a fresh process.
 Outcome Examiner::ask(const Case& seen) {
   std::optional<Fault> before;
   for (int faults = 1;; ++faults) {

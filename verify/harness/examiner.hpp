@@ -26,10 +26,10 @@ struct Settings {
   double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};                               ///< of the verdicts
   std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
-  std::function<void(const Unattributed&)> unattributed;  ///< hears what no case is to blame for; called from any thread
+  std::function<void(const Unattributed&)> unattributed;  ///< hears of failures that no case caused; called from any thread
 };
 
-/// The subject cannot be started, or its hello is missing or wrong. No case is to blame.
+/// The subject cannot be started, or its hello is missing or wrong. No case caused this.
 struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -60,7 +60,7 @@ class Examiner {
   struct Fault {
     Verdict verdict;
     std::string seen;    ///< "killed by signal 11 (Segmentation fault)", "wrote 'oops'"
-    std::string reason;  ///< why that is no answer; empty if it is obvious
+    std::string reason;  ///< why that is not an answer; empty if it is obvious
     std::string words;   ///< the last words on its standard error
     std::optional<std::string> after;
     bool unread;  ///< whether the process read no byte of the case

@@ -23,7 +23,7 @@ std::optional<Unattributed> read_unattributed(std::string_view line);
 
 /// The first line: whose outcomes they are, by which tolerance they were judged, and by which fathom and command.
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
-/// Whether two headers say the same but for the command.
+/// Whether two headers say the same except for the command.
 bool same_run(std::string_view header, std::string_view other);
 /// The last line of a complete run.
 struct Totals {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/loose_json.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <limits>
 

@@ -35,7 +35,7 @@ struct Outcome {
   double seconds = 0;                  ///< wall time until the answer
 };
 
-/// A failure that no case is to blame for: after a good answer the process ended, wrote something or stopped reading, and a fresh process
+/// A failure that no case caused: after a good answer the process ended, wrote something or stopped reading, and a fresh process
 /// had no such trouble with the next case; or it did not exit with 0 after it was told to stop.
 struct Unattributed {
   std::optional<std::string> after;  ///< the id of the last case that the process had answered; nullopt if none

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines of schema fathom/verdict/1 back as outcomes. Whatever is not exactly as it was written is refused by an exception inside.
-#include <algorithm>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 

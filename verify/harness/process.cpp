@@ -159,7 +159,7 @@ std::optional<Ending> Process::ending(Clock::time_point deadline) {
 }
 
 std::string Process::last_words() {
-  constexpr int enough = 16;  // it may be writing without end
+  constexpr int enough = 16;  // the process may never stop writing
   pollfd end = {errors_, POLLIN, 0};
   for (int i = 0; i < enough && errors_ >= 0 && ::poll(&end, 1, 0) > 0; ++i) read_errors();
   return words_;

@@ -57,7 +57,7 @@ Outcome Replay::examine(const Case& pair, const Tolerance& tolerance, const std:
   if (!seen) return overflowed(pair, info_.precision);
   Outcome outcome = outcome_for(*seen);
   if (found->second.size() == 1) judge_answer(outcome, *seen, found->second[0], info_, tolerance, stop);
-  else outcome.detail = fmt::format("{} replies to one case", found->second.size());  // garbage, which it is from the start
+  else outcome.detail = fmt::format("{} replies to one case", found->second.size());  // the verdict stays garbage
   return outcome;
 }
 

@@ -8,7 +8,7 @@
 
 namespace fathom::harness {
 
-/// Failures that no case is to blame for, by their wording, with their number.
+/// Failures that no case caused, by their wording, with their number.
 using UnattributedCounts = std::map<std::string, std::size_t>;
 
 inline std::size_t sum(const UnattributedCounts& counts) {

@@ -141,7 +141,7 @@ class Judge {
     return kernels::sign({-1 - t, square}) <= 0 && kernels::sign({t - 1, square}) >= 0;
   }
 
-  /// Whether the claimed depth is no less than that way, but for the tolerance; or there is no way to go.
+  /// Whether the claimed depth is no less than that way, except for the tolerance; or there is no way to go.
   [[nodiscard]] bool separates_by(const mpq_class& travel) const {
     return depth_.status() != Status::penetrating || !allowed_.direction.below(*claim_.depth, travel);
   }

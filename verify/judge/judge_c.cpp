@@ -15,7 +15,6 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/surd.hpp"
-#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The words for verdicts.
 #include <algorithm>
 #include <iterator>
 
 #include "fathom/judge.hpp"
 
-namespace fathom::judging {
+namespace fathom {
 namespace {
 
 constexpr std::string_view names[] = {"crash",
@@ -30,16 +31,12 @@ static_assert(std::size(names) == static_cast<std::size_t>(Verdict::pass) + 1);
 
 }  // namespace
 
-}  // namespace fathom::judging
-
-namespace fathom {
-
-std::string_view name(Verdict verdict) { return judging::names[static_cast<std::size_t>(verdict)]; }
+std::string_view name(Verdict verdict) { return names[static_cast<std::size_t>(verdict)]; }
 
 std::optional<Verdict> verdict_named(std::string_view name) {
-  const auto found = std::ranges::find(judging::names, name);
-  if (found == std::end(judging::names)) return std::nullopt;
-  return static_cast<Verdict>(found - std::begin(judging::names));
+  const auto found = std::ranges::find(names, name);
+  if (found == std::end(names)) return std::nullopt;
+  return static_cast<Verdict>(found - std::begin(names));
 }
 
 }  // namespace fathom

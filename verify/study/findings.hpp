@@ -2,34 +2,37 @@
 // What the searches of a study share: the bodies with their diagrams, and the list of coincidences.
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <map>
+#include <vector>
 
 #include "kernels/context.hpp"
+#include "kernels/nearest.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "verify/study/study.hpp"
 
 namespace fathom::studies {
 
-/// For maps with directions as keys.
-struct LexicographicOrder {
-  bool operator()(const Vector& u, const Vector& v) const { return lexicographically_less(u, v); }
-};
+/// What belongs to each of some directions.
+template <class T>
+using ByDirection = std::map<Vector, T, kernels::NearestPlanes::LexicographicOrder>;
 
 /// A body and its Gaussian diagram, that of its reflection for A.
 struct Subject {
+  gaussian::Colour colour;
   const polytope::Polytope& body;
   const gaussian::GaussianDiagram& diagram;
 
-  [[nodiscard]] Feature edge(std::uint32_t i) const;
-  [[nodiscard]] Feature facet(std::uint32_t i) const;
+  /// The edge of an arc, and the facet of a node.
+  [[nodiscard]] Feature feature(gaussian::ArcId i) const;
+  [[nodiscard]] Feature feature(gaussian::NodeId i) const;
+  /// A coincidence of features of this body with those of the other one.
+  [[nodiscard]] Involved involved(std::vector<Feature> own, std::vector<Feature> others = {}) const;
 };
+using Subjects = gaussian::PerColour<Subject>;
 
 /// Counts every coincidence and lists the first few of each kind.
 class Findings {
  public:
-  using Ids = std::span<const std::uint32_t>;
-
   Findings(Study& study, std::size_t most) : study_(study), most_(most) {}
 
   void add(Coincidence kind, Involved involved) {
@@ -38,28 +41,28 @@ class Findings {
     if (all.listed.size() < most_) all.listed.push_back(std::move(involved));
   }
 
-  /// Adds every x of one group with every y of another; involved(x, y) describes a pair.
-  template <class F>
-  void add_pairs(Coincidence kind, Ids xs, Ids ys, F involved) {
+  /// Adds every one of A's with every one of B's.
+  template <class I>
+  void add_pairs(Coincidence kind, const Subjects& subjects, const gaussian::PerColour<std::vector<I>>& ids) {
     Coincidences& all = at(kind);
-    all.count += std::uint64_t{xs.size()} * ys.size();
-    for (const std::uint32_t x : xs) {
-      for (const std::uint32_t y : ys) {
+    all.count += std::uint64_t{ids.a.size()} * ids.b.size();
+    for (const I i : ids.a) {
+      for (const I j : ids.b) {
         if (all.listed.size() >= most_) return;
-        all.listed.push_back(involved(x, y));
+        all.listed.push_back({{subjects.a.feature(i)}, {subjects.b.feature(j)}});
       }
     }
   }
 
-  /// Adds every two of one group.
-  template <class F>
-  void add_pairs(Coincidence kind, Ids xs, F involved) {
+  /// Adds every two of one body's.
+  template <class I>
+  void add_pairs(Coincidence kind, const Subject& subject, const std::vector<I>& ids) {
     Coincidences& all = at(kind);
-    if (xs.size() > 1) all.count += std::uint64_t{xs.size()} * (xs.size() - 1) / 2;
-    for (std::size_t i = 0; i < xs.size(); ++i) {
-      for (std::size_t j = i + 1; j < xs.size(); ++j) {
+    if (ids.size() > 1) all.count += std::uint64_t{ids.size()} * (ids.size() - 1) / 2;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      for (std::size_t j = i + 1; j < ids.size(); ++j) {
         if (all.listed.size() >= most_) return;
-        all.listed.push_back(involved(xs[i], xs[j]));
+        all.listed.push_back(subject.involved({subject.feature(ids[i]), subject.feature(ids[j])}));
       }
     }
   }
@@ -72,11 +75,11 @@ class Findings {
 };
 
 /// Finds the kinds that are seen in space.
-void find_parallel_edges(const Subject& a, const Subject& b, Findings& findings);
-void find_common_normals(const Subject& a, const Subject& b, Findings& findings);
+void find_parallel_edges(const Subjects& subjects, Findings& findings);
+void find_common_normals(const Subjects& subjects, Findings& findings);
 /// Finds the kinds that are seen on the sphere. The first reports its progress.
-void find_normals_on_arcs(kernels::Context& context, const Subject& a, const Subject& b, Findings& findings);
-void find_equator_hits(const Subject& a, const Subject& b, Findings& findings);
-void find_verticals(const Subject& a, const Subject& b, Findings& findings);
+void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, Findings& findings);
+void find_equator_hits(const Subjects& subjects, Findings& findings);
+void find_verticals(const Subjects& subjects, Findings& findings);
 
 }  // namespace fathom::studies

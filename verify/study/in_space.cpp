@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parallel edges and common normals: equal primitive vectors, found by sorting.
-#include <array>
-#include <map>
-
 #include "verify/study/findings.hpp"
 
 namespace fathom::studies {
@@ -14,51 +11,43 @@ Vector line_direction(const Vector& u) {
   return lexicographically_less(result, Vector{0, 0, 0}) ? -result : result;
 }
 
-using Groups = std::map<Vector, std::array<std::vector<std::uint32_t>, 2>, LexicographicOrder>;
-
-void group_edges(const Subject& subject, std::size_t side, Groups& groups) {
-  for (std::uint32_t i = 0; i < subject.diagram.arcs.size(); ++i)
-    groups[line_direction(subject.diagram.arcs[gaussian::ArcId(i)].circle.exact())][side].push_back(i);
-}
+const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) { return subject.body.facets[node.value]; }
 
 /// Whether the supporting planes of two facets with parallel normals are one.
-bool coplanar(const Subject& a, std::uint32_t f, const Subject& b, std::uint32_t g) {
-  const Vector& p = a.body.vertices[a.body.corners[a.body.facets[f].begin]];
-  const Vector& q = b.body.vertices[b.body.corners[b.body.facets[g].begin]];
-  return dot(a.body.facets[f].normal, p - q) == 0;
+bool coplanar(const Subjects& subjects, gaussian::NodeId of_a, gaussian::NodeId of_b) {
+  const polytope::Polytope &a = subjects.a.body, &b = subjects.b.body;
+  const polytope::Facet& facet = facet_of(subjects.a, of_a);
+  return dot(facet.normal, a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(subjects.b, of_b).begin]]) == 0;
 }
 
 }  // namespace
 
-void find_parallel_edges(const Subject& a, const Subject& b, Findings& findings) {
-  Groups groups;
-  group_edges(a, 0, groups);
-  group_edges(b, 1, groups);
+void find_parallel_edges(const Subjects& subjects, Findings& findings) {
+  ByDirection<gaussian::PerColour<std::vector<gaussian::ArcId>>> groups;
+  for (const gaussian::Colour colour : gaussian::both_colours) {
+    const gaussian::GaussianDiagram& diagram = subjects[colour].diagram;
+    for (const gaussian::ArcId i : diagram.arcs.ids()) groups[line_direction(diagram.arcs[i].circle.exact())][colour].push_back(i);
+  }
   for (const auto& [direction, edges] : groups) {
-    findings.add_pairs(Coincidence::parallel_edges, edges[0], edges[1], [&](std::uint32_t e, std::uint32_t f) -> Involved {
-      return {{a.edge(e)}, {b.edge(f)}};
-    });
-    findings.add_pairs(Coincidence::parallel_edges_of_a, edges[0], [&](std::uint32_t e, std::uint32_t f) -> Involved {
-      return {{a.edge(e), a.edge(f)}, {}};
-    });
-    findings.add_pairs(Coincidence::parallel_edges_of_b, edges[1], [&](std::uint32_t e, std::uint32_t f) -> Involved {
-      return {{}, {b.edge(e), b.edge(f)}};
-    });
+    findings.add_pairs(Coincidence::parallel_edges, subjects, edges);
+    findings.add_pairs(Coincidence::parallel_edges_of_a, subjects.a, edges.a);
+    findings.add_pairs(Coincidence::parallel_edges_of_b, subjects.b, edges.b);
   }
 }
 
 // Facet normals are primitive, and no two facets of a body share one.
-void find_common_normals(const Subject& a, const Subject& b, Findings& findings) {
-  std::map<Vector, std::uint32_t, LexicographicOrder> facet_of_b;
-  for (std::uint32_t g = 0; g < b.body.facets.size(); ++g) facet_of_b.emplace(b.body.facets[g].normal, g);
-  for (std::uint32_t f = 0; f < a.body.facets.size(); ++f) {
-    const Vector& normal = a.body.facets[f].normal;
+void find_common_normals(const Subjects& subjects, Findings& findings) {
+  const auto& [a, b] = subjects;
+  ByDirection<gaussian::NodeId> facet_of_b;
+  for (const gaussian::NodeId g : b.diagram.nodes.ids()) facet_of_b.emplace(facet_of(b, g).normal, g);
+  for (const gaussian::NodeId f : a.diagram.nodes.ids()) {
+    const Vector& normal = facet_of(a, f).normal;
     for (const bool equal : {false, true}) {
       const auto found = facet_of_b.find(equal ? normal : -normal);
       if (found == facet_of_b.end()) continue;
-      const Involved facets{{a.facet(f)}, {b.facet(found->second)}};
+      const Involved facets{{a.feature(f)}, {b.feature(found->second)}};
       findings.add(equal ? Coincidence::equal_normals : Coincidence::coincident_normals, facets);
-      if (coplanar(a, f, b, found->second)) findings.add(Coincidence::coplanar_facets, facets);
+      if (coplanar(subjects, f, found->second)) findings.add(Coincidence::coplanar_facets, facets);
     }
   }
 }

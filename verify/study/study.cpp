@@ -11,7 +11,6 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/placed_pair.hpp"
-#include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/study/findings.hpp"
 
 namespace fathom::studies {
@@ -30,12 +29,12 @@ PredicateCounts predicates_of(const gaussian::GaussianDiagram& minus_a, const ga
 }
 
 /// The integer points of both bodies.
-using Bodies = std::array<std::vector<Vector>, 2>;
+using Bodies = gaussian::PerColour<std::vector<Vector>>;
 
 mpz_class common_divisor(const Bodies& bodies, mpz_class Vector::*axis) {
   mpz_class divisor;
-  for (const std::vector<Vector>& body : bodies) {
-    for (const Vector& p : body) {
+  for (const gaussian::Colour colour : gaussian::both_colours) {
+    for (const Vector& p : bodies[colour]) {
       mpz_gcd(divisor.get_mpz_t(), divisor.get_mpz_t(), (p.*axis).get_mpz_t());
       if (divisor == 1) return divisor;
     }
@@ -49,8 +48,8 @@ Vector stretch_axes(Bodies& bodies) {
   Vector units;
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
     units.*axis = common_divisor(bodies, axis);
-    for (std::vector<Vector>& body : bodies)
-      for (Vector& p : body) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
+    for (const gaussian::Colour colour : gaussian::both_colours)
+      for (Vector& p : bodies[colour]) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
   }
   return units;
 }
@@ -82,7 +81,7 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
   const polytope::PlacedPair placed = polytope::place(a, b);
   Bodies bodies{placed.a.points(), placed.b.points()};
   const Vector units = stretch_axes(bodies);
-  const polytope::Polytope body_a = polytope::convex_hull(bodies[0]), body_b = polytope::convex_hull(bodies[1]);
+  const polytope::Polytope body_a = polytope::convex_hull(bodies.a), body_b = polytope::convex_hull(bodies.b);
   result.a = size_of(body_a);
   result.b = size_of(body_b);
   context.report("diagrams");
@@ -91,13 +90,13 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
   result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
 
   context.report("coincidences");
-  const Subject of_a{body_a, diagram_a}, of_b{body_b, diagram_b};
+  const Subjects subjects{{gaussian::Colour::a, body_a, diagram_a}, {gaussian::Colour::b, body_b, diagram_b}};
   Findings findings(result, options.listed);
-  find_parallel_edges(of_a, of_b, findings);
-  find_common_normals(of_a, of_b, findings);
-  find_normals_on_arcs(context, of_a, of_b, findings);
-  find_equator_hits(of_a, of_b, findings);
-  find_verticals(of_a, of_b, findings);
+  find_parallel_edges(subjects, findings);
+  find_common_normals(subjects, findings);
+  find_normals_on_arcs(context, subjects, findings);
+  find_equator_hits(subjects, findings);
+  find_verticals(subjects, findings);
   find_contacts(body_a, body_b, units, result.depth, findings);
   return result;
 }

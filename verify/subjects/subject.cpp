@@ -79,7 +79,7 @@ json reply_to(const json& request, const Solver& solve) {
   return reply;
 }
 
-/// The line that answers `line`; nothing for "stop". Throws for a line that is not of the protocol.
+/// The line that answers `line`; nullopt for "stop". Throws for a line that is not of the protocol.
 std::optional<json> answer_to(const std::string& line, const Running& running) {
   const json request = json::parse(line);
   const std::string type = request.at("type").get<std::string>();
@@ -112,7 +112,7 @@ void serve(const Running& running) {
       throw std::invalid_argument("line " + std::to_string(number) + ": " + reason.what());
     }
     if (!answer) return;
-    // A library's message may hold bytes that are no UTF-8.
+    // A library's message may hold bytes that are not UTF-8.
     const std::string text = answer->dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
       throw std::runtime_error("an answer cannot be written");

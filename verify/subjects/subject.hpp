@@ -33,16 +33,16 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The library's parameters: each has the library's own default unless key=value was given. All of them are told in the hello.
+/// The library's parameters: each has the library's own default unless key=value was given. The hello lists all of them.
 class Settings {
  public:
-  /// Throws std::invalid_argument for a word that is no key=value, or a key that comes twice.
+  /// Throws std::invalid_argument for a word that is not key=value, or a key that comes twice.
   explicit Settings(const std::vector<std::string>& words);
-  /// The value in force. Throws std::invalid_argument for a value that is no number (for `count`: no whole number; the largest, which
-  /// stands for none, is told and may be given as "no limit").
+  /// The value in force. Throws std::invalid_argument for a value that is not a number (for `count`: no whole number; the largest, which
+  /// stands for none, is listed and may be given as "no limit").
   double number(const std::string& key, double usual);
   unsigned long count(const std::string& key, unsigned long usual);
-  /// Tells what cannot be changed.
+  /// Lists what cannot be changed.
   void note(const std::string& key, const std::string& text);
   /// Throws std::invalid_argument when a key was given that nothing asked for.
   void check_all_used() const;
@@ -77,7 +77,7 @@ Vector mean(const std::vector<Vector>& points);
 Body hull(const Body& body);
 
 /// Speaks the protocol until "stop" or the end of the input. What the library prints on its standard output goes to the standard error.
-/// Returns the exit code: 0, or 2 for wrong arguments or a line that is not of the protocol (told on the standard error).
+/// Returns the exit code: 0, or 2 for wrong arguments or a line that is not of the protocol (reported on the standard error).
 int run(const Program& program, int argc, char** argv);
 
 }  // namespace subject

@@ -74,7 +74,7 @@ ZstdReader::ZstdReader(const std::filesystem::path& path) : file_(path), frame_(
 
 ZstdReader::~ZstdReader() = default;
 
-/// Appends the next piece of content to text_; false at the end.
+/// Appends the next piece of content to text_; returns false at the end.
 bool ZstdReader::more() {
   Frame& frame = *frame_;
   for (;;) {

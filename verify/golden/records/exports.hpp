@@ -19,7 +19,7 @@ struct Exports {
   std::string csv_row, include_entry;
 };
 
-/// Throws std::invalid_argument if `line` is no record.
+/// Throws std::invalid_argument if `line` is not a record.
 Exports exports_of(std::string_view line);
 
 }  // namespace fathom::golden

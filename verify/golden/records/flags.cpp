@@ -101,7 +101,7 @@ mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
   return root;
 }
 
-/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of two, and is no number of the format.
+/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of two, and is not a number of the format.
 template <Modes Format, long Precision>
 bool hard_rounding(const Look& look) {
   constexpr long beyond = 19;

@@ -41,7 +41,7 @@ class JsonText {
   void digits(mpz_srcptr n);
 
   std::string text_;
-  bool first_ = true;  ///< nothing stands before the next value in its object or array
+  bool first_ = true;  ///< the next value is the first of its object or array
 };
 
 }  // namespace fathom::golden

@@ -9,7 +9,6 @@
 #include "verify/check/reader.hpp"
 #include "verify/golden/io/sha256.hpp"
 #include "verify/golden/records/faces.hpp"
-#include "verify/golden/records/flags.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
 #include "verify/golden/records/record_reader.hpp"

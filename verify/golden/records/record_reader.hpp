@@ -11,7 +11,7 @@
 
 namespace fathom::golden {
 
-/// Why a text is no record, as one sentence.
+/// Why a text is not a record, as one sentence.
 struct NotARecord : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

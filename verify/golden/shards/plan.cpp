@@ -23,7 +23,7 @@ constexpr unsigned least_size = 4;
 /// What a level adds to those below it.
 struct Share {
   unsigned each;           ///< cases of each family
-  unsigned most;           ///< the largest size but for a few cases
+  unsigned most;           ///< the largest size except for a few cases
   unsigned one_in_larger;  ///< one case in this many is up to five times as large; 0 for none
 };
 

@@ -58,7 +58,7 @@ std::string key_of(std::string_view id, std::string_view variant) {
   return variant.empty() ? escaped(id) : fmt::format("{}~{}", escaped(id), escaped(variant));
 }
 
-/// Returns the key in canonical escaping, however a user escaped it, or nullopt if it is no key.
+/// Returns the key in canonical escaping, however a user escaped it, or nullopt if it is not a key.
 std::optional<std::string> canonical_key(std::string_view text) {
   const std::size_t tilde = text.find('~');
   const auto id = unescaped(text.substr(0, tilde));

@@ -48,7 +48,8 @@ class ExpectedFailures {
   [[nodiscard]] Check check(std::span<const Outcome> outcomes) const;
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-  /// What stays of the list: its comments, and its lines that are among `failing`, as `failure_line` writes them; they are taken out there.
+  /// Returns the comments of the list, and those of its lines that are in `failing`, as `failure_line` writes them. Removes these from
+  /// `failing`.
   [[nodiscard]] std::string renewed(std::multiset<std::string>& failing) const;
 
  private:
@@ -67,8 +68,8 @@ class ExpectedFailures {
   std::string name_, text_;
 };
 
-/// The list that a run agrees with, with a comment that says what it is and of which subject. `read` takes it back. Of an earlier list, the
-/// lines that are still true stay as they are, and so do comments; what is new comes behind them, sorted.
+/// Returns the list that a run agrees with, under a comment that names the subject; `read` reads it back. Comments of the list `before`, and
+/// its lines that are still true, stay as they are; new lines follow, sorted.
 std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before = {});
 
 }  // namespace fathom::harness

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Which failures the page shows: first the worst of each verdict, then the worst of each family, then the worst of all.
 #include <algorithm>
 #include <set>
 #include <utility>

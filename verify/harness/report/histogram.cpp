@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The histogram of errors by decade, as SVG.
 #include <fmt/format.h>
 
 #include <algorithm>

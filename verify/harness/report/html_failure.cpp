@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One failure of the page: pictures, the truth, the claim, and exact numbers.
 #include <fmt/format.h>
 
 #include <algorithm>

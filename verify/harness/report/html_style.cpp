@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The style sheet of the page.
 #include "verify/harness/report/html_parts.hpp"
 
 namespace fathom::harness {

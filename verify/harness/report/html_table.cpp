@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of verdicts by family.
 #include <fmt/format.h>
 
 #include "verify/harness/report/html_parts.hpp"

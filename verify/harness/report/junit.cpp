@@ -6,7 +6,6 @@
 #include <map>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"

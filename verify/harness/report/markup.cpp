@@ -9,7 +9,7 @@ namespace {
 struct Lead {
   std::size_t length;  // of the sequence in bytes
   unsigned bits;       // that the first byte gives
-  unsigned least;      // a smaller code point has a shorter sequence, so this one is no UTF-8
+  unsigned least;      // a smaller code point has a shorter sequence, so this one is not UTF-8
 };
 
 Lead lead_of(unsigned char byte) {
@@ -20,7 +20,7 @@ Lead lead_of(unsigned char byte) {
   return {0, 0, 0};
 }
 
-/// Bytes of the character that `text`, which is not empty, begins with; 0 if that is no UTF-8, or none that XML 1.0 may hold.
+/// Bytes of the character that `text`, which is not empty, begins with; 0 if that is not UTF-8, or none that XML 1.0 may hold.
 std::size_t character(std::string_view text) {
   const auto [length, bits, least] = lead_of(static_cast<unsigned char>(text[0]));
   if (length == 0 || length > text.size()) return 0;

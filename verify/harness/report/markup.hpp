@@ -9,7 +9,7 @@
 namespace fathom::harness {
 
 /// As character data or as a quoted attribute value of XML 1.0 or HTML, in UTF-8. Tabs and line ends become character references;
-/// what neither format may hold, and bytes that are no UTF-8, are shown as "\x1b".
+/// what neither format may hold, and bytes that are not UTF-8, are shown as "\x1b".
 std::string markup(std::string_view text);
 
 /// Printable ASCII; other bytes as "\x1b". At most `width` >= 3 characters: what is longer ends in "...".

@@ -67,7 +67,7 @@ Triple unit_vector(const Point& v) { return normalised(rounded(shortened(v))); }
 Point point_of(const Vector& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 
 View::View(const Point& along, const std::optional<Point>& second) : right_(shortened(along)) {
-  constexpr double hardly = 1e-3;  // nearer to parallel, the second one does not show
+  constexpr double hardly = 1e-3;  // below this sine the second direction does not show
   const Triple right = unit_vector(right_);
   Triple up = second ? across(unit_vector(*second), right) : Triple{};
   if (!(length(up) > hardly)) up = across(least_aligned(right), right);

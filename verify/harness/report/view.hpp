@@ -43,7 +43,7 @@ class View {
 /// is expected.
 std::vector<Dot> clipped(std::vector<Dot> path, bool closed, Dot centre, Dot limit);
 
-/// The corners of the convex hull, in order. For filling: rounding may keep or lose a corner that hardly is one.
+/// The corners of the convex hull, in order. For filling: rounding may keep or lose a corner that is almost flat.
 std::vector<Dot> outline(std::vector<Dot> dots);
 
 }  // namespace fathom::harness

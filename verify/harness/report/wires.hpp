@@ -34,7 +34,7 @@ class Viewport {
   [[nodiscard]] Dot pixel(const Dot& d) const { return {width / 2 + (d.x - centre_.x) * scale_, height / 2 - (d.y - centre_.y) * scale_}; }
   [[nodiscard]] double scale() const { return scale_; }
 
-  /// The "d" of a path: "M1 2L3 4"; closed ones end in "Z". Empty where nothing of it is near the frame.
+  /// The "d" of a path: "M1 2L3 4"; closed ones end in "Z". Empty if no part of it is near the frame.
   [[nodiscard]] std::string path(const std::vector<Dot>& dots, bool closed) const;
 
  private:

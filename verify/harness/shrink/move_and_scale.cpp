@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Passes that move bodies to the origin and scale them by powers of two.
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 

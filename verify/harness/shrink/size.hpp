@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large a case is to its human reader.
+// How large a case is for its human reader.
 #pragma once
 
 #include <gmpxx.h>

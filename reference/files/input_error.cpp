@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The sentence of an InputError.
 #include <utility>
 
 #include "fathom/files.hpp"
 
-namespace fathom::files {
+namespace fathom {
 namespace {
 
 std::string sentence(const std::string& file, std::size_t line, const std::string& message) {
@@ -12,11 +13,7 @@ std::string sentence(const std::string& file, std::size_t line, const std::strin
 
 }  // namespace
 
-}  // namespace fathom::files
-
-namespace fathom {
-
 InputError::InputError(std::string file, std::size_t line, const std::string& message)
-    : std::runtime_error(files::sentence(file, line, message)), file_(std::move(file)), line_(line) {}
+    : std::runtime_error(sentence(file, line, message)), file_(std::move(file)), line_(line) {}
 
 }  // namespace fathom
