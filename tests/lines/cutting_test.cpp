@@ -205,8 +205,12 @@ TEST(Engines, StopWhenAsked) {
         interrupted = true;
       }
       EXPECT_EQ(interrupted, watch.told);
-      if (last == 0) EXPECT_TRUE(interrupted && nearest.empty());
-      if (last < 0) EXPECT_FALSE(nearest.empty());
+      if (last == 0) {
+        EXPECT_TRUE(interrupted && nearest.empty());
+      }
+      if (last < 0) {
+        EXPECT_FALSE(nearest.empty());
+      }
       ASSERT_FALSE(watch.shares.empty());
       EXPECT_TRUE(std::ranges::is_sorted(watch.shares));
       EXPECT_EQ(watch.shares.front(), 0.25);
