@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
@@ -189,6 +193,23 @@ TEST(FailuresToShow, WorstFirstAndOneOfEachVerdictAndFamily) {
   EXPECT_EQ(shown, (std::vector<std::size_t>{53, 49, 48, 47, 50, 51}));
   EXPECT_EQ(failures_to_show(outcomes).size(), 53u);
   EXPECT_EQ(failures_to_show(outcomes, 0).size(), 0u);
+}
+
+TEST(FailuresToShow, DoNotDependOnTheOrderInWhichAnswersCame) {
+  Outcomes outcomes;
+  for (const char* id : {"a::1", "a::2", "b::1", "b::2"}) {
+    outcomes.push_back(outcome(id, Verdict::crash));
+    outcomes.push_back(judged(id, Verdict::too_deep, 1, 1));
+  }
+  const auto shown = [&] {
+    std::vector<std::pair<std::string, Verdict>> result;
+    for (const std::size_t i : failures_to_show(outcomes, 5)) result.emplace_back(outcomes[i].id, outcomes[i].verdict);
+    return result;
+  };
+  const auto before = shown();
+  EXPECT_EQ(before.front(), std::pair(std::string("a::1"), Verdict::crash));
+  std::ranges::reverse(outcomes);
+  EXPECT_EQ(shown(), before);
 }
 
 TEST(Claims, TranslationsFollowTheConventions) {

@@ -2,7 +2,6 @@
 // Which failures the page shows: first the worst of each verdict, then the worst of each family, then the worst of all.
 #include <algorithm>
 #include <set>
-#include <utility>
 
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/worst.hpp"
@@ -10,16 +9,11 @@
 namespace fathom::harness {
 
 std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std::size_t most) {
-  std::vector<std::pair<double, std::size_t>> worst;
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (fails(outcomes[i].verdict)) worst.emplace_back(-badness(outcomes[i]), i);
-  std::ranges::sort(worst);
-
-  std::vector<std::size_t> chosen;
-  std::set<std::size_t> taken;
+  const std::vector<std::size_t> worst = worst_first(outcomes);
+  std::set<std::size_t> chosen;  // places in `worst`
   const auto choose = [&](const auto& is_new) {
-    for (const auto& [bad, i] : worst)
-      if (chosen.size() < most && !taken.contains(i) && is_new(outcomes[i])) chosen.push_back(i), taken.insert(i);
+    for (std::size_t k = 0; k < worst.size(); ++k)
+      if (chosen.size() < most && !chosen.contains(k) && is_new(outcomes[worst[k]])) chosen.insert(k);
   };
   std::set<Verdict> verdicts;
   std::set<std::string> families;
@@ -30,8 +24,9 @@ std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std
   });
   choose([&](const Outcome& outcome) { return families.insert(family_of(outcome.id)).second; });
   choose([](const Outcome&) { return true; });
-  std::ranges::sort(chosen, {}, [&](std::size_t i) { return std::pair(-badness(outcomes[i]), i); });
-  return chosen;
+  std::vector<std::size_t> result;
+  for (const std::size_t k : chosen) result.push_back(worst[k]);
+  return result;
 }
 
 }  // namespace fathom::harness

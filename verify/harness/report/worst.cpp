@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <string_view>
+#include <tuple>
 
 namespace fathom::harness {
 
@@ -15,12 +16,20 @@ double badness(const Outcome& outcome) {
   return std::isnan(error) ? beyond : error;
 }
 
+std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes) {
+  std::vector<std::size_t> failures;
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    if (fails(outcomes[i].verdict)) failures.push_back(i);
+  std::ranges::sort(failures, {}, [&](std::size_t i) {
+    const Outcome& outcome = outcomes[i];
+    return std::tuple(-badness(outcome), std::string_view(outcome.id), std::string_view(outcome.variant), i);
+  });
+  return failures;
+}
+
 std::map<Verdict, std::vector<std::size_t>> worst_failures(std::span<const Outcome> outcomes) {
   std::map<Verdict, std::vector<std::size_t>> result;
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (fails(outcomes[i].verdict)) result[outcomes[i].verdict].push_back(i);
-  for (auto& [verdict, indices] : result)
-    std::ranges::stable_sort(indices, std::greater{}, [&](std::size_t i) { return badness(outcomes[i]); });
+  for (const std::size_t i : worst_first(outcomes)) result[outcomes[i].verdict].push_back(i);
   return result;
 }
 

@@ -14,7 +14,11 @@ namespace fathom::harness {
 /// Larger is worse. Answers without a depth, and with one where there is none, have no relative error: they come first.
 double badness(const Outcome& outcome);
 
-/// The failures of each verdict by index, worst first, of equals in order.
+/// The indices of the failures, worst first. Equals follow by id and variant, so that the order does not depend on which answer of a
+/// parallel run came first.
+std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes);
+
+/// The same of each verdict.
 std::map<Verdict, std::vector<std::size_t>> worst_failures(std::span<const Outcome> outcomes);
 
 }  // namespace fathom::harness
