@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The public function: it places the bodies on a lattice, or answers for the deciding points if a common lattice would be too fine.
 #include "fathom/depth.hpp"
+
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/polytope/placed_pair.hpp"
