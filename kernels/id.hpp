@@ -55,6 +55,12 @@ class IdsBelow {
   Iterator end_;
 };
 
+/// The ids with these numbers.
+template <class I>
+std::vector<I> to_ids(const std::vector<std::uint32_t>& numbers) {
+  return std::vector<I>(numbers.begin(), numbers.end());
+}
+
 /// A vector that is indexed by ids of type I alone.
 template <class I, class T>
 struct IdVector : std::vector<T> {

@@ -41,6 +41,8 @@ TEST(Id, NoneIsNoIdAndGreaterThanAll) {
   EXPECT_EQ(Apple(3).next(), Apple(4));
 }
 
+TEST(Id, NumbersBecomeIdsInTheirOrder) { EXPECT_EQ(to_ids<Apple>({4, 0, 9}), (std::vector{Apple(4), Apple(0), Apple(9)})); }
+
 TEST(IdVector, FindsElementsByTheirIds) {
   Apples apples{5, 6, 7};
   std::vector<Apple> ids;
