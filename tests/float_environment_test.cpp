@@ -136,6 +136,10 @@ class Writer {
     for (const T& x : all) *this << x;
     return put("]");
   }
+  template <class Tag>
+  Writer& operator<<(kernels::Id<Tag> id) {
+    return *this << id.value;
+  }
   Writer& operator<<(const Depth& d) {
     return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness()
                  << (d.distance() ? std::optional(*d.distance()) : std::nullopt) << d.flat_a << d.flat_b;

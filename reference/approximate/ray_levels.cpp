@@ -46,15 +46,15 @@ std::vector<Vector> corners_of(const std::vector<Vector>& thickness) {
   return corners;
 }
 
-std::vector<Vector> points_of(const polytope::Hierarchy& h, const std::vector<std::uint32_t>& vertices) {
+std::vector<Vector> points_of(const polytope::Hierarchy& h, const std::vector<polytope::VertexId>& vertices) {
   std::vector<Vector> points;
-  for (const std::uint32_t v : vertices) points.push_back(h.cloud()[v]);
+  for (const polytope::VertexId v : vertices) points.push_back(h.polytope().vertices[v]);
   return points;
 }
 
 /// The highest vertex of a descent, new at its level, and its neighbours there.
 std::vector<Vector> star(const polytope::Hierarchy& h, const polytope::HierarchyDescent& descent) {
-  std::vector<std::uint32_t> vertices = descent.neighbours();
+  std::vector<polytope::VertexId> vertices = descent.neighbours();
   vertices.push_back(descent.highest());
   return points_of(h, vertices);
 }
@@ -82,8 +82,8 @@ class Levels {
   }
 
  private:
-  [[nodiscard]] const Vector& a() const { return support_.a->cloud()[down_a_.highest()]; }
-  [[nodiscard]] const Vector& b() const { return support_.b->cloud()[down_b_.highest()]; }
+  [[nodiscard]] const Vector& a() const { return support_.a->polytope().vertices[down_a_.highest()]; }
+  [[nodiscard]] const Vector& b() const { return support_.b->polytope().vertices[down_b_.highest()]; }
   [[nodiscard]] bool beyond(const Vector& b, const Vector& a) {
     ++steps_;
     return dot(normal_, times_4(b - a + highest(sum_.t, normal_, 1)) - portal_[0]) > 0;

@@ -19,7 +19,7 @@ int PushedRay::side(const Vector& p, const Vector& q) const {
 
 Vector SupportOfSum::of_sum(const Vector& u) {
   ++queries;
-  return b->cloud()[b->extreme(u, &steps)] - a->cloud()[a->extreme(-u, &steps)];
+  return b->polytope().vertices[b->extreme(u, &steps)] - a->polytope().vertices[a->extreme(-u, &steps)];
 }
 
 Vector SupportOfSum::operator()(const Vector& u) {

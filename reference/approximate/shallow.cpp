@@ -31,8 +31,8 @@ std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurf
 }
 
 /// Whether the sum of the faces with these vertices, which lie in parallel planes, is two-dimensional.
-bool span_a_facet(const polytope::Polytope& a, const std::vector<std::uint32_t>& face_a, const polytope::Polytope& b,
-                  const std::vector<std::uint32_t>& face_b) {
+bool span_a_facet(const polytope::Polytope& a, const std::vector<polytope::VertexId>& face_a, const polytope::Polytope& b,
+                  const std::vector<polytope::VertexId>& face_b) {
   if (face_a.size() > 2 || face_b.size() > 2) return true;
   if (face_a.size() < 2 || face_b.size() < 2) return false;
   return !is_zero(cross(a.vertices[face_a[1]] - a.vertices[face_a[0]], b.vertices[face_b[1]] - b.vertices[face_b[0]]));
@@ -73,7 +73,7 @@ kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy&
   report.expect(result.inside != result.nearest.empty(), "nearest planes exactly if O is inside P");
   const polytope::Polytope &hull_a = a.polytope(), &hull_b = b.polytope();
   for (const Vector& n : result.nearest.directions()) {
-    const std::vector<std::uint32_t> face_a = a.extreme_face(-n), face_b = b.extreme_face(n);
+    const std::vector<polytope::VertexId> face_a = a.extreme_face(-n), face_b = b.extreme_face(n);
     report.expect(span_a_facet(hull_a, face_a, hull_b, face_b), "a nearest direction is not that of a facet");
     const mpz_class height = dot(n, hull_b.vertices[face_b.front()] - hull_a.vertices[face_a.front()] - shift);
     report.expect(height > 0 && height * height * result.nearest.denominator() == result.nearest.numerator() * dot(n, n),

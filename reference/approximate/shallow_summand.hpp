@@ -19,12 +19,21 @@ struct Face {
   enum class Kind : std::uint8_t { vertex, edge, facet };
   Kind kind = Kind::vertex;
   std::uint32_t index = 0;
+
+  static Face of(polytope::VertexId v) { return {Kind::vertex, v.value}; }
+  static Face of(polytope::FacetId f) { return {Kind::facet, f.value}; }
+  static Face of_edge(std::uint32_t e) { return {Kind::edge, e}; }
+  /// Of a face of this kind.
+  [[nodiscard]] polytope::VertexId vertex() const { return polytope::VertexId(index); }
+  [[nodiscard]] polytope::FacetId facet() const { return polytope::FacetId(index); }
+
   friend auto operator<=>(const Face&, const Face&) = default;
 };
 
 /// An edge in the sense in which it is walked.
 struct FaceEdge {
-  std::uint32_t from, to, edge;
+  polytope::VertexId from, to;
+  std::uint32_t edge;
 };
 
 /// What becomes extreme next in one summand, when a direction is turned.
@@ -41,13 +50,13 @@ class Summand {
   Summand(const polytope::Polytope& polytope, gaussian::Colour colour);
 
   [[nodiscard]] const polytope::Polytope& polytope() const { return *polytope_; }
-  [[nodiscard]] const Vector& vertex(std::uint32_t v) const { return vertices_[v]; }
-  [[nodiscard]] Vector normal(std::uint32_t facet) const;
+  [[nodiscard]] const Vector& vertex(polytope::VertexId v) const { return vertices_[v]; }
+  [[nodiscard]] Vector normal(polytope::FacetId facet) const;
   /// A vertex of the face.
-  [[nodiscard]] std::uint32_t corner(const Face& face) const;
+  [[nodiscard]] polytope::VertexId corner(const Face& face) const;
 
   /// The face of these vertices, which are all that are extreme in direction n.
-  [[nodiscard]] Face face_of(std::span<const std::uint32_t> vertices, const Vector& n) const;
+  [[nodiscard]] Face face_of(std::span<const polytope::VertexId> vertices, const Vector& n) const;
 
   /// Counter-clockwise seen from outside. A vertex has no sides, an edge two: there and back.
   [[nodiscard]] std::vector<FaceEdge> sides(const Face& face) const;
@@ -55,25 +64,26 @@ class Summand {
   /// `face`, a vertex or an edge along d, is extreme in all directions just after n when n is turned about d, where <n,d> = 0, by a
   /// right-handed rotation; `from` is a vertex of it, the end from which d comes if it is an edge. Returns what becomes extreme next,
   /// before half a turn is over. A vertex costs its degree, which is added to *steps.
-  [[nodiscard]] Turn turn(const Face& face, std::uint32_t from, const Vector& d, std::uint64_t* steps) const;
+  [[nodiscard]] Turn turn(const Face& face, polytope::VertexId from, const Vector& d, std::uint64_t* steps) const;
 
  private:
   struct Spoke {
-    std::uint32_t other, edge;
+    polytope::VertexId other;
+    std::uint32_t edge;
   };
 
-  [[nodiscard]] std::span<const Spoke> star(std::uint32_t v) const;
-  [[nodiscard]] std::uint32_t edge_between(std::uint32_t v, std::uint32_t w) const;
-  [[nodiscard]] std::uint32_t right_of(std::uint32_t edge, std::uint32_t from) const;
-  [[nodiscard]] std::uint32_t common_facet(std::uint32_t edge, std::uint32_t other_edge, const Vector& n) const;
-  [[nodiscard]] Turn turn_at_edge(std::uint32_t edge, std::uint32_t from) const;
+  [[nodiscard]] std::span<const Spoke> star(polytope::VertexId v) const;
+  [[nodiscard]] std::uint32_t edge_between(polytope::VertexId v, polytope::VertexId w) const;
+  [[nodiscard]] polytope::FacetId right_of(std::uint32_t edge, polytope::VertexId from) const;
+  [[nodiscard]] polytope::FacetId common_facet(std::uint32_t edge, std::uint32_t other_edge, const Vector& n) const;
+  [[nodiscard]] Turn turn_at_edge(std::uint32_t edge, polytope::VertexId from) const;
 
   const polytope::Polytope* polytope_;
   bool reflected_;
-  std::vector<Vector> vertices_;
-  std::vector<std::uint32_t> first_spoke_;  // of each vertex, and one past the last
-  std::vector<Spoke> spokes_;               // those of a vertex in ascending order of `other`
-  std::vector<std::uint32_t> edge_after_;   // of each of the polytope's corners: the edge to the next corner of its facet
+  kernels::IdVector<polytope::VertexId, Vector> vertices_;
+  kernels::IdVector<polytope::VertexId, std::uint32_t> first_spoke_;  // and one past the last
+  std::vector<Spoke> spokes_;                                         // those of a vertex in ascending order of `other`
+  std::vector<std::uint32_t> edge_after_;  // of each of the polytope's corners: the edge to the next corner of its facet
 };
 
 }  // namespace fathom::approximate

@@ -40,16 +40,16 @@ class AngleOrder {
   Vector left_;
 };
 
-SumEdge edge_of_a(const FaceEdge& s, std::uint32_t corner_of_b) {
-  return {{Face::Kind::edge, s.edge}, {Face::Kind::vertex, corner_of_b}, s.from, s.to, corner_of_b, corner_of_b};
+SumEdge edge_of_a(const FaceEdge& s, polytope::VertexId corner_of_b) {
+  return {Face::of_edge(s.edge), Face::of(corner_of_b), s.from, s.to, corner_of_b, corner_of_b};
 }
 
-SumEdge edge_of_b(std::uint32_t corner_of_a, const FaceEdge& s) {
-  return {{Face::Kind::vertex, corner_of_a}, {Face::Kind::edge, s.edge}, corner_of_a, corner_of_a, s.from, s.to};
+SumEdge edge_of_b(polytope::VertexId corner_of_a, const FaceEdge& s) {
+  return {Face::of(corner_of_a), Face::of_edge(s.edge), corner_of_a, corner_of_a, s.from, s.to};
 }
 
 SumEdge edge_of_both(const FaceEdge& s, const FaceEdge& t) {
-  return {{Face::Kind::edge, s.edge}, {Face::Kind::edge, t.edge}, s.from, s.to, t.from, t.to};
+  return {Face::of_edge(s.edge), Face::of_edge(t.edge), s.from, s.to, t.from, t.to};
 }
 
 /// The boundary of the sum of two convex polygons (an edge counts as one of two sides): all sides in the order of their directions.
@@ -73,7 +73,8 @@ std::vector<SumEdge> merged(const Boundary& a, const Boundary& b, const Vector& 
 
 }  // namespace
 
-SumFacet SumSurface::facet(const std::vector<std::uint32_t>& face_a, const std::vector<std::uint32_t>& face_b, const Vector& n) const {
+SumFacet SumSurface::facet(const std::vector<polytope::VertexId>& face_a, const std::vector<polytope::VertexId>& face_b,
+                           const Vector& n) const {
   return {minus_a_.face_of(face_a, n), b_.face_of(face_b, n), primitive(n)};
 }
 
@@ -83,8 +84,8 @@ std::vector<SumEdge> SumSurface::edges(const SumFacet& facet) const {
   const Boundary a = boundary(minus_a_, facet.a), b = boundary(b_, facet.b);
   if (!a.sides.empty() && !b.sides.empty()) return merged(a, b, facet.normal);
   std::vector<SumEdge> edges;
-  for (const FaceEdge& s : a.sides) edges.push_back(edge_of_a(s, facet.b.index));
-  for (const FaceEdge& s : b.sides) edges.push_back(edge_of_b(facet.a.index, s));
+  for (const FaceEdge& s : a.sides) edges.push_back(edge_of_a(s, facet.b.vertex()));
+  for (const FaceEdge& s : b.sides) edges.push_back(edge_of_b(facet.a.vertex(), s));
   return edges;
 }
 
@@ -95,8 +96,8 @@ SumFacet SumSurface::across(const SumEdge& edge, std::uint64_t* steps) const {
   if (a.never && b.never) throw std::logic_error("the sum of the bodies has no interior");
   const int order = b.never ? 1 : a.never ? -1 : sgn(det(d, a.x, b.x));
   SumFacet next{order >= 0 ? a.face : edge.a, order <= 0 ? b.face : edge.b, {}};
-  next.normal = order >= 0 && a.face.kind == Face::Kind::facet   ? minus_a_.normal(a.face.index)
-                : order <= 0 && b.face.kind == Face::Kind::facet ? b_.normal(b.face.index)
+  next.normal = order >= 0 && a.face.kind == Face::Kind::facet   ? minus_a_.normal(a.face.facet())
+                : order <= 0 && b.face.kind == Face::Kind::facet ? b_.normal(b.face.facet())
                                                                  : primitive(cross(order >= 0 ? a.x : b.x, d));
   return next;
 }

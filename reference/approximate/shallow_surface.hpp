@@ -23,7 +23,7 @@ struct SumFacet {
 /// are parallel, and walked in the same sense. The faces alone tell which edge of P it is.
 struct SumEdge {
   Face a, b;
-  std::uint32_t from_a, to_a, from_b, to_b;  ///< vertices; from = to for a vertex
+  polytope::VertexId from_a, to_a, from_b, to_b;  ///< vertices; from = to for a vertex
 };
 
 class SumSurface {
@@ -32,7 +32,8 @@ class SumSurface {
   SumSurface(const polytope::Polytope& a, const polytope::Polytope& b) : minus_a_(a, gaussian::Colour::a), b_(b, gaussian::Colour::b) {}
 
   /// The facet with outward normal n, given all vertices of A that minimise <n,.> and all of B that maximise it.
-  [[nodiscard]] SumFacet facet(const std::vector<std::uint32_t>& face_a, const std::vector<std::uint32_t>& face_b, const Vector& n) const;
+  [[nodiscard]] SumFacet facet(const std::vector<polytope::VertexId>& face_a, const std::vector<polytope::VertexId>& face_b,
+                               const Vector& n) const;
 
   /// A point of the facet; and the ends of an edge.
   [[nodiscard]] Vector point(const SumFacet& facet) const;

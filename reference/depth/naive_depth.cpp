@@ -26,7 +26,7 @@ mpz_class offset(const polytope::Polytope& p, const polytope::Facet& facet) {
 }
 
 NaiveDepth in_solid(const polytope::Polytope& p) {
-  std::vector<mpz_class> offsets;
+  kernels::IdVector<polytope::FacetId, mpz_class> offsets;
   offsets.reserve(p.facets.size());
   for (const polytope::Facet& facet : p.facets) offsets.push_back(offset(p, facet));
   const mpz_class least = *std::ranges::min_element(offsets);
@@ -34,7 +34,7 @@ NaiveDepth in_solid(const polytope::Polytope& p) {
   if (least == 0) return {Status::touching, 0, {}};
 
   NaiveDepth result{Status::penetrating, 0, {}};
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
+  for (const polytope::FacetId i : p.facets.ids()) {
     const Vector& normal = p.facets[i].normal;
     const mpq_class squared = kernels::ratio(offsets[i] * offsets[i], dot(normal, normal));
     const bool first = result.directions.empty();
@@ -58,7 +58,7 @@ bool polygon_contains_origin(const polytope::Polytope& p) {
 }
 
 bool segment_contains_origin(const polytope::Polytope& p) {
-  const Vector &from = p.vertices[0], &to = p.vertices[1];
+  const Vector &from = p.vertices.front(), &to = p.vertices.back();
   return is_zero(cross(from, to)) && dot(from, to) <= 0;
 }
 

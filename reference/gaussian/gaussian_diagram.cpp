@@ -8,8 +8,6 @@
 namespace fathom::gaussian {
 namespace {
 
-static_assert(NodeId::none().value == polytope::no_facet, "the arc of a segment's edge has no nodes");
-
 // For B: the face on the side of d = to - from is the edge's head, since <u,d> > 0 prefers it. Between the normals of the left and of
 // the right facet the arc runs on the circle of left x right, a positive multiple of d. Reflection negates both normals and both
 // points: the circle stays, head and tail change places.
@@ -25,7 +23,7 @@ GaussianDiagram diagram(const polytope::Polytope& polytope, Colour colour) {
   for (const polytope::Edge& edge : polytope.edges) {
     kernels::Direction circle(polytope.vertices[edge.to] - polytope.vertices[edge.from],
                               reflected ? kernels::Role::circle_of_a : kernels::Role::fixed);
-    Arc arc{std::move(circle), NodeId(edge.left), NodeId(edge.right), VertexId(edge.to), VertexId(edge.from)};
+    Arc arc{std::move(circle), node_of(edge.left), node_of(edge.right), edge.to, edge.from};
     if (reflected) std::swap(arc.above, arc.below);
     result.arcs.push_back(std::move(arc));
   }
@@ -78,11 +76,11 @@ kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytop
   if (!report.expect(diagram.rank == polytope.rank && sizes, "the polytope's rank, one node a facet and one arc an edge")) return report;
   if (!report.expect(in_range(diagram, polytope), "nodes and faces of every arc exist, and a full circle has no nodes")) return report;
   for (const NodeId i : diagram.nodes.ids()) {
-    const Vector& normal = polytope.facets[i.value].normal;
+    const Vector& normal = polytope.facets[facet_of(i)].normal;
     report.expect(same_direction(reflected ? -normal : normal, diagram.nodes[i].exact()),
                   "node " + std::to_string(i.value) + " is not the normal of its facet");
   }
-  const auto point = [&](VertexId v) { return reflected ? -polytope.vertices[v.value] : polytope.vertices[v.value]; };
+  const auto point = [&](VertexId v) { return reflected ? -polytope.vertices[v] : polytope.vertices[v]; };
   for (const ArcId i : diagram.arcs.ids()) {
     const Arc& arc = diagram.arcs[i];
     const std::string name = "arc " + std::to_string(i.value) + ": ";

@@ -17,7 +17,11 @@ namespace fathom::gaussian {
 using NodeId = kernels::Id<struct NodeTag>;
 using ArcId = kernels::Id<struct Arc>;
 /// A face of the diagram is known by the polytope's vertex.
-using VertexId = kernels::Id<struct VertexTag>;
+using polytope::VertexId;
+
+/// The node of a facet, and the facet of a node; none of none.
+constexpr NodeId node_of(polytope::FacetId facet) { return NodeId(facet.value); }
+constexpr polytope::FacetId facet_of(NodeId node) { return polytope::FacetId(node.value); }
 
 /// The edges of A and of B, where both meet: arc i of a diagram is edge i.
 template <Colour c>

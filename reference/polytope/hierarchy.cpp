@@ -2,7 +2,7 @@
 #include "reference/polytope/hierarchy.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <tuple>
 
 #include "kernels/float_environment.hpp"
@@ -11,29 +11,27 @@
 namespace fathom::polytope {
 namespace {
 
-using Index = std::uint32_t;
-
-std::vector<Index> all_vertices(const Polytope& p) {
-  std::vector<Index> all(p.vertices.size());
-  std::iota(all.begin(), all.end(), 0U);
+std::vector<VertexId> all_vertices(const Polytope& p) {
+  std::vector<VertexId> all;
+  std::ranges::copy(p.vertices.ids(), std::back_inserter(all));
   return all;
 }
 
 /// Of a polytope of rank 1 or 2: the vertices as high as `highest`, among it and those next to it.
-std::vector<Index> face_of_cycle(const HierarchyDescent& descent, const Polytope& p, Steps& steps) {
-  std::vector<Index> face{descent.highest()};
-  for (const Index v : p.rank == 2 ? descent.neighbours() : std::vector{1 - descent.highest()}) {
-    ++steps;
-    if (descent.view().rise(descent.highest(), v) == kernels::Sign::zero) face.push_back(v);
+std::vector<VertexId> face_of_cycle(HierarchyDescent& descent, const Polytope& p) {
+  std::vector<VertexId> face{descent.highest()};
+  for (const VertexId v : p.rank == 2 ? descent.neighbours() : all_vertices(p)) {
+    if (v == descent.highest()) continue;
+    if (descent.rise(v) == kernels::Sign::zero) face.push_back(v);
   }
   return face.size() == 3 ? all_vertices(p) : face;  // then the polygon's plane is level
 }
 
 /// The facet with outward normal along u at the edge from v to w, or the edge itself.
-std::vector<Index> face_at_edge(const Polytope& p, Index v, Index w, const Vector& u) {
+std::vector<VertexId> face_at_edge(const Polytope& p, VertexId v, VertexId w, const Vector& u) {
   const auto [from, to] = std::minmax(v, w);
   const auto edge = std::ranges::lower_bound(p.edges, std::tuple(from, to), {}, [](const Edge& e) { return std::tuple(e.from, e.to); });
-  for (const Index f : {edge->left, edge->right}) {
+  for (const FacetId f : {edge->left, edge->right}) {
     const Facet& facet = p.facets[f];
     if (same_direction(facet.normal, u)) return {p.corners.begin() + facet.begin, p.corners.begin() + facet.end};
   }
@@ -59,9 +57,9 @@ std::size_t Hierarchy::size() const {
   return cloud_.size() + coarsening_.edges.size() + coarsening_.changes.size() + coarsening_.links.size();
 }
 
-std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
+VertexId Hierarchy::extreme(const Vector& u, Steps* steps) const {
   const kernels::DefaultFloatEnvironment environment;
-  if (polytope_->rank == 0 || is_zero(u)) return 0;
+  if (polytope_->rank == 0 || is_zero(u)) return VertexId(0);
   HierarchyDescent descent(*this);
   descent.start(u);
   while (!descent.at_finest()) descent.step_down();
@@ -69,18 +67,17 @@ std::uint32_t Hierarchy::extreme(const Vector& u, Steps* steps) const {
   return descent.highest();
 }
 
-std::vector<std::uint32_t> Hierarchy::extreme_face(const Vector& u, Steps* steps) const {
+std::vector<VertexId> Hierarchy::extreme_face(const Vector& u, Steps* steps) const {
   const kernels::DefaultFloatEnvironment environment;
   if (polytope_->rank == 0 || is_zero(u)) return all_vertices(*polytope_);
   HierarchyDescent descent(*this);
   descent.start(u);
   while (!descent.at_finest()) descent.step_down();
-  Steps count = 0;
-  std::vector<Index> face{descent.highest()};
-  if (polytope_->rank < 3) face = face_of_cycle(descent, *polytope_, count);
-  else if (const Index* tied = descent.tied()) face = face_at_edge(*polytope_, descent.highest(), *tied, u);
+  std::vector<VertexId> face{descent.highest()};
+  if (polytope_->rank < 3) face = face_of_cycle(descent, *polytope_);
+  else if (const VertexId* tied = descent.tied()) face = face_at_edge(*polytope_, descent.highest(), *tied, u);
   std::ranges::sort(face);
-  if (steps) *steps += descent.steps() + count;
+  if (steps) *steps += descent.steps();
   return face;
 }
 

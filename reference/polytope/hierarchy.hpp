@@ -32,10 +32,10 @@ class Hierarchy {
   [[nodiscard]] std::size_t size() const;
 
   /// Returns a vertex that maximises <u, p>; any, if several do. Exact. u may be zero. Adds its steps to *steps.
-  [[nodiscard]] std::uint32_t extreme(const Vector& u, Steps* steps = nullptr) const;
+  [[nodiscard]] VertexId extreme(const Vector& u, Steps* steps = nullptr) const;
   /// Returns all vertices that maximise <u, p>, ascending: a vertex, the ends of an edge, the corners of a facet, or all vertices when u is
   /// zero or normal to a flat polytope. The listing adds its own length to the time, not to the steps.
-  [[nodiscard]] std::vector<std::uint32_t> extreme_face(const Vector& u, Steps* steps = nullptr) const;
+  [[nodiscard]] std::vector<VertexId> extreme_face(const Vector& u, Steps* steps = nullptr) const;
 
   /// How a polytope of rank 3 is coarsened; empty for lower ranks, where vertices of the cycle are halved again and again.
   [[nodiscard]] const Coarsening& coarsening() const { return coarsening_; }

@@ -23,31 +23,31 @@ inline constexpr std::uint32_t no_change = std::numeric_limits<std::uint32_t>::m
 /// An edge belongs to the levels from `born` up to the last level of either end.
 struct Coarsening {
   struct Edge {
-    std::uint32_t from, to;
+    VertexId from, to;
     std::uint32_t born;
     std::uint32_t changes;  ///< the first, from the coarsest level on; or no_change
   };
   /// At `level` one of the edge's two facets is new: one level below, `apex` stood above it.
   struct Change {
     std::uint32_t level;
-    std::uint32_t apex;
+    VertexId apex;
     std::uint32_t next;  ///< of the same edge, at this level or a finer one; or no_change
   };
   struct Link {
-    std::uint32_t vertex;  ///< at the other end
+    VertexId vertex;  ///< at the other end
     std::uint32_t edge;
   };
 
-  std::vector<std::uint32_t> last;  ///< of each vertex: the coarsest level that has it
-  std::vector<std::uint32_t> top;   ///< vertices of the coarsest level
-  std::vector<Edge> edges;          ///< of all levels
+  kernels::IdVector<VertexId, std::uint32_t> last;  ///< the coarsest level that has the vertex
+  std::vector<VertexId> top;                        ///< vertices of the coarsest level
+  std::vector<Edge> edges;                          ///< of all levels
   std::vector<Change> changes;
-  std::vector<Link> links;                ///< of each vertex at its last level, counter-clockwise
-  std::vector<std::uint32_t> first_link;  ///< of each vertex; one more entry closes the last
+  std::vector<Link> links;                                ///< of each vertex at its last level, counter-clockwise
+  kernels::IdVector<VertexId, std::uint32_t> first_link;  ///< one more entry closes the last
   std::uint32_t levels = 0;
 
-  [[nodiscard]] std::span<const Link> links_of(std::uint32_t v) const {
-    return std::span(links).subspan(first_link[v], first_link[v + 1] - first_link[v]);
+  [[nodiscard]] std::span<const Link> links_of(VertexId v) const {
+    return std::span(links).subspan(first_link[v], first_link[v.next()] - first_link[v]);
   }
 };
 

@@ -4,36 +4,35 @@
 #include "reference/polytope/hierarchy_descent.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 
 namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
 
-Index corners(const Hierarchy& h) { return h.polytope().facets[0].end; }
+Index corners(const Hierarchy& h) { return h.polytope().facets.front().end; }
 
 }  // namespace
 
 HierarchyDescent::HierarchyDescent(const Hierarchy& hierarchy) : hierarchy_(&hierarchy), c_(&hierarchy.coarsening()) {}
 
-std::vector<Index> HierarchyDescent::coarsest() const {
+std::vector<VertexId> HierarchyDescent::coarsest() const {
   const Polytope& p = hierarchy_->polytope();
   if (p.rank == 3) return c_->top;
-  std::vector<Index> vertices;
+  std::vector<VertexId> vertices;
   if (p.rank == 2) {
     for (Index i = 0; i < corners(*hierarchy_); i += Index{1} << (hierarchy_->levels() - 1)) vertices.push_back(p.corners[i]);
   } else {
-    vertices.resize(p.vertices.size());
-    std::iota(vertices.begin(), vertices.end(), 0U);
+    std::ranges::copy(p.vertices.ids(), std::back_inserter(vertices));
   }
   return vertices;
 }
 
-Index HierarchyDescent::highest() const { return highest_; }
+VertexId HierarchyDescent::highest() const { return highest_; }
 
-bool HierarchyDescent::climb(Index v) {
-  if (rise(highest_, v) != kernels::Sign::positive) return false;
+bool HierarchyDescent::climb(VertexId v) {
+  if (rise(v) != kernels::Sign::positive) return false;
   highest_ = v;
   return true;
 }
@@ -41,7 +40,7 @@ bool HierarchyDescent::climb(Index v) {
 void HierarchyDescent::start(const Vector& u) {
   view_.emplace(hierarchy_->cloud(), u);
   level_ = static_cast<Index>(hierarchy_->levels() - 1);
-  const std::vector<Index> vertices = coarsest();
+  const std::vector<VertexId> vertices = coarsest();
   highest_ = vertices.front();
   position_ = 0;
   for (Index i = 1; i < vertices.size(); ++i)
@@ -54,8 +53,8 @@ void HierarchyDescent::turn_to(const Vector& u) {
   if (hierarchy_->polytope().rank == 3) choose_sides();
 }
 
-std::vector<Index> HierarchyDescent::neighbours() const {
-  std::vector<Index> result;
+std::vector<VertexId> HierarchyDescent::neighbours() const {
+  std::vector<VertexId> result;
   if (hierarchy_->polytope().rank == 3) {
     for (const Coarsening::Link& link : c_->links_of(highest_)) result.push_back(link.vertex);
   } else {
@@ -87,7 +86,7 @@ bool HierarchyDescent::step_down_polygon() {
 void HierarchyDescent::choose_sides() {
   left_ = right_ = {highest_};
   for (const Coarsening::Link& link : c_->links_of(highest_)) {
-    const Side s{link.vertex, c_->edges[link.edge].changes, rise(highest_, link.vertex) == kernels::Sign::zero};
+    const Side s{link.vertex, c_->edges[link.edge].changes, rise(link.vertex) == kernels::Sign::zero};
     const bool first = left_.other == highest_;
     if (first || s.level) left_ = right_ = s;
     if (s.level) return;
@@ -100,21 +99,21 @@ void HierarchyDescent::choose_sides() {
 /// The apexes that stand over a facet of `s` at this level, where the next coarser one has it open; at most two.
 void HierarchyDescent::collect(Side& s) {
   for (; s.change != no_change && c_->changes[s.change].level == level_ + 1; s.change = c_->changes[s.change].next) {
-    const Index apex = c_->changes[s.change].apex;
+    const VertexId apex = c_->changes[s.change].apex;
     if (std::find(apexes_.begin(), apexes_.begin() + count_, apex) == apexes_.begin() + count_) apexes_[count_++] = apex;
   }
 }
 
 /// Whether the apex hides edge s, on the left (negative sense) or on the right.
-bool HierarchyDescent::hides(Index apex, const Side& s, kernels::Sign sense) {
-  return s.level ? rise(highest_, apex) == kernels::Sign::zero : turn(s.other, apex) == sense;
+bool HierarchyDescent::hides(VertexId apex, const Side& s, kernels::Sign sense) {
+  return s.level ? rise(apex) == kernels::Sign::zero : turn(s.other, apex) == sense;
 }
 
 /// The edge from the highest vertex to an apex.
-HierarchyDescent::Side HierarchyDescent::side_to(Index apex) {
+HierarchyDescent::Side HierarchyDescent::side_to(VertexId apex) {
   const std::span<const Coarsening::Link> links = c_->links_of(apex);
   const auto link = std::ranges::find(links, highest_, &Coarsening::Link::vertex);
-  return {apex, c_->edges[link->edge].changes, rise(highest_, apex) == kernels::Sign::zero};
+  return {apex, c_->edges[link->edge].changes, rise(apex) == kernels::Sign::zero};
 }
 
 bool HierarchyDescent::step_down_solid() {

@@ -13,9 +13,10 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
   // The half-edge that leaves each corner along its facet: half-edges grouped by facet, then looked up by their origin.
-  std::vector<Index> free(polytope.facets.size());
-  std::vector<HalfEdge> grouped(origin_.size()), at(polytope.vertices.size());
-  for (Index f = 0; f < polytope.facets.size(); ++f) free[f] = polytope.facets[f].begin;
+  kernels::IdVector<FacetId, Index> free(polytope.facets.size());
+  std::vector<HalfEdge> grouped(origin_.size());
+  kernels::IdVector<VertexId, HalfEdge> at(polytope.vertices.size());
+  for (const FacetId f : polytope.facets.ids()) free[f] = polytope.facets[f].begin;
   for (Index e = 0; e < polytope.edges.size(); ++e) {
     grouped[free[polytope.edges[e].left]++] = HalfEdge(2 * e);
     grouped[free[polytope.edges[e].right]++] = HalfEdge(2 * e + 1);
@@ -26,7 +27,7 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   }
 }
 
-HalfEdge HierarchySurface::add_edge(Index from, Index to) {
+HalfEdge HierarchySurface::add_edge(VertexId from, VertexId to) {
   const HalfEdge h(static_cast<Index>(origin_.size()));
   origin_.insert(origin_.end(), {from, to});
   next_.resize(origin_.size());
@@ -43,7 +44,7 @@ void HierarchySurface::join(HalfEdge h, HalfEdge following) {
   previous_[following] = h;
 }
 
-std::vector<HalfEdge> HierarchySurface::leaving(Index v) const {
+std::vector<HalfEdge> HierarchySurface::leaving(VertexId v) const {
   std::vector<HalfEdge> ring;
   HalfEdge h = leaving_[v];
   do {
@@ -64,7 +65,7 @@ HalfEdge HierarchySurface::cut_corner(HalfEdge h) {
   return cut;
 }
 
-std::vector<Index> HierarchySurface::remove(Index v) {
+std::vector<Index> HierarchySurface::remove(VertexId v) {
   std::vector<Index> touched;
   Cycle rim;
   for (const HalfEdge h : leaving(v)) rim.push_back(cut_corner(h));
@@ -82,15 +83,15 @@ std::vector<Index> HierarchySurface::remove(Index v) {
 /// above it. The corners span less than a half-turn about hole[0], so the order in which the plane meets them is total.
 std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) const {
   std::size_t best = 2;
-  kernels::Plane plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
+  kernels::Plane plane(points_, point(hole[0]), point(hole[1]), point(hole[best]));
   for (std::size_t i = 3; i < hole.size(); ++i) {
-    if (plane.side(origin_[hole[i]]) != kernels::Sign::positive) continue;
+    if (plane.side(point(hole[i])) != kernels::Sign::positive) continue;
     best = i;
-    plane = kernels::Plane(points_, origin_[hole[0]], origin_[hole[1]], origin_[hole[best]]);
+    plane = kernels::Plane(points_, point(hole[0]), point(hole[1]), point(hole[best]));
   }
   std::vector<std::size_t> corners;
   for (std::size_t i = 2; i < hole.size(); ++i)
-    if (i == best || plane.side(origin_[hole[i]]) == kernels::Sign::zero) corners.push_back(i);
+    if (i == best || plane.side(point(hole[i])) == kernels::Sign::zero) corners.push_back(i);
   return corners;
 }
 

@@ -11,12 +11,12 @@ namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
-using Edges = std::set<std::pair<Index, Index>>;
+using Edges = std::set<std::pair<VertexId, VertexId>>;
 
 /// Vertices of one level, ascending.
-std::vector<Index> vertices_of(const Coarsening& c, Index level) {
-  std::vector<Index> vertices;
-  for (Index v = 0; v < c.last.size(); ++v)
+std::vector<VertexId> vertices_of(const Coarsening& c, Index level) {
+  std::vector<VertexId> vertices;
+  for (const VertexId v : c.last.ids())
     if (c.last[v] >= level) vertices.push_back(v);
   return vertices;
 }
@@ -29,9 +29,9 @@ Edges edges_of(const Coarsening& c, Index level) {
 }
 
 /// The hull of the level's vertices, with the vertices of the finest level for numbers.
-Edges edges_of_hull(const Polytope& polytope, const std::vector<Index>& vertices, kernels::Report& report) {
+Edges edges_of_hull(const Polytope& polytope, const std::vector<VertexId>& vertices, kernels::Report& report) {
   std::vector<Vector> points;
-  for (const Index v : vertices) points.push_back(polytope.vertices[v]);
+  for (const VertexId v : vertices) points.push_back(polytope.vertices[v]);
   const Polytope hull = convex_hull(points);
   report.expect(hull.rank == 3 && hull.vertices.size() == vertices.size(), "a level is flat, or has points that are not vertices");
   Edges edges;
@@ -45,7 +45,7 @@ void check_removed(const Coarsening& c, Index level, const Edges& edges, kernels
     report.expect(c.last[from] > level || c.last[to] > level || level + 1 == c.levels, "adjacent vertices are removed together");
     ends += (c.last[from] == level) + (c.last[to] == level);
   }
-  for (Index v = 0; v < c.last.size(); ++v) {
+  for (const VertexId v : c.last.ids()) {
     if (c.last[v] != level) continue;
     const std::span<const Coarsening::Link> links = c.links_of(v);
     report.expect(links.size() <= greatest_degree || level + 1 == c.levels, "a removed vertex has too many edges");

@@ -3,7 +3,6 @@
 #include "reference/polytope/hull_merge.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -11,8 +10,6 @@ namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
-
-constexpr Index no_vertex = std::numeric_limits<Index>::max();
 
 /// Half-edge 3 t + i runs from corner i of triangle t to the next one.
 struct Surface {
@@ -72,11 +69,11 @@ std::vector<bool> extreme_points(const Surface& s, std::size_t points) {
 
 struct Cycle {
   Index triangle;  // one of the facet's
-  std::vector<Index> corners;
+  std::vector<VertexId> corners;
 };
 
 /// One cycle for each facet, in the order of the cycles.
-std::vector<Cycle> facet_cycles(const Surface& s, std::span<const Index> number) {
+std::vector<Cycle> facet_cycles(const Surface& s, std::span<const VertexId> number) {
   std::vector<Cycle> cycles;
   std::vector<bool> seen(s.border.size());
   for (Index start = 0; start < s.border.size(); ++start) {
@@ -84,7 +81,7 @@ std::vector<Cycle> facet_cycles(const Surface& s, std::span<const Index> number)
     Cycle cycle{start / 3, {}};
     for (Index h = start; !seen[h]; h = s.next_border(h)) {
       seen[h] = true;
-      if (const Index v = number[s.origin(h)]; v != no_vertex) cycle.corners.push_back(v);
+      if (const VertexId v = number[s.origin(h)]; !v.is_none()) cycle.corners.push_back(v);
     }
     start_at_lowest(cycle.corners);
     cycles.push_back(std::move(cycle));
@@ -97,12 +94,12 @@ std::vector<Cycle> facet_cycles(const Surface& s, std::span<const Index> number)
 std::vector<Edge> edges_of(const Polytope& polytope) {
   std::vector<Edge> halves;
   halves.reserve(polytope.corners.size());
-  for (Index f = 0; f < polytope.facets.size(); ++f) {
+  for (const FacetId f : polytope.facets.ids()) {
     const Facet& facet = polytope.facets[f];
-    Index u = polytope.corners[facet.end - 1];
+    VertexId u = polytope.corners[facet.end - 1];
     for (Index c = facet.begin; c < facet.end; ++c) {
-      const Index v = polytope.corners[c];
-      halves.push_back(u < v ? Edge{u, v, f, no_facet} : Edge{v, u, no_facet, f});
+      const VertexId v = polytope.corners[c];
+      halves.push_back(u < v ? Edge{u, v, f, FacetId::none()} : Edge{v, u, FacetId::none(), f});
       u = v;
     }
   }
@@ -115,20 +112,20 @@ std::vector<Edge> edges_of(const Polytope& polytope) {
 
 }  // namespace
 
-std::vector<std::uint32_t> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
-  std::vector<Index> number(points.size(), no_vertex);
+std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
+  std::vector<VertexId> number(points.size(), VertexId::none());
   for (Index id = 0; id < points.size(); ++id) {
     if (!extreme[id]) continue;
-    number[id] = static_cast<Index>(polytope.vertices.size());
+    number[id] = VertexId(static_cast<Index>(polytope.vertices.size()));
     polytope.vertices.push_back(points[id]);
     polytope.input_ids.push_back(id);
   }
   return number;
 }
 
-void start_at_lowest(std::vector<std::uint32_t>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
+void start_at_lowest(std::vector<VertexId>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
 
-void append_facet(Polytope& polytope, Vector normal, std::span<const std::uint32_t> cycle) {
+void append_facet(Polytope& polytope, Vector normal, std::span<const VertexId> cycle) {
   const auto begin = static_cast<Index>(polytope.corners.size());
   polytope.corners.insert(polytope.corners.end(), cycle.begin(), cycle.end());
   polytope.facets.push_back({std::move(normal), begin, static_cast<Index>(polytope.corners.size())});
@@ -138,7 +135,7 @@ Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTria
   Surface surface = make_surface(points, triangles);
   Polytope polytope;
   polytope.rank = 3;
-  const std::vector<Index> number = number_vertices(polytope, points, extreme_points(surface, points.size()));
+  const std::vector<VertexId> number = number_vertices(polytope, points, extreme_points(surface, points.size()));
   for (const Cycle& cycle : facet_cycles(surface, number)) {
     append_facet(polytope, std::move(surface.normals[cycle.triangle]), cycle.corners);
   }

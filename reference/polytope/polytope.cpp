@@ -68,7 +68,7 @@ Polytope segment(std::span<const Vector> points, std::span<const Index> ids) {
   polytope.rank = 1;
   polytope.vertices = {points[low], points[high]};
   polytope.input_ids = {low, high};
-  polytope.edges = {{0, 1, no_facet, no_facet}};
+  polytope.edges = {{VertexId(0), VertexId(1), FacetId::none(), FacetId::none()}};
   return polytope;
 }
 
@@ -77,20 +77,21 @@ Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, con
   Vector normal = primitive(some_normal);
   const int axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;
   if (lexicographically_less(normal, Vector{})) normal = -normal;
-  std::vector<Index> cycle = hull_cycle(points, ids, axis);
+  const std::vector<Index> corners = hull_cycle(points, ids, axis);
 
   Polytope polytope;
   polytope.rank = 2;
   std::vector<bool> extreme(points.size());
-  for (const Index id : cycle) extreme[id] = true;
-  const std::vector<Index> number = number_vertices(polytope, points, extreme);
-  for (Index& v : cycle) v = number[v];
+  for (const Index id : corners) extreme[id] = true;
+  const std::vector<VertexId> number = number_vertices(polytope, points, extreme);
+  std::vector<VertexId> cycle;
+  for (const Index id : corners) cycle.push_back(number[id]);
   start_at_lowest(cycle);
   append_facet(polytope, normal, cycle);
   std::reverse(cycle.begin() + 1, cycle.end());
   append_facet(polytope, -normal, cycle);
   const auto n = static_cast<Index>(cycle.size());
-  for (Index i = 0; i < n; ++i) polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], 0, 1});
+  for (Index i = 0; i < n; ++i) polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], FacetId(0), FacetId(1)});
   return polytope;
 }
 

@@ -4,25 +4,27 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "kernels/id.hpp"
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::polytope {
 
-inline constexpr std::uint32_t no_facet = std::numeric_limits<std::uint32_t>::max();
+/// Indices in a polytope.
+using VertexId = kernels::Id<struct VertexTag>;
+using FacetId = kernels::Id<struct FacetTag>;
 
 /// The edge from vertex `from` to vertex `to`; seen from outside, facet `left` lies to its left and `right` to its right.
 /// So normal(left) x normal(right) is a positive multiple of to - from.
 struct Edge {
-  std::uint32_t from, to;
-  std::uint32_t left, right;
+  VertexId from, to;
+  FacetId left, right;
 };
 
-/// Corners (vertex indices, counter-clockwise seen from outside, none collinear) are corners[begin, end) of the polytope.
+/// Corners (vertices, counter-clockwise seen from outside, none collinear) are corners[begin, end) of the polytope.
 struct Facet {
   Vector normal;  ///< outward, primitive
   std::uint32_t begin, end;
@@ -30,15 +32,15 @@ struct Facet {
 
 /// A convex polytope of rank 0 (a point), 1 (a segment), 2 (a convex polygon) or 3.
 /// Rank 2 has two facets on the same corners, facet 0 with normal N, counter-clockwise seen from N's side, and facet 1 with -N and
-/// the reverse cycle; every edge runs along facet 0's cycle, with left = 0 and right = 1. Rank 1 has one edge with no facets.
+/// the reverse cycle; every edge runs along facet 0's cycle, with left = 0 and right = 1. Rank 1 has one edge, whose facets are none.
 /// The facets' ranges of corners follow one another and fill `corners`.
 struct Polytope {
   int rank = 0;
-  std::vector<Vector> vertices;
-  std::vector<std::uint32_t> input_ids;  ///< of each vertex; of equal input points the lowest. Ascending.
+  kernels::IdVector<VertexId, Vector> vertices;
+  kernels::IdVector<VertexId, std::uint32_t> input_ids;  ///< of equal input points the lowest. Ascending.
   std::vector<Edge> edges;
-  std::vector<Facet> facets;
-  std::vector<std::uint32_t> corners;
+  kernels::IdVector<FacetId, Facet> facets;
+  std::vector<VertexId> corners;
 };
 
 /// The dimension of the affine span of a non-empty set. Linear at worst; stops as soon as it is 3.

@@ -30,11 +30,11 @@ void check_counts(const Polytope& p, kernels::Report& report) {
 }
 
 void check_ranges(const Polytope& p, kernels::Report& report) {
+  const auto vertex = [&](VertexId v) { return v.value < p.vertices.size(); };
+  const auto facet = [&](FacetId f) { return p.rank == 1 ? f.is_none() : f.value < p.facets.size(); };
   for (const Edge& e : p.edges) {
-    report.expect(e.from < p.vertices.size() && e.to < p.vertices.size() && e.from != e.to,
-                  "an edge has an end that is no vertex, or equal ends");
-    const bool sides = p.rank == 1 ? e.left == no_facet && e.right == no_facet : e.left < p.facets.size() && e.right < p.facets.size();
-    report.expect(sides, "an edge refers to a facet that is none");
+    report.expect(vertex(e.from) && vertex(e.to) && e.from != e.to, "an edge has an end that is no vertex, or equal ends");
+    report.expect(facet(e.left) && facet(e.right), "an edge refers to a facet that is none");
   }
   Index expected = 0;
   for (const Facet& f : p.facets) {
@@ -43,15 +43,15 @@ void check_ranges(const Polytope& p, kernels::Report& report) {
     expected = f.end;
   }
   report.expect(expected == p.corners.size(), "there are corners of no facet");
-  report.expect(std::ranges::all_of(p.corners, [&](Index v) { return v < p.vertices.size(); }), "a corner is no vertex");
+  report.expect(std::ranges::all_of(p.corners, vertex), "a corner is no vertex");
 }
 
 /// Vertices are input points, each under the lowest index that it has there.
 void check_ids(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   report.expect(std::ranges::adjacent_find(p.input_ids, std::greater_equal<>()) == p.input_ids.end(), "input ids do not ascend");
   DistinctPoints vertices = no_points_yet(points, p.vertices.size());
-  for (std::size_t i = 0; i < p.vertices.size(); ++i) {
-    const std::string name = "vertex " + std::to_string(i);
+  for (const VertexId i : p.vertices.ids()) {
+    const std::string name = "vertex " + std::to_string(i.value);
     const bool same = p.input_ids[i] < points.size() && points[p.input_ids[i]] == p.vertices[i];
     if (!report.expect(same, name + " is not the input point that it names")) continue;
     report.expect(vertices.insert(p.input_ids[i]).second, name + " repeats another vertex");
@@ -63,7 +63,7 @@ void check_ids(const Polytope& p, std::span<const Vector> points, kernels::Repor
 }
 
 void check_segment(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
-  const Vector &u = p.vertices[0], &v = p.vertices[1];
+  const Vector &u = p.vertices.front(), &v = p.vertices.back();
   const auto inside = [&](const Vector& q) { return is_zero(cross(v - u, q - u)) && dot(q - u, q - v) <= 0; };
   report.expect(std::ranges::all_of(points, inside), "an input point lies outside the segment");
 }
@@ -72,28 +72,29 @@ void check_segment(const Polytope& p, std::span<const Vector> points, kernels::R
 void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const auto n = static_cast<Index>(p.vertices.size());
   const auto slot_of = [&](Index begin) {
-    std::vector<Index> slots(n, nowhere);
+    kernels::IdVector<VertexId, Index> slots(n, nowhere);
     for (Index i = 0; i < n; ++i) slots[p.corners[begin + i]] = i;
     return slots;
   };
-  if (!report.expect(p.facets[0].end == n, "the two facets of a polygon differ in size")) return;
-  const std::vector<Index> front = slot_of(0), back = slot_of(n);
-  report.expect(p.facets[1].normal == -p.facets[0].normal, "the normals of a polygon's facets are not opposite");
+  if (!report.expect(p.facets.front().end == n, "the two facets of a polygon differ in size")) return;
+  const kernels::IdVector<VertexId, Index> front = slot_of(0), back = slot_of(n);
+  report.expect(p.facets.back().normal == -p.facets.front().normal, "the normals of a polygon's facets are not opposite");
   for (Index i = 0; i < n; ++i) {
-    const Index u = p.corners[i], v = p.corners[(i + 1) % n];
+    const VertexId u = p.corners[i], v = p.corners[(i + 1) % n];
     const bool reversed = back[u] != nowhere && back[v] != nowhere && (back[v] + 1) % n == back[u];
     report.expect(reversed, "a side of a polygon's facet 0 is not, reversed, one of facet 1");
   }
-  std::vector<bool> used(n);
+  kernels::IdVector<VertexId, bool> used(n);
   for (const Edge& e : p.edges) {
-    const bool side = front[e.from] != nowhere && p.corners[(front[e.from] + 1) % n] == e.to && e.left == 0 && e.right == 1;
+    const bool side =
+        front[e.from] != nowhere && p.corners[(front[e.from] + 1) % n] == e.to && e.left == FacetId(0) && e.right == FacetId(1);
     if (report.expect(side, "a polygon's edge does not run along facet 0 with facet 0 to its left")) {
       report.expect(!used[e.from], "a polygon's edge occurs twice");
       used[e.from] = true;
     }
   }
-  const Facet& f = p.facets[0];
-  const bool planar = std::ranges::all_of(points, [&](const Vector& q) { return dot(f.normal, q - p.vertices[0]) == 0; });
+  const Facet& f = p.facets.front();
+  const bool planar = std::ranges::all_of(points, [&](const Vector& q) { return dot(f.normal, q - p.vertices.front()) == 0; });
   report.expect(planar, "an input point lies off the polygon's plane");
 }
 
@@ -107,11 +108,11 @@ void check_containment(const Polytope& p, std::span<const Vector> points, kernel
   if (p.rank == 2) {
     for (std::size_t i = 0; i < p.edges.size(); ++i) {
       const Vector& from = p.vertices[p.edges[i].from];
-      expect_none_beyond(cross(p.vertices[p.edges[i].to] - from, p.facets[0].normal), from, "side " + std::to_string(i));
+      expect_none_beyond(cross(p.vertices[p.edges[i].to] - from, p.facets.front().normal), from, "side " + std::to_string(i));
     }
   } else if (p.rank == 3) {
-    for (std::size_t i = 0; i < p.facets.size(); ++i) {
-      expect_none_beyond(p.facets[i].normal, p.vertices[p.corners[p.facets[i].begin]], "facet " + std::to_string(i));
+    for (const FacetId i : p.facets.ids()) {
+      expect_none_beyond(p.facets[i].normal, p.vertices[p.corners[p.facets[i].begin]], "facet " + std::to_string(i.value));
     }
   }
 }
@@ -126,7 +127,7 @@ kernels::Report validate(const Polytope& polytope, std::span<const Vector> point
   check_ids(polytope, points, report);
   validate_facets(polytope, report);
   if (polytope.rank == 0) {
-    report.expect(std::ranges::all_of(points, [&](const Vector& q) { return q == polytope.vertices[0]; }),
+    report.expect(std::ranges::all_of(points, [&](const Vector& q) { return q == polytope.vertices.front(); }),
                   "input points differ from the one vertex");
   }
   if (polytope.rank == 1) check_segment(polytope, points, report);

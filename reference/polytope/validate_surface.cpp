@@ -17,12 +17,12 @@ constexpr Index no_side = std::numeric_limits<Index>::max();
 /// A slot is a position in polytope.corners; it stands also for the side of the facet from this corner to the next.
 struct Sides {
   explicit Sides(const Polytope& polytope) : p(polytope), facet(p.corners.size()), twin(p.corners.size(), no_side) {
-    for (Index f = 0; f < p.facets.size(); ++f) std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
+    for (const FacetId f : p.facets.ids()) std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
     for (Index s = 0; s < p.corners.size(); ++s) by_ends.push_back({ends(s), s});
     std::ranges::sort(by_ends);
   }
 
-  using Ends = std::pair<Index, Index>;
+  using Ends = std::pair<VertexId, VertexId>;
 
   [[nodiscard]] Index next(Index s) const { return s + 1 == p.facets[facet[s]].end ? p.facets[facet[s]].begin : s + 1; }
   [[nodiscard]] Index previous(Index s) const { return s == p.facets[facet[s]].begin ? p.facets[facet[s]].end - 1 : s - 1; }
@@ -31,15 +31,15 @@ struct Sides {
   [[nodiscard]] Vector direction(Index s) const { return p.vertices[ends(s).second] - p.vertices[ends(s).first]; }
 
   /// The side with these ends in facet f, or no_side.
-  [[nodiscard]] Index find(Ends wanted, Index f) const {
+  [[nodiscard]] Index find(Ends wanted, FacetId f) const {
     const auto found = std::ranges::lower_bound(by_ends, wanted, {}, &std::pair<Ends, Index>::first);
     if (found == by_ends.end() || found->first != wanted || facet[found->second] != f) return no_side;
     return found->second;
   }
 
   const Polytope& p;
-  std::vector<Index> facet;  ///< of each slot
-  std::vector<Index> twin;   ///< the slot of the same edge in the facet beyond it
+  std::vector<FacetId> facet;  ///< of each slot
+  std::vector<Index> twin;     ///< the slot of the same edge in the facet beyond it
   std::vector<std::pair<Ends, Index>> by_ends;
 };
 
@@ -107,13 +107,13 @@ bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
 }  // namespace
 
 void validate_facets(const Polytope& polytope, kernels::Report& report) {
-  for (std::size_t i = 0; i < polytope.facets.size(); ++i) {
+  for (const FacetId i : polytope.facets.ids()) {
     const Facet& f = polytope.facets[i];
-    const std::string name = "facet " + std::to_string(i);
+    const std::string name = "facet " + std::to_string(i.value);
     report.expect(!is_zero(f.normal) && primitive(f.normal) == f.normal, name + " has a normal that is not primitive");
     const Vector& base = polytope.vertices[polytope.corners[f.begin]];
     const bool planar = std::all_of(polytope.corners.begin() + f.begin, polytope.corners.begin() + f.end,
-                                    [&](Index v) { return dot(f.normal, polytope.vertices[v] - base) == 0; });
+                                    [&](VertexId v) { return dot(f.normal, polytope.vertices[v] - base) == 0; });
     report.expect(planar, name + " has a corner off its plane");
     report.expect(strictly_convex(polytope, f), name + " is not a strictly convex counter-clockwise cycle");
   }
@@ -128,13 +128,13 @@ void validate_surface(const Polytope& polytope, kernels::Report& report) {
     const bool convex = !is_zero(along) && same_direction(along, polytope.vertices[e.to] - polytope.vertices[e.from]);
     report.expect(convex, "edge " + std::to_string(i) + " is flat or reflex");
   }
-  std::vector<Index> sides_at(polytope.vertices.size(), 0), some_side(polytope.vertices.size(), no_side);
+  kernels::IdVector<VertexId, Index> sides_at(polytope.vertices.size(), 0), some_side(polytope.vertices.size(), no_side);
   for (Index s = 0; s < polytope.corners.size(); ++s) {
     ++sides_at[polytope.corners[s]];
     some_side[polytope.corners[s]] = s;
   }
-  for (Index v = 0; v < polytope.vertices.size(); ++v) {
-    const std::string name = "vertex " + std::to_string(v);
+  for (const VertexId v : polytope.vertices.ids()) {
+    const std::string name = "vertex " + std::to_string(v.value);
     if (!report.expect(sides_at[v] >= 3, name + " has fewer than three facets")) continue;
     const std::vector<Index> around = star(sides, some_side[v]);
     if (!report.expect(around.size() == sides_at[v], name + " has more than one fan of facets")) continue;

@@ -12,7 +12,9 @@ namespace fathom::vertex_facet {
 std::vector<VertexFacetPair> vertex_facet_pairs(const chart::Charts& charts) {
   std::vector<VertexFacetPair> pairs;
   pairs.reserve(charts.walls.size());
-  for (const chart::Wall& wall : charts.walls) pairs.push_back({wall.colour, wall.node, charts.of[wall.colour].place_of[wall.node].face});
+  for (const chart::Wall& wall : charts.walls) {
+    pairs.push_back({wall.colour, gaussian::facet_of(wall.node), charts.of[wall.colour].place_of[wall.node].face});
+  }
   return pairs;
 }
 
@@ -21,10 +23,10 @@ void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& chart
   for (const VertexFacetPair& pair : pairs) {
     const bool facet_of_a = pair.facet_of == gaussian::Colour::a;
     const polytope::Polytope& body = facet_of_a ? a : b;
-    const std::uint32_t on_facet = body.corners[body.facets[pair.facet.value].begin];
-    const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex.value];
-    const Vector& q = b.vertices[facet_of_a ? pair.vertex.value : on_facet];
-    const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
+    const polytope::VertexId on_facet = body.corners[body.facets[pair.facet].begin];
+    const Vector& p = a.vertices[facet_of_a ? on_facet : pair.vertex];
+    const Vector& q = b.vertices[facet_of_a ? pair.vertex : on_facet];
+    const Vector& n = charts.of[pair.facet_of].node(gaussian::node_of(pair.facet)).exact();
     nearest.offer(n, dot(n, q - p));
   }
 }
@@ -38,8 +40,8 @@ kernels::Report validate(const std::vector<VertexFacetPair>& pairs, const chart:
   gaussian::PerColour<kernels::IdVector<gaussian::NodeId, int>> seen;
   for (const gaussian::Colour c : gaussian::both_colours) seen[c].resize(charts.of[c].wall_of.size());
   for (const VertexFacetPair& pair : pairs) {
-    ++seen[pair.facet_of][pair.facet];
-    const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
+    ++seen[pair.facet_of][gaussian::node_of(pair.facet)];
+    const Vector& n = charts.of[pair.facet_of].node(gaussian::node_of(pair.facet)).exact();
     report.expect(
         std::ranges::binary_search(kernels::extreme_points(vertices[gaussian::other(pair.facet_of)], n), pair.vertex.value),
         "vertex " + std::to_string(pair.vertex.value) + " is not extreme in the direction of facet " + std::to_string(pair.facet.value));

@@ -13,12 +13,12 @@
 
 namespace fathom::vertex_facet {
 
-/// A facet of the body of colour `facet_of`, by its node, and a vertex of the other body that is extreme in the node's direction (on -A
+/// A facet of the body of colour `facet_of`, and a vertex of the other body that is extreme in the direction of its node (on -A
 /// for a facet of B, so it minimises <normal, a>). If several vertices are extreme, it is any one of them.
 struct VertexFacetPair {
   gaussian::Colour facet_of;
-  gaussian::NodeId facet;
-  gaussian::VertexId vertex;
+  polytope::FacetId facet;
+  polytope::VertexId vertex;
 };
 
 /// One pair for each node of either colour in this hemisphere.

@@ -44,7 +44,7 @@ NaiveMetric naive(const Case& input, std::span<const Point> q) {
   const Point origin{0, 0, 0};
   const polytope::PlacedPair placed_q = polytope::place(q, {&origin, 1});
   const polytope::Polytope hull = polytope::convex_hull(placed_q.a.points());
-  for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+  for (const polytope::VertexId i : hull.vertices.ids()) {
     const std::uint32_t id = hull.input_ids[i];
     const mpq_class factor = testing::factor_naive(p, hull.vertices[i]) * placed_q.denominator / placed.denominator;
     if (!result.translations.empty() && factor > result.depth) continue;

@@ -70,16 +70,16 @@ void expect_ray(const RayShooter& rays, const polytope::Polytope& p, const Vecto
 /// Through vertices, edges and facets of P and at random; back from each, too.
 std::vector<Vector> telling_directions(const polytope::Polytope& p, std::mt19937_64& random) {
   std::vector<Vector> directions{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 1, -1}};
-  const auto vertex = [&](std::uint32_t i) { return p.vertices[i]; };
+  const auto vertex = [&](polytope::VertexId v) { return p.vertices[v]; };
   for (int i = 0; i < 3; ++i) {
-    directions.push_back(vertex(static_cast<std::uint32_t>(random() % p.vertices.size())));
+    directions.push_back(p.vertices.at(random() % p.vertices.size()));
     if (!p.edges.empty()) {
       const polytope::Edge& e = p.edges[random() % p.edges.size()];
       directions.insert(directions.end(),
                         {vertex(e.from) + vertex(e.to), vertex(e.from) - vertex(e.to), vertex(e.from) + 3 * vertex(e.to)});
     }
     if (!p.facets.empty()) {
-      const polytope::Facet& f = p.facets[random() % p.facets.size()];
+      const polytope::Facet& f = p.facets.at(random() % p.facets.size());
       directions.push_back(vertex(p.corners[f.begin]) + vertex(p.corners[f.begin + 1]) + vertex(p.corners[f.begin + 2]));
       directions.push_back(f.normal);
     }
@@ -92,7 +92,7 @@ std::vector<Vector> telling_directions(const polytope::Polytope& p, std::mt19937
 
 /// O, and a vertex of P, the sum of two or half of it: on the boundary, outside or somewhere in P.
 std::vector<Vector> telling_starts(const polytope::Polytope& p, std::mt19937_64& random) {
-  const Vector v = p.vertices[random() % p.vertices.size()], sum = v + p.vertices[random() % p.vertices.size()];
+  const Vector v = p.vertices.at(random() % p.vertices.size()), sum = v + p.vertices.at(random() % p.vertices.size());
   const std::array<Vector, 3> starts{v, sum, Vector{sum.x / 2, sum.y / 2, sum.z / 2}};
   return {{0, 0, 0}, starts[random() % 3]};
 }
@@ -151,7 +151,8 @@ Growth greatest_of_rays(const polytope::Hierarchy& a, const polytope::Hierarchy&
     const Vector u = testing::random_direction(random, i % 2 ? 3 : 40);
     const RayHit hit = rays.shoot(u);
     EXPECT_TRUE(hit.interior);
-    EXPECT_EQ(hit.height, dot(hit.normal, b.cloud()[b.extreme(hit.normal)]) - dot(hit.normal, a.cloud()[a.extreme(-hit.normal)]));
+    EXPECT_EQ(hit.height, dot(hit.normal, b.polytope().vertices[b.extreme(hit.normal)]) -
+                              dot(hit.normal, a.polytope().vertices[a.extreme(-hit.normal)]));
     EXPECT_EQ(hit.factor, kernels::ratio(hit.height, dot(hit.normal, u)));
     greatest.queries = std::max(greatest.queries, hit.queries);
     greatest.steps = std::max(greatest.steps, hit.steps);
@@ -227,10 +228,10 @@ TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
     const Prepared a(placed.a.points()), b(placed.b.points());
     const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0);
     std::mt19937_64 random(3);
-    const Vector on = b.polytope.vertices[5] - a.polytope.vertices[7];
+    const Vector on = b.polytope.vertices[polytope::VertexId(5)] - a.polytope.vertices[polytope::VertexId(7)];
     for (const Vector& start : {Vector{0, 0, 0}, on, Vector{on.x / 2, on.y / 2, on.z / 2}, on + on}) {
       for (int i = 0; i < 4; ++i) {
-        const Vector u = i == 0 ? b.polytope.facets[9].normal : testing::random_direction(random, i == 1 ? 2 : 30);
+        const Vector u = i == 0 ? b.polytope.facets[polytope::FacetId(9)].normal : testing::random_direction(random, i == 1 ? 2 : 30);
         const RayHit hit = usual.shoot(u, start), down = by_levels.shoot(u, start);
         ASSERT_EQ(std::tie(hit.hits, hit.interior, hit.factor, hit.normal, hit.height),
                   std::tie(down.hits, down.interior, down.factor, down.normal, down.height));

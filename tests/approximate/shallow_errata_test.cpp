@@ -74,7 +74,7 @@ TEST(ShallowErrata, TheFaceThatUSupportsIsFarFromTheBall) {
   const Vector u{1, 2, 1000};
   const mpq_class delta(1, 4), depth_squared = 1;
   EXPECT_TRUE(in_reach(delta, squared_reach(p, u), depth_squared)) << "u is in G', whatever grid it comes from";
-  const std::vector<std::uint32_t> supported = p.b.extreme_face(u);
+  const std::vector<polytope::VertexId> supported = p.b.extreme_face(u);
   ASSERT_EQ(supported.size(), 1U);
   const Vector& vertex = p.p.vertices[supported.front()];
   EXPECT_EQ(vertex, (Vector{100, 100, 1}));
@@ -93,7 +93,7 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
   const Vector u{1, 2, 1000};
   const mpq_class delta(1, 4), depth_squared = 1000000;
   EXPECT_TRUE(in_reach(delta, squared_reach(p, u), depth_squared));
-  const std::vector<std::uint32_t> supported = p.b.extreme_face(u);
+  const std::vector<polytope::VertexId> supported = p.b.extreme_face(u);
   ASSERT_EQ(supported.size(), 1U);
   EXPECT_EQ(p.p.vertices[supported.front()], (Vector{100000, 100000, 995}));
   const Ball near = ball(delta, depth_squared);

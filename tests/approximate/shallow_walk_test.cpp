@@ -39,8 +39,8 @@ bool meets_naive(const Ball& ball, const Vector& p, const Vector& q) {
 
 /// The same walk over the hull of all differences.
 NormalSet walk_naive(const polytope::Polytope& p, const Ball& ball, const NormalSet& starts) {
-  std::vector<bool> reached(p.facets.size());
-  for (std::size_t i = 0; i < p.facets.size(); ++i) reached[i] = starts.contains(p.facets[i].normal);
+  kernels::IdVector<polytope::FacetId, bool> reached(p.facets.size());
+  for (const polytope::FacetId i : p.facets.ids()) reached[i] = starts.contains(p.facets[i].normal);
   for (bool more = true; more;) {
     more = false;
     for (const polytope::Edge& e : p.edges) {
@@ -49,7 +49,7 @@ NormalSet walk_naive(const polytope::Polytope& p, const Ball& ball, const Normal
     }
   }
   NormalSet result;
-  for (std::size_t i = 0; i < p.facets.size(); ++i) {
+  for (const polytope::FacetId i : p.facets.ids()) {
     if (reached[i]) result.insert(p.facets[i].normal);
   }
   return result;
@@ -127,10 +127,10 @@ TEST_P(EveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
     const SumSurface surface(scene.hull_a, scene.hull_b);
     for (int i = 0; i < 6; ++i) {
       // Centre anywhere about P, the radius such that it reaches some vertex of P: edges that just meet it.
-      const Vector &p = scene.sum.vertices[random() % scene.sum.vertices.size()],
-                   &q = scene.sum.vertices[random() % scene.sum.vertices.size()];
+      const Vector &p = scene.sum.vertices.at(random() % scene.sum.vertices.size()),
+                   &q = scene.sum.vertices.at(random() % scene.sum.vertices.size());
       const Ball ball{i % 2 == 0 ? Vector{0, 0, 0} : p, i == 0 ? mpz_class(0) : mpz_class(dot(q - p, q - p)), i % 3 + 1};
-      const Vector n = scene.sum.facets[random() % scene.sum.facets.size()].normal;
+      const Vector n = scene.sum.facets.at(random() % scene.sum.facets.size()).normal;
       EXPECT_EQ(walk_from(surface, ball, {facet_of(surface, scene, n)}), walk_naive(scene.sum, ball, {n}));
     }
   }

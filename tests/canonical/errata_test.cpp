@@ -199,7 +199,7 @@ struct Pair {
 /// The edges on which <u,.> is least on A and greatest on B.
 Pair edges_towards(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& u) {
   const auto edge = [](const polytope::Polytope& p, const Vector& up) {
-    mpz_class highest = dot(p.vertices[0], up);
+    mpz_class highest = dot(p.vertices.front(), up);
     for (const Vector& v : p.vertices) highest = std::max(highest, dot(v, up));
     for (std::uint32_t i = 0; i < p.edges.size(); ++i) {
       if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return gaussian::ArcId(i);
@@ -241,7 +241,7 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
     const Vector w = signs[0] == kernels::Sign::positive ? normal : -normal;
     EXPECT_TRUE(same_direction(w, {1, 0, 0}));
-    const Vector step = p->b.vertices[e.above.value] - p->a.vertices[f.above.value];
+    const Vector step = p->b.vertices[e.above] - p->a.vertices[f.above];
     EXPECT_GT(dot(step, w), 0) << "C4 as a sign";
     EXPECT_EQ(times_reported(*p, pair), 1) << "in one of the two hemispheres";
   }
@@ -278,7 +278,7 @@ TEST(Errata, LinesOfTouchingBodiesMeet) {
   const gaussian::Arc& e = p->of_b.arcs[pair.of_b];
   const gaussian::Arc& f = p->minus_a.arcs[pair.of_a];
   EXPECT_EQ(times_reported(*p, pair), 1);
-  EXPECT_EQ(dot(p->b.vertices[e.above.value] - p->a.vertices[f.above.value], cross(f.circle.exact(), e.circle.exact())), 0);
+  EXPECT_EQ(dot(p->b.vertices[e.above] - p->a.vertices[f.above], cross(f.circle.exact(), e.circle.exact())), 0);
 }
 
 // ---- 5. what the depth is ----

@@ -291,11 +291,11 @@ TEST(Chart, FaceBesideAnArcPrefersItsVertex) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
       for (const ChartArc& arc : charts.of.b.arcs) {
-        const fathom::Vector up = p->b.vertices[charts.of.b.vertex_above(arc).value] - p->b.vertices[charts.of.b.vertex_below(arc).value];
+        const fathom::Vector up = p->b.vertices[charts.of.b.vertex_above(arc)] - p->b.vertices[charts.of.b.vertex_below(arc)];
         EXPECT_GE(dot(up, charts.frame.v.exact()), 0) << input.id;
       }
       for (const ChartArc& arc : charts.of.a.arcs) {
-        const fathom::Vector down = p->a.vertices[charts.of.a.vertex_above(arc).value] - p->a.vertices[charts.of.a.vertex_below(arc).value];
+        const fathom::Vector down = p->a.vertices[charts.of.a.vertex_above(arc)] - p->a.vertices[charts.of.a.vertex_below(arc)];
         EXPECT_LE(dot(down, charts.frame.v.exact()), 0) << input.id << ": the diagram is that of -A";
       }
     }

@@ -61,13 +61,14 @@ TEST(Fillets, ChainEdgesHaveThreeParallelCopiesAndFlatFacesBetween) {
     EXPECT_EQ(std::ranges::count_if(body->facets, [](const polytope::Facet& f) { return f.end - f.begin == 4; }), 2 * edges + 2)
         << "and one trapezium at each end";
     const auto chain_edges = std::ranges::count_if(body->edges, [&](const polytope::Edge& e) {
-      const std::uint32_t low = std::min(e.from, e.to), high = std::max(e.from, e.to);
-      return low >= 2 && high == low + 1;  // the two points below come first, then one copy after the other
+      const polytope::VertexId low = std::min(e.from, e.to), high = std::max(e.from, e.to);
+      return low.value >= 2 && high == low.next();  // the two points below come first, then one copy after the other
     });
     EXPECT_EQ(chain_edges, 3 * edges);
+    const std::vector<Vector>& points = body->vertices;
     for (std::uint32_t i = 2; i < 2 + edges; ++i)
       for (const std::uint32_t copy : {edges + 1, 2 * edges + 2})
-        EXPECT_EQ(body->vertices[i + 1] - body->vertices[i], body->vertices[copy + i + 1] - body->vertices[copy + i]);
+        EXPECT_EQ(points[i + 1] - points[i], points[copy + i + 1] - points[copy + i]);
   }
 }
 
@@ -76,8 +77,9 @@ TEST(Twists, NoThreeEdgesOfAChainHaveDirectionsInOnePlane) {
   const auto p = prepare(find_family("crossed_twists")->make(1, n));
   for (const polytope::Polytope* body : {&p->a, &p->b}) {
     ASSERT_EQ(body->vertices.size(), n + 2) << "every point is extreme";
+    const std::vector<Vector>& points = body->vertices;
     std::vector<Vector> directions;
-    for (std::size_t i = 0; i + 1 < n; ++i) directions.push_back(body->vertices[i + 1] - body->vertices[i]);
+    for (std::size_t i = 0; i + 1 < n; ++i) directions.push_back(points[i + 1] - points[i]);
     for (std::size_t i = 0; i < n - 1; ++i)
       for (std::size_t j = i + 1; j < n - 1; ++j)
         for (std::size_t k = j + 1; k < n - 1; ++k) EXPECT_NE(det(directions[i], directions[j], directions[k]), 0);

@@ -88,7 +88,11 @@ Vector middle(const GaussianDiagram& diagram, const Arc& arc) {
   return diagram.nodes[arc.from].exact() + diagram.nodes[arc.to].exact();
 }
 
-std::vector<std::uint32_t> sorted_pair(std::uint32_t i, std::uint32_t j) { return {std::min(i, j), std::max(i, j)}; }
+std::vector<VertexId> sorted_pair(VertexId i, VertexId j) { return {std::min(i, j), std::max(i, j)}; }
+
+std::vector<VertexId> extreme_naive(std::span<const Vector> points, const Vector& u) {
+  return kernels::to_ids<VertexId>(kernels::extreme_points_naive(points, u));
+}
 
 TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
   for_all([](const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour) {
@@ -99,13 +103,13 @@ TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
       const Arc& arc = diagram.arcs[i];
       const polytope::Edge& edge = polytope.edges[i.value];
       const Vector u = middle(diagram, arc), d = arc.circle.exact();
-      EXPECT_EQ(kernels::extreme_points_naive(points, u), sorted_pair(arc.above.value, arc.below.value));
-      EXPECT_EQ(sorted_pair(edge.from, edge.to), sorted_pair(arc.above.value, arc.below.value));
+      EXPECT_EQ(extreme_naive(points, u), sorted_pair(arc.above, arc.below));
+      EXPECT_EQ(sorted_pair(edge.from, edge.to), sorted_pair(arc.above, arc.below));
       // A little to either side. The step is small against every difference of products, which are integers.
       mpz_class k = 1;
       for (const Vector& p : points) k += 2 * abs(dot(p, d));
-      EXPECT_EQ(kernels::extreme_points_naive(points, k * u + d), std::vector<std::uint32_t>{arc.above.value});
-      EXPECT_EQ(kernels::extreme_points_naive(points, k * u - d), std::vector<std::uint32_t>{arc.below.value});
+      EXPECT_EQ(extreme_naive(points, k * u + d), std::vector{arc.above});
+      EXPECT_EQ(extreme_naive(points, k * u - d), std::vector{arc.below});
     }
   });
 }
@@ -115,10 +119,10 @@ TEST(GaussianDiagram, NodesAreTheNormalsOfTheirFacets) {
     const std::vector<Vector> points = points_of(polytope, colour);
     ASSERT_EQ(diagram.nodes.size(), polytope.facets.size());
     for (const NodeId i : diagram.nodes.ids()) {
-      const polytope::Facet& facet = polytope.facets[i.value];
-      std::vector<std::uint32_t> corners(polytope.corners.begin() + facet.begin, polytope.corners.begin() + facet.end);
+      const polytope::Facet& facet = polytope.facets[facet_of(i)];
+      std::vector<VertexId> corners(polytope.corners.begin() + facet.begin, polytope.corners.begin() + facet.end);
       std::sort(corners.begin(), corners.end());
-      EXPECT_EQ(kernels::extreme_points_naive(points, diagram.nodes[i].exact()), corners);
+      EXPECT_EQ(extreme_naive(points, diagram.nodes[i].exact()), corners);
     }
   });
 }
@@ -233,18 +237,19 @@ TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
                            square = polytope::convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
                            cube = polytope::convex_hull(corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
   polytope::Polytope broken = segment;
-  broken.vertices[1] = broken.vertices[0];
+  broken.vertices.back() = broken.vertices.front();
   expect_refused("a segment of length 0", broken);
   broken = square;
-  broken.facets[1].normal = broken.facets[1].normal + Vector{0, 0, 3 * broken.facets[1].normal.z};
+  broken.facets.back().normal = broken.facets.back().normal + Vector{0, 0, 3 * broken.facets.back().normal.z};
   EXPECT_TRUE(validate(gaussian_diagram(broken), broken, Colour::b).ok()) << "lengths carry no meaning";
-  broken.facets[1].normal = broken.facets[0].normal;
+  broken.facets.back().normal = broken.facets.front().normal;
   expect_refused("both sides of a polygon face up", broken);
-  broken.facets[0].normal = broken.facets[0].normal + Vector{1, 0, 0};
-  broken.facets[1].normal = -broken.facets[0].normal;
+  broken.facets.front().normal = broken.facets.front().normal + Vector{1, 0, 0};
+  broken.facets.back().normal = -broken.facets.front().normal;
   expect_refused("a polygon whose normal is tilted", broken);
   broken = cube;
-  broken.facets[2].normal = broken.facets[2].normal + Vector{0, 0, 1} + Vector{0, 1, 0} + Vector{1, 0, 0};
+  broken.facets[polytope::FacetId(2)].normal =
+      broken.facets[polytope::FacetId(2)].normal + Vector{0, 0, 1} + Vector{0, 1, 0} + Vector{1, 0, 0};
   expect_refused("a tilted facet", broken);
   broken = cube;
   broken.vertices.push_back({2, 2, 2});

@@ -165,7 +165,8 @@ void compare_sides(const polytope::Polytope& hull, Counts& counts) {
   std::vector<K::Point_3> points;
   for (const Vector& v : hull.vertices) points.push_back(point(v));
   for (const polytope::Facet& facet : hull.facets) {
-    const std::uint32_t p = hull.corners[facet.begin], q = hull.corners[facet.begin + 1], r = hull.corners[facet.begin + 2];
+    const auto corner = [&](std::uint32_t i) { return hull.corners[facet.begin + i].value; };
+    const std::uint32_t p = corner(0), q = corner(1), r = corner(2);
     const Plane plane(boxed, p, q, r);
     const K::Vector_3 normal = CGAL::cross_product(points[q] - points[p], points[r] - points[p]);
     for (std::uint32_t s = 0; s < points.size(); ++s) {
@@ -210,9 +211,9 @@ void compare_distances(const Prepared& p, Counts& counts) {
     for (const vertex_facet::VertexFacetPair& pair : vertex_facet::vertex_facet_pairs(charts)) {
       const bool of_a = pair.facet_of == gaussian::Colour::a;
       const polytope::Polytope& body = of_a ? p.a : p.b;
-      const std::uint32_t corner = body.corners[body.facets[pair.facet.value].begin];
-      const Vector& n = charts.of[pair.facet_of].node(pair.facet).exact();
-      const mpz_class height = dot(n, p.b.vertices[of_a ? pair.vertex.value : corner] - p.a.vertices[of_a ? corner : pair.vertex.value]);
+      const polytope::VertexId corner = body.corners[body.facets[pair.facet].begin];
+      const Vector& n = charts.of[pair.facet_of].node(gaussian::node_of(pair.facet)).exact();
+      const mpz_class height = dot(n, p.b.vertices[of_a ? pair.vertex : corner] - p.a.vertices[of_a ? corner : pair.vertex]);
       if (height > 0) planes.push_back({n, height});
     }
   }

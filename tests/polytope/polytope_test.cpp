@@ -114,11 +114,12 @@ TEST(ConvexHull, TheCubeInFull) {
   for (const Vector& p : grid(3)) points.push_back(mpz_class(2) * Points{p} == Points{{2, 2, 2}} ? Vector{1, 1, 1} : p);
   const Polytope p = convex_hull(points);
   EXPECT_EQ(p.input_ids, (std::vector<std::uint32_t>{1, 4, 8, 10, 20, 22, 26, 28}));
-  EXPECT_EQ(p.corners, (std::vector<std::uint32_t>{0, 1, 5, 4, 0, 2, 3, 1, 0, 4, 6, 2, 1, 3, 7, 5, 2, 6, 7, 3, 4, 5, 7, 6}));
-  EXPECT_EQ(p.facets[0].normal, (Vector{0, -1, 0}));
-  EXPECT_EQ(p.facets[3].normal, (Vector{1, 0, 0}));
+  EXPECT_EQ(p.corners, kernels::to_ids<VertexId>({0, 1, 5, 4, 0, 2, 3, 1, 0, 4, 6, 2, 1, 3, 7, 5, 2, 6, 7, 3, 4, 5, 7, 6}));
+  EXPECT_EQ(p.facets.front().normal, (Vector{0, -1, 0}));
+  EXPECT_EQ(p.facets[FacetId(3)].normal, (Vector{1, 0, 0}));
   const Edge& first = p.edges[0];
-  EXPECT_EQ((std::vector{first.from, first.to, first.left, first.right}), (std::vector<std::uint32_t>{0, 1, 0, 1}));
+  EXPECT_EQ(std::pair(first.from, first.to), std::pair(VertexId(0), VertexId(1)));
+  EXPECT_EQ(std::pair(first.left, first.right), std::pair(FacetId(0), FacetId(1)));
 }
 
 /// Random points of a small grid, pushed through a random integer matrix: every rank, many coincidences.
@@ -218,7 +219,7 @@ TEST(ConvexHull, PointAndSegment) {
   const Polytope segment = convex_hull(line);
   EXPECT_EQ(segment.rank, 1);
   EXPECT_EQ(segment.input_ids, (std::vector<std::uint32_t>{1, 2}));
-  EXPECT_EQ(segment.edges[0].left, no_facet);
+  EXPECT_TRUE(segment.edges[0].left.is_none());
   EXPECT_EQ(faults(segment, line), "");
   EXPECT_THROW(convex_hull({}), std::invalid_argument);
 }
@@ -230,7 +231,7 @@ TEST(ConvexHull, PolygonsOfEveryDirection) {
     for (int i = 0; i < 9; ++i) points.push_back((i % 3 * Points{u})[0] + (i / 3 * Points{v})[0]);
     const Polytope p = convex_hull(points);
     EXPECT_EQ(p.rank, 2);
-    EXPECT_EQ(p.facets[0].normal, n);
+    EXPECT_EQ(p.facets.front().normal, n);
     EXPECT_EQ(p.input_ids, (std::vector<std::uint32_t>{0, 2, 6, 8}));
     EXPECT_EQ(faults(p, points), "");
     EXPECT_EQ(as_sets(p), convex_hull_naive(points));

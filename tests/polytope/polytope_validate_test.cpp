@@ -55,51 +55,55 @@ TEST(Validate, CountsAndRanges) {
                                }},
                               {"V - E + F", [](Polytope& p) { p = Polytope{}, p.rank = 3; }},
                               {"input ids", [](Polytope& p) { p.input_ids.pop_back(); }},
-                              {"an edge has an end", [](Polytope& p) { p.edges[3].to = 8; }},
+                              {"an edge has an end", [](Polytope& p) { p.edges[3].to = VertexId(8); }},
                               {"an edge has an end", [](Polytope& p) { p.edges[3].to = p.edges[3].from; }},
-                              {"refers to a facet", [](Polytope& p) { p.edges[3].left = 6; }},
-                              {"refers to a facet", [](Polytope& p) { p.edges[3].right = no_facet; }},
-                              {"corners do not follow", [](Polytope& p) { p.facets[2].begin = 9; }},
-                              {"corners do not follow", [](Polytope& p) { p.facets[5].end = 25; }},
-                              {"corners do not follow", [](Polytope& p) { p.facets[0].end = 2, p.facets[1].begin = 2; }},
-                              {"corners of no facet", [](Polytope& p) { p.facets[5].end = 23; }},
-                              {"a corner is no vertex", [](Polytope& p) { p.corners[7] = 8; }},
+                              {"refers to a facet", [](Polytope& p) { p.edges[3].left = FacetId(6); }},
+                              {"refers to a facet", [](Polytope& p) { p.edges[3].right = FacetId::none(); }},
+                              {"corners do not follow", [](Polytope& p) { p.facets[FacetId(2)].begin = 9; }},
+                              {"corners do not follow", [](Polytope& p) { p.facets[FacetId(5)].end = 25; }},
+                              {"corners do not follow", [](Polytope& p) { p.facets[FacetId(0)].end = 2, p.facets[FacetId(1)].begin = 2; }},
+                              {"corners of no facet", [](Polytope& p) { p.facets[FacetId(5)].end = 23; }},
+                              {"a corner is no vertex", [](Polytope& p) { p.corners[7] = VertexId(8); }},
                           });
 }
 
 TEST(Validate, VerticesAndIds) {
-  expect_all_found(box(),
-                   {
-                       {"do not ascend", [](Polytope& p) { std::swap(p.input_ids[0], p.input_ids[1]); }},
-                       {"is not the input point", [](Polytope& p) { p.input_ids[0] = 0; }},
-                       {"is not the input point", [](Polytope& p) { p.input_ids[7] = 1000; }},
-                       {"has a lower index", [](Polytope& p) { p.input_ids[7] = 9; }},
-                       {"repeats another vertex", [](Polytope& p) { p.vertices[7] = p.vertices[6], p.input_ids[7] = p.input_ids[6]; }},
-                   });
+  expect_all_found(
+      box(),
+      {
+          {"do not ascend", [](Polytope& p) { std::swap(p.input_ids[VertexId(0)], p.input_ids[VertexId(1)]); }},
+          {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(0)] = 0; }},
+          {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(7)] = 1000; }},
+          {"has a lower index", [](Polytope& p) { p.input_ids[VertexId(7)] = 9; }},
+          {"repeats another vertex",
+           [](Polytope& p) { p.vertices[VertexId(7)] = p.vertices[VertexId(6)], p.input_ids[VertexId(7)] = p.input_ids[VertexId(6)]; }},
+      });
 }
 
 TEST(Validate, Facets) {
-  expect_all_found(box(), {
-                              {"not primitive", [](Polytope& p) { p.facets[1].normal = p.facets[1].normal + p.facets[1].normal; }},
-                              {"not primitive",
-                               [](Polytope& p) {
-                                 p.facets[1].normal = {0, 0, 0};
-                               }},
-                              {"off its plane",
-                               [](Polytope& p) {
-                                 p.facets[1].normal = {3, 5, 7};
-                               }},
-                              {"strictly convex", [](Polytope& p) { p.facets[1].normal = -p.facets[1].normal; }},
-                              {"strictly convex", [](Polytope& p) { std::swap(p.corners[1], p.corners[2]); }},
-                              {"strictly convex", [](Polytope& p) { std::reverse(p.corners.begin(), p.corners.begin() + 4); }},
-                          });
+  expect_all_found(
+      box(),
+      {
+          {"not primitive", [](Polytope& p) { p.facets[FacetId(1)].normal = p.facets[FacetId(1)].normal + p.facets[FacetId(1)].normal; }},
+          {"not primitive",
+           [](Polytope& p) {
+             p.facets[FacetId(1)].normal = {0, 0, 0};
+           }},
+          {"off its plane",
+           [](Polytope& p) {
+             p.facets[FacetId(1)].normal = {3, 5, 7};
+           }},
+          {"strictly convex", [](Polytope& p) { p.facets[FacetId(1)].normal = -p.facets[FacetId(1)].normal; }},
+          {"strictly convex", [](Polytope& p) { std::swap(p.corners[1], p.corners[2]); }},
+          {"strictly convex", [](Polytope& p) { std::reverse(p.corners.begin(), p.corners.begin() + 4); }},
+      });
 }
 
 TEST(Validate, Edges) {
   expect_all_found(box(), {
                               {"not a side", [](Polytope& p) { std::swap(p.edges[2].left, p.edges[2].right); }},
                               {"not a side", [](Polytope& p) { std::swap(p.edges[2].from, p.edges[2].to); }},
-                              {"not a side", [](Polytope& p) { p.edges[2].right = (p.edges[2].right + 1) % 6; }},
+                              {"not a side", [](Polytope& p) { p.edges[2].right = FacetId((p.edges[2].right.value + 1) % 6); }},
                               {"repeats an earlier edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
                               {"belongs to no edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
                           });
@@ -111,13 +115,13 @@ TEST(Validate, Polygons) {
                                   [](Polytope& p) {
                                     p.input_ids = {2, 3, 4, 5}, std::rotate(p.vertices.begin(), p.vertices.begin() + 1, p.vertices.end());
                                   }},
-                                 {"not opposite", [](Polytope& p) { p.facets[1].normal = p.facets[0].normal; }},
+                                 {"not opposite", [](Polytope& p) { p.facets[FacetId(1)].normal = p.facets[FacetId(0)].normal; }},
                                  {"not, reversed", [](Polytope& p) { std::reverse(p.corners.begin() + 4, p.corners.end()); }},
                                  {"strictly convex", [](Polytope& p) { std::swap(p.corners[0], p.corners[1]); }},
                                  {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].left, p.edges[1].right); }},
                                  {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].from, p.edges[1].to); }},
                                  {"occurs twice", [](Polytope& p) { p.edges[1] = p.edges[2]; }},
-                                 {"differ in size", [](Polytope& p) { p.facets[0].end = p.facets[1].begin = 3; }},
+                                 {"differ in size", [](Polytope& p) { p.facets[FacetId(0)].end = p.facets[FacetId(1)].begin = 3; }},
                              });
 }
 
@@ -140,9 +144,9 @@ TEST(Validate, InputPointsOutside) {
 
 /// The polytope with other points in place of its vertices and normals that suit them.
 Polytope with_vertices(Polytope p, const Points& points) {
-  p.vertices = points;
+  p.vertices.assign(points.begin(), points.end());
   for (Facet& f : p.facets) {
-    const auto corner = [&](int i) { return points[p.corners[f.begin + i]]; };
+    const auto corner = [&](int i) { return p.vertices[p.corners[f.begin + i]]; };
     f.normal = primitive(cross(corner(1) - corner(0), corner(2) - corner(0)));
   }
   return p;
@@ -170,14 +174,14 @@ Polytope polygon(const Points& corners) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   Polytope p;
   p.rank = 2;
-  p.vertices = corners;
+  p.vertices.assign(corners.begin(), corners.end());
   for (std::uint32_t i = 0; i < n; ++i) {
     p.input_ids.push_back(i);
-    p.corners.push_back(i);
-    p.edges.push_back({i, (i + 1) % n, 0, 1});
+    p.corners.emplace_back(i);
+    p.edges.push_back({VertexId(i), VertexId((i + 1) % n), FacetId(0), FacetId(1)});
   }
-  p.corners.push_back(0);
-  for (std::uint32_t i = n; i-- > 1;) p.corners.push_back(i);
+  p.corners.emplace_back(0);
+  for (std::uint32_t i = n; i-- > 1;) p.corners.emplace_back(i);
   p.facets = {{{0, 0, 1}, 0, n}, {{0, 0, -1}, n, 2 * n}};
   return p;
 }
@@ -187,24 +191,29 @@ Polytope double_pyramid(const Points& corners, std::uint32_t last) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   Polytope p;
   p.rank = 3;
-  p.vertices = corners;
+  p.vertices.assign(corners.begin(), corners.end());
   p.vertices.insert(p.vertices.end(), {{0, 0, 5}, {0, 0, -5}});
   for (std::uint32_t i = 0; i < n + 2; ++i) p.input_ids.push_back(i);
-  const auto add_facet = [&](std::uint32_t u, std::uint32_t v, std::uint32_t w) {
+  const auto add_facet = [&](VertexId u, VertexId v, VertexId w) {
+    const FacetId added(static_cast<std::uint32_t>(p.facets.size()));
     const auto begin = static_cast<std::uint32_t>(p.corners.size());
     p.corners.insert(p.corners.end(), {u, v, w});
     p.facets.push_back({primitive(cross(p.vertices[v] - p.vertices[u], p.vertices[w] - p.vertices[u])), begin, begin + 3});
+    return added;
   };
-  std::vector<std::uint32_t> upper(n);
+  const auto corner = [&](std::uint32_t i) { return VertexId(i % n); };
+  const VertexId top(n), bottom(n + 1);
+  std::vector<FacetId> upper(n), lower(n);
   for (std::uint32_t step = 1; step <= n; ++step) {
     const std::uint32_t i = (last + step) % n;
-    upper[i] = static_cast<std::uint32_t>(p.facets.size());
-    add_facet(n, i, (i + 1) % n);
-    add_facet(n + 1, (i + 1) % n, i);
+    upper[i] = add_facet(top, corner(i), corner(i + 1));
+    lower[i] = add_facet(bottom, corner(i + 1), corner(i));
   }
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t here = upper[i], before = upper[(i + n - 1) % n];
-    p.edges.insert(p.edges.end(), {{i, (i + 1) % n, here, here + 1}, {n, i, here, before}, {n + 1, i, before + 1, here + 1}});
+    const std::uint32_t before = (i + n - 1) % n;
+    p.edges.insert(p.edges.end(), {{corner(i), corner(i + 1), upper[i], lower[i]},
+                                   {top, corner(i), upper[i], upper[before]},
+                                   {bottom, corner(i), lower[before], lower[i]}});
   }
   return p;
 }
@@ -253,13 +262,13 @@ TEST(Validate, TwoFansAtOneVertex) {
   add_pyramid(2);
   Polytope both = convex_hull(points);  // misses vertices 2 to 4
   ASSERT_EQ(both.vertices.size(), 5u);
-  const auto outer_vertex = [](std::uint32_t& v) { v += v < 2 ? 0 : 3; };
-  for (std::uint32_t& v : both.corners) outer_vertex(v);
+  const auto outer_vertex = [](VertexId& v) { v.value += v.value < 2 ? 0 : 3; };
+  for (VertexId& v : both.corners) outer_vertex(v);
   for (Edge& e : both.edges) outer_vertex(e.from), outer_vertex(e.to);
-  both.vertices = points;
+  both.vertices.assign(points.begin(), points.end());
   both.input_ids = {0, 1, 2, 3, 4, 5, 6, 7};
   for (const Facet& f : inner.facets) both.facets.push_back({f.normal, f.begin + 18, f.end + 18});
-  for (const Edge& e : inner.edges) both.edges.push_back({e.from, e.to, e.left + 6, e.right + 6});
+  for (const Edge& e : inner.edges) both.edges.push_back({e.from, e.to, FacetId(e.left.value + 6), FacetId(e.right.value + 6)});
   both.corners.insert(both.corners.end(), inner.corners.begin(), inner.corners.end());
 
   EXPECT_TRUE(validate(inner, {points.data(), 5}).ok());

@@ -30,9 +30,9 @@ Point crossed(const Point& p, const Point& q) {
 
 Features features(const Body& body) {
   const polytope::Polytope hull = polytope::convex_hull(polytope::place(body.points, body.points).a.points());
-  const auto vertex = [&](std::uint32_t i) { return body.points[hull.input_ids[i]]; };
+  const auto vertex = [&](polytope::VertexId v) { return body.points[hull.input_ids[v]]; };
   Features result;
-  for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) result.vertices.push_back(vertex(i));
+  for (const polytope::VertexId v : hull.vertices.ids()) result.vertices.push_back(vertex(v));
   for (const polytope::Facet& facet : hull.facets) {
     result.normals.push_back(as_point(facet.normal));
     std::vector<Point>& corners = result.facets.emplace_back();
@@ -41,7 +41,7 @@ Features features(const Body& body) {
   for (const polytope::Edge& edge : hull.edges) {
     result.edges.emplace_back(vertex(edge.from), vertex(edge.to));
     result.edge_directions.push_back(combined(1, result.edges.back().second, -1, result.edges.back().first));
-    if (hull.rank == 3) result.arcs.emplace_back(result.normals[edge.left], result.normals[edge.right]);
+    if (hull.rank == 3) result.arcs.emplace_back(as_point(hull.facets[edge.left].normal), as_point(hull.facets[edge.right].normal));
   }
   return result;
 }

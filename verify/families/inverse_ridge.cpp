@@ -26,12 +26,15 @@ const approximate::SumEdge& any(const std::vector<approximate::SumEdge>& edges, 
   return edges[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(edges.size()) - 1))];
 }
 
+std::vector<polytope::VertexId> extreme_face(const polytope::Polytope& p, const Vector& u) {
+  return kernels::to_ids<polytope::VertexId>(kernels::extreme_points(kernels::PointCloud(p.vertices), u));
+}
+
 /// After a few steps from a facet of B against a vertex of A.
 Ridge any_ridge(const polytope::Polytope& a, const polytope::Polytope& b, Random& random) {
   const approximate::SumSurface surface(a, b);
-  const Vector n = b.facets[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(b.facets.size()) - 1))].normal;
-  approximate::SumFacet facet = surface.facet(kernels::extreme_points(kernels::PointCloud(a.vertices), -n),
-                                              kernels::extreme_points(kernels::PointCloud(b.vertices), n), n);
+  const Vector n = b.facets.at(static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(b.facets.size()) - 1))).normal;
+  approximate::SumFacet facet = surface.facet(extreme_face(a, -n), extreme_face(b, n), n);
   std::uint64_t steps = 0;
   for (int i = 0; i < 8; ++i) {
     const std::vector<approximate::SumEdge> edges = surface.edges(facet);

@@ -12,7 +12,7 @@ Feature Subject::feature(gaussian::ArcId i) const {
 }
 
 Feature Subject::feature(gaussian::NodeId i) const {
-  const polytope::Facet& facet = body.facets[i.value];
+  const polytope::Facet& facet = body.facets[gaussian::facet_of(i)];
   Feature points;
   for (std::uint32_t k = facet.begin; k < facet.end; ++k) points.push_back(body.input_ids[body.corners[k]]);
   std::ranges::sort(points);

@@ -11,7 +11,7 @@ Vector line_direction(const Vector& u) {
   return lexicographically_less(result, Vector{0, 0, 0}) ? -result : result;
 }
 
-const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) { return subject.body.facets[node.value]; }
+const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) { return subject.body.facets[gaussian::facet_of(node)]; }
 
 /// Whether the supporting planes of two facets with parallel normals are one.
 bool coplanar(const Subjects& subjects, gaussian::NodeId of_a, gaussian::NodeId of_b) {

@@ -57,7 +57,8 @@ Vector stretch_axes(Bodies& bodies) {
 /// The face of a body in direction u.
 Feature face(const polytope::Polytope& body, const Vector& u) {
   Feature points;
-  for (const std::uint32_t v : kernels::extreme_points(kernels::PointCloud(body.vertices), u)) points.push_back(body.input_ids[v]);
+  const std::vector<std::uint32_t> extreme = kernels::extreme_points(kernels::PointCloud(body.vertices), u);
+  for (const auto v : kernels::to_ids<polytope::VertexId>(extreme)) points.push_back(body.input_ids[v]);
   std::ranges::sort(points);
   return points;
 }

@@ -75,8 +75,10 @@ void fill(Map& map, const std::vector<Vector>& body) {
   std::vector<Kernel::Point_3> points;
   for (const Vector& v : hull.vertices) points.emplace_back(number(v.x), number(v.y), number(v.z));
   std::vector<std::vector<std::size_t>> cycles;
-  for (const polytope::Facet& facet : hull.facets)
-    cycles.emplace_back(hull.corners.begin() + facet.begin, hull.corners.begin() + facet.end);
+  for (const polytope::Facet& facet : hull.facets) {
+    std::vector<std::size_t>& cycle = cycles.emplace_back();
+    for (std::uint32_t i = facet.begin; i < facet.end; ++i) cycle.push_back(hull.corners[i].value);
+  }
   Initializer initializer(map);
   Kernel::Point_3* const first = points.data();
   initializer(first, first + points.size(), points.size(), cycles.begin(), cycles.end(), cycles.size());

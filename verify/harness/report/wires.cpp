@@ -15,12 +15,13 @@ constexpr double margin = 16;  // pixels
 }  // namespace
 
 Wires wires_of(const polytope::Polytope& hull, const View& view) {
-  std::vector<bool> seen;
-  for (const polytope::Facet& facet : hull.facets) seen.push_back(view.faces_us(facet.normal));
+  kernels::IdVector<polytope::FacetId, bool> faces_us;
+  for (const polytope::Facet& facet : hull.facets) faces_us.push_back(view.faces_us(facet.normal));
+  const auto seen = [&](polytope::FacetId f) { return f.is_none() || faces_us[f]; };
   const bool all = hull.edges.size() <= most_edges;
   Wires result{{}, hull.input_ids};
   for (const polytope::Edge& edge : hull.edges) {
-    const bool left = edge.left == polytope::no_facet || seen[edge.left], right = edge.right == polytope::no_facet || seen[edge.right];
+    const bool left = seen(edge.left), right = seen(edge.right);
     if (all || left != right) result.wires.push_back({hull.input_ids[edge.from], hull.input_ids[edge.to], !left && !right});
   }
   if (hull.rank == 2)  // a polygon seen from its edge has no side that we see, and hides nothing
