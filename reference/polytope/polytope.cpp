@@ -3,6 +3,7 @@
 #include "reference/polytope/polytope.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
