@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Arithmetic of vectors. It is in fathom, as Vec3 is, where argument-dependent lookup finds it.
 #pragma once
 
 #include "fathom/point.hpp"

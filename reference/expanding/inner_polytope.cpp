@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
-
 class Merging {
  public:
   explicit Merging(Surface& surface)

@@ -9,8 +9,6 @@
 namespace fathom::expanding {
 namespace {
 
-constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
-
 // Which edge of `t` starts at `from`.
 int edge_from(const Triangle& t, CornerId from) {
   for (int k = 0; k < 3; ++k)

@@ -31,6 +31,9 @@ struct ExactPlane {
   mpz_class height;
 };
 
+/// The corner of a triangle after corner k, counter-clockwise.
+constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+
 /// One triangle, counter-clockwise seen from outside; across[k] lies on the other side of the edge from corner k to corner k + 1.
 struct Triangle {
   std::array<CornerId, 3> corners;
