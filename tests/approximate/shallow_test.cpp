@@ -10,6 +10,7 @@
 #include "tests/approximate/shallow_scene.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"
+#include "tests/support/same_answer.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"
@@ -24,14 +25,7 @@ using testing::ShallowScene;
 // ---- the answer ----
 
 void expect_same(const Depth& depth, const Depth& exact) {
-  EXPECT_EQ(depth.status(), exact.status());
-  EXPECT_EQ(depth.squared(), exact.squared());
-  EXPECT_EQ(depth.optima(), exact.optima());
-  EXPECT_EQ(depth.direction(), exact.direction());
-  EXPECT_EQ(depth.translation(), exact.translation());
-  EXPECT_EQ(depth.witness(), exact.witness());
-  EXPECT_EQ(depth.flat_a, exact.flat_a);
-  EXPECT_EQ(depth.flat_b, exact.flat_b);
+  testing::expect_same_answer(depth, exact);
   EXPECT_EQ(depth.extreme_a, exact.extreme_a);
   EXPECT_EQ(depth.extreme_b, exact.extreme_b);
 }

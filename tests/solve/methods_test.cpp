@@ -11,28 +11,13 @@
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/same_answer.hpp"
 #include "verify/families/catalogue.hpp"
 
 namespace fathom::solve {
 namespace {
 
 bool has_proof(const Depth& depth) { return depth.penetration() && depth.penetration()->inner; }
-
-void expect_same(const Depth& x, const Depth& y) {
-  EXPECT_EQ(x.status(), y.status());
-  EXPECT_EQ(x.squared(), y.squared());
-  EXPECT_EQ(x.optima(), y.optima());
-  EXPECT_EQ(x.direction(), y.direction());
-  EXPECT_EQ(x.translation(), y.translation());
-  EXPECT_EQ(x.witness(), y.witness());
-  EXPECT_EQ(x.flat_a, y.flat_a);
-  EXPECT_EQ(x.flat_b, y.flat_b);
-  ASSERT_EQ(!x.distance(), !y.distance());
-  if (!x.distance()) return;
-  EXPECT_EQ(x.distance()->squared, y.distance()->squared);
-  EXPECT_EQ(x.distance()->translation, y.distance()->translation);
-  EXPECT_EQ(x.distance()->witness, y.distance()->witness);
-}
 
 TEST(Methods, AgreeInEveryField) {
   std::vector<Case> cases;
@@ -46,12 +31,12 @@ TEST(Methods, AgreeInEveryField) {
     EXPECT_EQ(exact.method, Method::exact);
     EXPECT_FALSE(has_proof(exact));
     const Depth automatic = penetration_depth(input.a.points, input.b.points, {.validate = true});
-    expect_same(automatic, exact);
+    testing::expect_same_answer(automatic, exact);
     EXPECT_EQ(has_proof(automatic), automatic.method == Method::certificate);
     EXPECT_TRUE(has_proof(automatic) || automatic.method == Method::exact);
     closed += has_proof(automatic) ? 1U : 0U;
     const Depth naive = penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
-    expect_same(naive, exact);
+    testing::expect_same_answer(naive, exact);
     EXPECT_EQ(naive.method, Method::naive);
     EXPECT_EQ(naive.extreme_a, exact.extreme_a);
     EXPECT_EQ(naive.extreme_b, exact.extreme_b);
@@ -65,10 +50,10 @@ TEST(Methods, AutomaticIsExactPastItsBudgetAndCertificateGoesOn) {
   const Depth automatic = penetration_depth(input.a.points, input.b.points, {.expansion_budget = 3});
   EXPECT_EQ(automatic.method, Method::exact);
   EXPECT_GT(automatic.extreme_a, 0U) << "hulls were taken";
-  expect_same(automatic, exact);
+  testing::expect_same_answer(automatic, exact);
   const Depth certified = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate, .expansion_budget = 3});
   EXPECT_EQ(certified.method, Method::certificate);
-  expect_same(certified, exact);
+  testing::expect_same_answer(certified, exact);
 }
 
 TEST(Methods, AutomaticIsExactWhereAnEngineIsAskedFor) {
