@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every library that fathom is built from. The headers of CGAL and nlohmann-json are used inside .cpp files only.
+# Every library that fathom is built from. The headers of CGAL, nlohmann-json and simdjson are used inside .cpp files only.
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
@@ -8,6 +8,7 @@ find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(simdjson REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(zstd REQUIRED)

@@ -31,7 +31,7 @@ Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
                        {"f32", in_every_direction([&](Rounding mode) { return root_binary32(squared, mode); })}};
   if (digits) {
     const Enclosure enclosure = enclose_root(squared, *digits);
-    result["enclosure"] = {enclosure.low, enclosure.high};
+    result["enclosure"] = Json::array({enclosure.low, enclosure.high});
   }
   return result;
 }
@@ -54,12 +54,8 @@ Json flat_array(const BodyFacts& facts) {
   return result;
 }
 
-std::string valid_utf8(const std::string& text) { return Json::parse(one_line(text)).get<std::string>(); }
-
-std::string one_line(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error) {
-  return one_line({{"schema", schema}, {"id", id}, {"line", line}, {"error", error}});
+  return Json{{"schema", schema}, {"id", id}, {"line", line}, {"error", error}}.text();
 }
 
 }  // namespace fathom::cli
