@@ -22,6 +22,8 @@
 namespace fathom::cli {
 namespace {
 
+constexpr unsigned most_threads = 1024;
+
 /// A value that must be one of `here`; those in `absent` are known but not part of this version.
 CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> absent) {
   const auto check = [here, absent](const std::string& value) -> std::string {
@@ -39,14 +41,21 @@ std::string check_digits(const std::string& value) {
   return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, kernels::shown(value));
 }
 
-std::optional<std::uint64_t> seed_of(const std::string& value) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), seed);
-  return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
+template <class Integer>
+std::optional<Integer> integer_of(const std::string& value) {
+  Integer integer = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), integer);
+  return error == std::errc() && end == value.data() + value.size() ? std::optional(integer) : std::nullopt;
+}
+
+std::string check_threads(const std::string& value) {
+  const std::optional<unsigned> threads = integer_of<unsigned>(value);
+  if (threads && *threads >= 1 && *threads <= most_threads) return "";
+  return fmt::format("expected an integer from 1 to {}, found {}", most_threads, kernels::shown(value));
 }
 
 std::string check_seed(const std::string& value) {
-  if (seed_of(value)) return "";
+  if (integer_of<std::uint64_t>(value)) return "";
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
 }
 
@@ -67,8 +76,18 @@ void add_inputs(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
 }
 
-void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+/// The inputs of a command that answers two meshes, or a stream.
+void add_questions(CLI::App& app, Request& request, Texts& texts) {
   add_inputs(app, request, texts);
+  app.add_option_function<std::string>(
+         "--threads", [&request](const std::string& text) { request.threads = integer_of<unsigned>(text); },
+         "cases of a stream that are answered at once; as many as there are\ncores unless given. The output is the same with any number")
+      ->check(check_threads)
+      ->type_name("N");
+}
+
+void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
@@ -87,12 +106,12 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->check(one_of({"cutting", "sampled", "naive"}, {}))
       ->type_name("NAME");
   app.add_option_function<std::string>(
-         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); },
+         "--seed", [&request](const std::string& text) { request.seed = *integer_of<std::uint64_t>(text); },
          "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
       ->check(check_seed)
       ->type_name("N");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
-  add_inputs(app, request, texts);
+  add_questions(app, request, texts);
   app.add_option("--certificate", request.certificate,
                  "write the proof of the answer to FILE; for a stream: a directory, one\nfile for each case")
       ->type_name("FILE");
@@ -120,7 +139,7 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   add_approx_options(approx, request);
   add_ray_options(ray, request);
   add_metric_options(metric, request);
-  for (CLI::App* command : {&approx, &ray, &metric}) add_inputs(*command, request, texts);
+  for (CLI::App* command : {&approx, &ray, &metric}) add_questions(*command, request, texts);
   for (CLI::App* command : {&approx, &ray}) {
     command->add_option("--digits", request.digits, "add an enclosure of the length to N significant digits")
         ->check(check_digits)

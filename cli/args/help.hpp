@@ -12,7 +12,7 @@ inline constexpr std::string_view general_examples =
     "  fathom depth a.off b.stl                 how deep do two bodies overlap? exactly, with the shortest way out\n"
     "  fathom depth --json a.obj b.ply          the same as one JSON object, with every exact field\n"
     "  fathom depth --json cases.jsonl          many pairs: one case per line in, one result per line out\n"
-    "  program | fathom depth --json -          the same as a filter: each answer before the next case is read\n"
+    "  program | fathom depth --json -          the same as a filter: no answer waits for the next case\n"
     "  fathom width a.off                       the exact width of one body\n"
     "  fathom approx --delta 1/100 a.off b.stl  a way out at most 1/100 longer than the shortest\n"
     "  fathom ray --direction 0,0,1 a.off b.stl how far must A move that way?\n"

@@ -42,10 +42,12 @@ class CertificatePlaces {
     if (!path_.empty() && is_stream(request)) folder_.emplace(path_);
   }
 
-  /// Null if none is to be written.
-  std::unique_ptr<CertificateFile> open(const Case& single) {
-    if (path_.empty()) return nullptr;
-    return std::make_unique<CertificateFile>(folder_ ? folder_->file(single.id) : path_);
+  /// Returns the file of a single case; null for a stream, or if no certificate is to be written.
+  std::unique_ptr<CertificateFile> single() const { return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_); }
+  /// Writes the certificate of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the
+  /// first gets the file.
+  void write_to_folder(const std::string& id, const std::string& certificate) {
+    if (folder_) CertificateFile(folder_->file(id)).write(certificate);
   }
 
  private:
@@ -62,11 +64,14 @@ std::string text_of(const Answer& answer, const Request& request) {
 
 Replies exact_replies(const Request& request) {
   Replies replies;
-  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Progress& progress) {
-    const std::unique_ptr<CertificateFile> file = places->open(single);  // an unwritable path fails early
-    const Answer answer = answer_to(single, request, progress);
+  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor) -> CaseReply {
+    const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
+    const Answer answer = answer_to(single, request, monitor);
+    CaseReply reply{text_of(answer, request)};
     if (file) file->write(answer.certificate);
-    return text_of(answer, request);
+    else if (!request.certificate.empty())
+      reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
+    return reply;
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
