@@ -15,14 +15,13 @@
 #include "cli/args/examples_first.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/shell_words.hpp"
+#include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {
 namespace {
-
-constexpr unsigned most_threads = 1024;
 
 /// A value that must be one of `here`; those in `absent` are known but not part of this version.
 CLI::Validator one_of(std::vector<std::string> here, std::vector<std::string> absent) {
@@ -41,21 +40,16 @@ std::string check_digits(const std::string& value) {
   return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, kernels::shown(value));
 }
 
-template <class Integer>
-std::optional<Integer> integer_of(const std::string& value) {
-  Integer integer = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), integer);
-  return error == std::errc() && end == value.data() + value.size() ? std::optional(integer) : std::nullopt;
+std::optional<std::uint64_t> seed_of(const std::string& value) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), seed);
+  return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
 }
 
-std::string check_threads(const std::string& value) {
-  const std::optional<unsigned> threads = integer_of<unsigned>(value);
-  if (threads && *threads >= 1 && *threads <= most_threads) return "";
-  return fmt::format("expected an integer from 1 to {}, found {}", most_threads, kernels::shown(value));
-}
+std::string check_threads(const std::string& value) { return threads_of(value) ? "" : expected_threads(value); }
 
 std::string check_seed(const std::string& value) {
-  if (integer_of<std::uint64_t>(value)) return "";
+  if (seed_of(value)) return "";
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
 }
 
@@ -80,7 +74,7 @@ void add_inputs(CLI::App& app, Request& request, Texts& texts) {
 void add_questions(CLI::App& app, Request& request, Texts& texts) {
   add_inputs(app, request, texts);
   app.add_option_function<std::string>(
-         "--threads", [&request](const std::string& text) { request.threads = integer_of<unsigned>(text); },
+         "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
          "cases of a stream that are answered at once; as many as there are\ncores unless given. The output is the same with any number")
       ->check(check_threads)
       ->type_name("N");
@@ -106,7 +100,7 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->check(one_of({"cutting", "sampled", "naive"}, {}))
       ->type_name("NAME");
   app.add_option_function<std::string>(
-         "--seed", [&request](const std::string& text) { request.seed = *integer_of<std::uint64_t>(text); },
+         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); },
          "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
       ->check(check_seed)
       ->type_name("N");

@@ -5,7 +5,7 @@ import os
 import subprocess
 import unittest
 
-from harness import EXECUTABLE, PATIENCE, UNIT, CliTest, box, case
+from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, box, case
 
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 INNER = UNIT + [[0.5, 0.5, 0.5]]
@@ -82,6 +82,79 @@ class TheSameBytes(CliTest):
     def test_numbers_of_threads(self):
         for number in ("0", "-1", "1025", "two", "1.5", "99999999999"):
             self.assertIn("expected an integer from 1 to 1024", self.refused("depth", "--threads", number, "-", stdin=GOOD))
+
+
+def certificates():
+    """Texts of certificates: good, refused, malformed in many ways, with comments, cut short, one of very many lines."""
+    names = sorted((DATA / "certificates").glob("*.cert"))
+    good = [name.read_text() for name in names if "bounds" not in name.name]
+    texts = ["# a comment\n"] + good + [name.read_text() for name in sorted((DATA / "certificates" / "refused").glob("*.cert"))]
+    for i, text in enumerate(good):
+        lines = text.splitlines(keepends=True)
+        for changed in (text.replace("claim depth 1", "claim depth 2"), "".join(lines[:len(lines) // 2]), "".join(lines[1:]),
+                        "".join(reversed(lines)), text + "garbage\n", text.replace("\nend ", "\nend 1"), text.replace("id ", "id %")):
+            texts += [changed, good[(i + 1) % len(good)]]
+    points = "".join(f"{i} {i * i} 0\n" for i in range(12000))
+    texts += [f"fathom-certificate 1\nid many\na 12000\n{points}b 12000\n{points}claim touching\n", good[0], good[0][:-5]]
+    return texts
+
+
+class Check(CliTest):
+    """`fathom check`, beside the checker's own program, which has one thread."""
+
+    def compare(self, *arguments, stdin=""):
+        done = subprocess.run([os.environ["FATHOM_CHECK"], *map(str, arguments)], input=stdin.encode(), capture_output=True,
+                              timeout=PATIENCE)
+        one = done.returncode, done.stdout.decode(), done.stderr.decode()
+        for threads in THREADS:
+            self.assertEqual(self.run_cli("check", "--threads", threads, *arguments, stdin=stdin), one)
+        self.assertEqual(self.run_cli("check", *arguments, stdin=stdin), one)
+        return one
+
+    def test_certificates(self):
+        texts = certificates()
+        code, out, _ = self.compare("-", stdin="".join(texts))
+        self.assertEqual(code, 2)
+        for word in ("VERIFIED", "REFUSED", "MALFORMED"):
+            self.assertGreater(out.count(f"s {word} "), 5, out)
+        self.compare("--echo", "-", stdin="".join(texts))
+        files = [self.file(f"{i}.cert", text) for i, text in enumerate(texts)]
+        code, out, _ = self.compare(*files[:9], "missing.cert", "-", self.folder, *files[9:], stdin="".join(texts[:5]))
+        self.assertIn("missing.cert:0: cannot be opened", out)
+        self.compare("-", stdin="")
+
+    def test_results(self):
+        stream = mixed()
+        results = self.run_cli("depth", "--json", "--embed-certificate", "-", stdin=stream)[1]
+        lines = results.splitlines(keepends=True)
+        bad = ["noise\n", "\n", lines[0].replace('"penetrating"', '"touching"'), lines[0].replace("claim", "blame"), "{}\n",
+               lines[0].replace("{", '{"x":"' + "y" * (1 << 20) + '",', 1)]
+        text = "".join(line + bad[i % len(bad)] for i, line in enumerate(lines)) + lines[0][:-9]
+        for options in ([], ["--echo"], ["--case", self.file("case.jsonl", GOOD)]):
+            code, out, _ = self.compare(*options, "--results", "-", stdin=text)
+            self.assertEqual(code, 2)
+            self.assertGreater(out.count("s MALFORMED "), 20)
+            self.assertGreater(out.count("s VERIFIED "), 1)
+        self.compare("--results", "-", stdin="\n")
+        self.compare("--results", self.folder, stdin="")
+
+    def test_each_verdict_comes_before_the_next_certificate_is_sent(self):
+        text = (DATA / "certificates" / "depth_cubes.cert").read_bytes()
+        for threads in THREADS:
+            with subprocess.Popen([EXECUTABLE, "check", f"--threads={threads}", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+                for count in (1, 3, 1):
+                    process.stdin.write(text * count)
+                    process.stdin.flush()
+                    for _ in range(count):
+                        self.assertIn(b"s VERIFIED ", process.stdout.readline())
+                process.stdin.close()
+                self.assertEqual((process.stdout.read(), process.wait(PATIENCE)), (b"", 0))
+
+    def test_words(self):
+        for words in (["--threads"], ["--threads", "0", "-"], ["--threads=x", "-"], ["--threads", "2", "--proved", "-"]):
+            self.assertIn("--threads", self.refused("check", *words))
+        self.assertIn("--threads N", self.answer("check", "--help"))
+        self.assertIn("cannot be opened", self.run_cli("check", "--", "--threads")[1])
 
 
 class NoAnswerWaits(CliTest):
