@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -85,6 +87,23 @@ std::optional<double> binary64_of(std::string_view token) {
   return error == std::errc() && end == token.data() + token.size() ? std::optional(value) : std::nullopt;
 }
 
+/// `to = value`, which goes through numbers of more limbs.
+void assign(mpq_class& to, double value) {
+  constexpr int fraction_bits = 52, bias = 1075, most_bits = 63;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
+  const int biased = static_cast<int>(bits >> fraction_bits) & 0x7ff;
+  const std::uint64_t mantissa = std::uint64_t{1} << fraction_bits | (bits & ((std::uint64_t{1} << fraction_bits) - 1));
+  const int zeros = std::countr_zero(mantissa), exponent = biased - bias + zeros;  // |value| = (mantissa >> zeros) 2^exponent
+  if (biased == 0 || exponent < -most_bits || exponent > most_bits - fraction_bits - 1) {
+    to = value;
+    return;
+  }
+  static_assert(sizeof(unsigned long) == sizeof(std::uint64_t));
+  to.get_num() = (mantissa >> zeros) << std::max(exponent, 0);
+  to.get_den() = std::uint64_t{1} << std::max(-exponent, 0);
+  if (value < 0) mpz_neg(to.get_num_mpz_t(), to.get_num_mpz_t());
+}
+
 /// A coordinate, or an entry of a pose: the one place where numbers are made of their texts.
 bool read_number(std::string_view token, mpq_class& to) {
   if (const std::optional<std::string_view> exact = content_of(token)) {
@@ -93,7 +112,7 @@ bool read_number(std::string_view token, mpq_class& to) {
     return value.has_value();
   }
   const std::optional<double> value = binary64_of(token);
-  if (value) to = *value;
+  if (value) assign(to, *value);
   return value.has_value();
 }
 
