@@ -94,7 +94,7 @@ class Run {
   }
 
   void echo(const Certificate& c) {
-    const auto text = [](const Rational& r) { return ratio_text(r.num, r.den); };
+    const auto text = [](const Rational& r) { return ratio_text(r.num.value(), r.den.value()); };
     if (!c.id.empty()) *out_ << "c id " << c.id << '\n';
     for (const auto& [name, part] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
       *out_ << "c " << name << ' ' << part->items.size() << '\n';
