@@ -161,7 +161,7 @@ class Run {
 
   static std::string echo(const Certificate& c) {
     std::ostringstream out;
-    const auto text = [](const Rational& r) { return ratio_text(r.num, r.den); };
+    const auto text = [](const Rational& r) { return ratio_text(r.num.value(), r.den.value()); };
     if (!c.id.empty()) out << "c id " << c.id << '\n';
     for (const auto& [name, part] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
       out << "c " << name << ' ' << part->items.size() << '\n';

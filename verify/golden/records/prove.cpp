@@ -28,10 +28,12 @@ struct Proved {
   Point common;  ///< touching
 };
 
-mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num, q.den); }
+mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num.value(), q.den.value()); }
 
 bool same(const Point& p, const fathom_check::RationalPoint& q) {
-  const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) { return x.get_num() * y.den == y.num * x.get_den(); };
+  const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) {
+    return x.get_num() * y.den.value() == y.num.value() * x.get_den();
+  };
   return equal(p.x, q.x) && equal(p.y, q.y) && equal(p.z, q.z);
 }
 
@@ -43,7 +45,7 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
   if (certificate.id != claimed.points.id) throw Refusal("the certificate is that of another record, '" + certificate.id + "'");
   if (!same(claimed.points.a.points, certificate.a.items) || !same(claimed.points.b.points, certificate.b.items))
     throw Refusal("the certificate is about other points");
-  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x, n.y, n.z});
+  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x.value(), n.y.value(), n.z.value()});
   switch (certificate.claim) {
     case fathom_check::Claim::depth:
       if (!certificate.all) throw Refusal("the certificate does not claim to list all optima");
