@@ -10,6 +10,7 @@
 
 #include "cli/args/examples_first.hpp"
 #include "cli/args/golden_help.hpp"
+#include "cli/args/second_method.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -82,6 +83,15 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
   add_jobs(app, request);
 }
 
+void add_verify_options(CLI::App& app, GoldenRequest& request) {
+  app.add_option_function<std::string>("folder", [&request](const std::string& path) { request.folder = path; });
+  add_second_method(app, request.methods,
+                    "compute every record again by exact (AGHRS's pipeline) or naive (the hull\nof all vertex differences) too, and "
+                    "compare every field; may be repeated");
+  app.add_flag("--state", request.state, "once all agree, write agreement.json into the folder, which says so");
+  add_jobs(app, request);
+}
+
 CLI::App& add_command(CLI::App& app, std::string name, std::string description, std::string_view examples, std::string_view synopsis) {
   CLI::App& command = *app.add_subcommand(std::move(name), std::move(description));
   command.formatter(std::make_shared<ExamplesFirst>(examples, synopsis));
@@ -107,8 +117,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
                                    "fathom golden generate --level LEVEL --out DIR [OPTIONS]");
   CLI::App& verify = add_command(app, "verify", "Prove a release, or refuse it.", verify_examples, "fathom golden verify DIR [OPTIONS]");
   add_generate_options(generate, request);
-  verify.add_option_function<std::string>("folder", [&](const std::string& path) { request.folder = path; });
-  add_jobs(verify, request);
+  add_verify_options(verify, request);
 
   const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
   if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
@@ -123,6 +132,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   }
   if (!asked()) return refusal("golden expects a task: generate, verify");
   if (request.folder.empty()) return refusal(generate.parsed() ? "--out expects a folder" : "verify expects a folder", asked()->get_name());
+  if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
   request.what = generate.parsed() ? GoldenRequest::What::generate : GoldenRequest::What::verify;
   return {request, "", fine};
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom golden generate | verify
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -68,21 +70,34 @@ ExitCode generate(const GoldenRequest& request) {
   return fine;
 }
 
+std::string verified_line(const golden::Verified& verified, const GoldenRequest& request) {
+  std::vector<std::string_view> agreed;
+  for (const Method method : request.methods) agreed.push_back(name(method));
+  return fmt::format("s VERIFIED {} version={} seed={} shards={} records={}{}{} {}", name_of(verified.level), verified.version,
+                     verified.seed, verified.shards, verified.records, agreed.empty() ? "" : " agreed=", fmt::join(agreed, ","),
+                     request.folder);
+}
+
 ExitCode verify(const GoldenRequest& request) {
   const Working working;
   golden::Verified verified;
   {
     GoldenProgress progress("records");
     StopOnInterrupt interrupt;
-    golden::VerifyOptions options{request.jobs, &interrupt, {}};
+    golden::VerifyOptions options{request.methods, request.jobs, &interrupt, {}};
     options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
     verified = golden::verify(request.folder, options);
   }
   for (const golden::Refusal& refusal : verified.refusals)
     print(without_controls(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason)));
   if (!verified.refusals.empty()) return refused;
-  print(fmt::format("s VERIFIED {} version={} seed={} shards={} records={} {}", name_of(verified.level), verified.version, verified.seed,
-                    verified.shards, verified.records, request.folder));
+  try {
+    if (request.state) golden::state_agreement(request.folder, verified, request.methods);
+  } catch (const golden::FileError& error) {
+    talk(error.what());
+    return internal_error;
+  }
+  print(verified_line(verified, request));
   return fine;
 }
 

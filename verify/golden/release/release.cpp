@@ -7,6 +7,7 @@
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/new_file.hpp"
+#include "verify/golden/release/agreement.hpp"
 #include "verify/golden/release/dataset.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 #include "verify/golden/release/sums.hpp"
@@ -39,7 +40,8 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
     if (!error) error = std::make_error_code(std::errc::not_a_directory);
     throw FileError("make the folder", folder, error.value());
   }
-  const std::set<std::string> names = release_names(shards);
+  std::set<std::string> names = release_names(shards);
+  names.insert(std::string(agreement_name));
   fs::directory_iterator entries(folder, error);
   if (error) throw FileError("read the folder", folder, error.value());
   for (const fs::directory_entry& entry : entries) {
@@ -51,7 +53,7 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
 }
 
 void open_release(const fs::path& folder) {
-  for (const std::string_view name : {sums_name, dataset_name}) {
+  for (const std::string_view name : {agreement_name, sums_name, dataset_name}) {
     std::error_code error;
     fs::remove(folder / name, error);
     if (error) throw FileError("remove", folder / name, error.value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the folder of a release, not trusted.
-// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked.
+// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked, and by
+//         whom it is said to have been computed again.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "fathom/monitor.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/shards/plan.hpp"
 #include "verify/golden/shards/verify_shard.hpp"
 
 namespace fathom::golden {
 
 struct VerifyOptions {
+  std::vector<Method> methods;                                      ///< compute every record again by each of these, beside its proof
   unsigned jobs = 0;                                                ///< threads; 0: as many as there are cores
   Monitor* monitor = nullptr;                                       ///< asked from all threads whether to stop
   std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
@@ -30,5 +32,9 @@ struct Verified {
 
 /// Throws FileError if the folder itself cannot be read, Interrupted.
 Verified verify(const std::filesystem::path& folder, const VerifyOptions& options = {});
+
+/// Writes the page that says by which methods the release was computed again. Call it after verify accepted the folder with these methods.
+/// Throws FileError.
+void state_agreement(const std::filesystem::path& folder, const Verified& verified, const std::vector<Method>& methods);
 
 }  // namespace fathom::golden
