@@ -56,7 +56,8 @@ TEST(Plan, LevelZeroHoldsEverythingByName) {
   std::set<std::string> families, others;
   for (const Recipe& recipe : recipes(plan(Level::L0, 1))) (recipe.source == Source::family ? families : others).insert(recipe.name);
   for (const families::Family& family : families::families()) {
-    EXPECT_EQ(families.contains(std::string(family.name)), family.name != "catalogue") << family.name;
+    const bool left_out = family.name == "catalogue" || family.name == "crossed_noisy_ties";
+    EXPECT_EQ(families.contains(std::string(family.name)), !left_out) << family.name;
   }
   for (const families::CatalogueEntry& entry : families::catalogue()) EXPECT_TRUE(others.contains(std::string(entry.name))) << entry.name;
   ASSERT_EQ(real_cases().size(), 63u);

@@ -40,6 +40,9 @@ constexpr Share share_of(Level level) {
 constexpr std::array<std::string_view, 4> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties", "crossed_vanishing_ties"};
 constexpr unsigned most_if_costly = 60;
 
+// Families that the data does not draw on before its next version.
+constexpr std::array<std::string_view, 1> not_yet{"crossed_noisy_ties"};
+
 // A few very large cases, in L2.
 constexpr std::array<std::string_view, 7> giants{"random_ball", "random_sphere", "prisms_posed",  "needles",
                                                  "plates",      "crossed_fans",  "crossed_prisms"};
@@ -68,7 +71,8 @@ Habit habit_of(const Family& family) {
 std::vector<Habit> habits() {
   std::vector<Habit> result;
   for (const Family& family : families::families()) {
-    if (family.name != "catalogue") result.push_back(habit_of(family));  // its entries are all there by name
+    const bool by_name = family.name == "catalogue";  // its entries are all there by name
+    if (!by_name && std::ranges::find(not_yet, family.name) == not_yet.end()) result.push_back(habit_of(family));
   }
   return result;
 }
