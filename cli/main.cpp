@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line `fathom`: parses the arguments, runs the command, and turns errors into one sentence and an exit code.
+// The command line of `fathom`, and of `fathom-depth`: parses the arguments, runs the command, and turns errors into one sentence and an exit code.
 #include <exception>
 #include <string>
 #include <string_view>
@@ -16,29 +16,17 @@ namespace {
 
 using namespace fathom::cli;
 
+/// Commands with a command line of their own.
+bool parses_itself(std::string_view command) { return command == "check" || command == "golden"; }
+
 ExitCode failed(const std::string& sentence, ExitCode code) {
   talk(sentence);
   return code;
 }
 
-ExitCode run_command(const Request& request) {
-  switch (request.command) {
-    case Command::depth: return run_depth(request);
-    case Command::width: return run_width(request);
-    case Command::approx: return run_approx(request);
-    case Command::ray: return run_ray(request);
-    case Command::metric: return run_metric(request);
-    case Command::study: return run_study(request);
-    case Command::cases: return run_cases(request);
-    case Command::certify: return run_certify(request);
-  }
-  return internal_error;
-}
-
 ExitCode run(int argc, char** argv) {
   try {
-    if (argc > 1 && std::string_view(argv[1]) == "check") return run_check({argv + 2, argv + argc});
-    if (argc > 1 && std::string_view(argv[1]) == "golden") return run_golden({argv + 2, argv + argc});
+    if (argc > 1 && parses_itself(argv[1])) return run_command(argv[1], {argv + 2, argv + argc});
     const Arguments arguments = parse_arguments(argc, argv);
     if (!arguments.request) {
       if (arguments.code != fine) return failed(arguments.text, arguments.code);

@@ -10,11 +10,14 @@ find_package(Threads REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(simdjson REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(TBB REQUIRED)
-find_package(zstd REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-
+find_package(TBB REQUIRED)
 find_package(mimalloc QUIET)
+if(FATHOM_ONLY_DEPTH)
+  return()
+endif()
+
+find_package(zstd REQUIRED)
 
 # Optional: several processes that share the work of `fathom golden generate`.
 find_package(MPI QUIET COMPONENTS CXX)

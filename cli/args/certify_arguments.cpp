@@ -55,10 +55,7 @@ std::vector<std::string> words_of(const std::string& list) {
   return words;
 }
 
-std::vector<std::string> all_variants() {
-  const auto names = harness::variant_names();
-  return {names.begin(), names.end()};
-}
+std::vector<std::string> all_variants() { return {std::begin(harness::variant_names), std::end(harness::variant_names)}; }
 
 /// Sets the variants. Returns what is wrong with the list, or "".
 std::string wrong_variants(CertifyRequest& certify) {

@@ -7,7 +7,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
@@ -163,7 +163,7 @@ Facts facts_from(const Claimed& claimed, const Proved& proved) {
 std::optional<std::string> faults(std::string_view line, std::string_view certificate) {
   const Claimed claimed = read_record(line);
   Facts facts = facts_from(claimed, accepted(certificate, claimed));
-  facts.certificate_sha256 = digest_of(certificate).sha256;
+  facts.certificate_sha256 = digest::digest_of(certificate).sha256;
   const std::string expected = line_of(facts);
   if (expected == line) return std::nullopt;
   return first_difference(expected, line);

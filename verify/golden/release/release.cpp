@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "kernels/printable.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/new_file.hpp"
@@ -65,12 +66,12 @@ void close_release(const fs::path& folder, Level level, std::uint64_t seed, cons
   std::vector<Sum> sums;
   const auto put = [&](const std::string& name, std::string_view text) {
     put_file(folder, name, text);
-    sums.push_back({name, digest_of(text).sha256});
+    sums.push_back({name, digest::digest_of(text).sha256});
   };
   for (const ShardPlan& shard : shards) {
     const std::string page = shard.name + std::string(manifest_suffix), text = read_small_file(folder / page);
     dataset.shards.push_back(parse_manifest(text).value());
-    sums.push_back({page, digest_of(text).sha256});
+    sums.push_back({page, digest::digest_of(text).sha256});
     for (const ShardFile& file : dataset.shards.back().files) sums.push_back({file.name, file.file.sha256});
   }
   for (const auto& [name, text] : fixed_pages()) put(name, text);
