@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/args/second_method.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
@@ -132,6 +133,10 @@ void add_certify_options(CLI::App& app, Request& request) {
   add_tolerance(app, "--tol-rel", certify.tolerance.relative, "a depth may be wrong by Q times itself; 1/1000 unless given,");
   add_tolerance(app, "--tol-abs", certify.tolerance.absolute, "or by Q times the longest side of the bodies; 1/1000000 unless given,");
   add_count(app, "--tol-ulps", certify.tolerance.ulps, "or by N units in the last place; 0 unless given: the largest of the three");
+  add_second_method(
+      app, certify.methods,
+      "find every truth again by exact (AGHRS's pipeline) or naive (the hull of\nall vertex differences), and compare it, and "
+      "every judgement, field by\nfield; may be repeated");
   add_reports(app, request);
 }
 

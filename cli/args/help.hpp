@@ -106,6 +106,8 @@ inline constexpr std::string_view certify_examples =
     "                                           answers that were recorded elsewhere\n"
     "  fathom cases --family near_ties --count 500 | fathom certify --adapter bullet-epa --metamorphic -\n"
     "                                           each case also swapped, moved, reordered and scaled\n"
+    "  fathom certify --method exact --adapter bullet-epa --shrink small cases.jsonl\n"
+    "                                           each truth found twice, by methods that share nothing; any difference is kept\n"
     "  fathom certify --subject ./mine --expect-fail known.txt --junit junit.xml cases.jsonl\n"
     "                                           in continuous integration: strict about known failures\n"
     "  fathom certify --adapter libccd-epa --shrink small --html page.html cases.jsonl\n"

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/commands/adapters.hpp"
 #include "cli/commands/certify_cases.hpp"
@@ -23,6 +24,7 @@
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/replay.hpp"
 #include "verify/harness/runner.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -44,6 +46,7 @@ class Certify {
  public:
   explicit Certify(const Request& request) : request_(request), certify_(request.certify) {
     probe_reports(certify_);
+    for (const Method method : certify_.methods) second_.push_back(harness::solver_by(method));
     if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
     earlier_ = earlier_list(certify_);
     cases_.emplace(request.inputs[0], [this](const std::string& fault) { tell("bad cases", fault); });
@@ -93,6 +96,7 @@ class Certify {
     harness::Settings settings;
     settings.time_out = certify_.time_out;
     settings.tolerance = certify_.tolerance;
+    settings.second = second_;
     settings.stop = interrupt_requested;
     settings.unattributed = [this](const harness::Unattributed& thing) { take(thing); };
     return settings;
@@ -109,7 +113,8 @@ class Certify {
 
   /// The examiner of one thread. The first thread uses the existing one.
   harness::Worker make_worker() {
-    if (replay_) return {[this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); }, {}};
+    if (replay_)
+      return {[this](const Case& pair) { return replay_->examine(pair, {certify_.tolerance, second_, interrupt_requested}); }, {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
     if (hello_text(examiner->info()) != hello_text(info()))
       throw harness::SubjectError("the subject says something else of itself each time that it is started");
@@ -157,6 +162,10 @@ class Certify {
     } catch (const harness::NoReply& missing) {
       ++missing_;
       tell("cases without a reply", missing.what());
+    } catch (const harness::Disagreement& fault) {
+      ++faults_;
+      tell("faults", pair.id + ": " + fault_text(fault));
+      if (!disagreement_) disagreement_ = fault;
     } catch (const std::logic_error& fault) {
       ++faults_;
       tell("faults", pair.id + ": " + fault_text(fault));
@@ -180,6 +189,7 @@ class Certify {
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
     if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
+    if (!certify_.shrink.empty() && disagreement_) shrink_disagreement(certify_.shrink, *disagreement_, found_->progress());
     ExitCode code = code_of(certify_, *found_, known);
     if (cases_->bad() > 0 || (replay_ && !replay_->faults().empty())) code = std::max(code, bad_input);
     if (faults_ > 0) code = std::max(code, internal_error);
@@ -222,6 +232,8 @@ class Certify {
 
   const Request& request_;
   const CertifyRequest& certify_;
+  std::vector<harness::Solver> second_;
+  std::optional<harness::Disagreement> disagreement_;  // the first
   harness::SubjectCommand command_;
   std::optional<ExpectedFailures> expected_;
   ExpectedFailures earlier_;  // the list that a new one replaces
