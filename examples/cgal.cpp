@@ -21,7 +21,7 @@ int main() {
   const fathom::Depth depth = fathom::penetration_depth(mesh, points);
   const CGAL::Exact_rational squared = fathom::to_exact_rational(depth.squared());
   const Exact::Vector_3 way_out = fathom::to_vector_3<Exact>(depth.translation());
-  const Exact::Point_3 witness = fathom::to_point_3<Exact>(depth.penetration()->witness.a);
+  const Exact::Point_3 witness = fathom::to_point_3<Exact>(depth.penetration()->witness().a);
   std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared)
             << "\n";
   std::cout << "it begins in (" << CGAL::exact(witness.x()) << ", " << CGAL::exact(witness.y()) << ", " << CGAL::exact(witness.z())

@@ -18,7 +18,7 @@ int main() {
   const fathom::Depth depth = fathom::penetration_depth(a, b);
   std::cout << "depth^2 = " << depth.squared() << "\n";                         // exact
   std::cout << "depth   ~ " << fathom::root_binary64(depth.squared()) << "\n";  // correctly rounded
-  const fathom::Point& way_out = depth.translation();
+  const fathom::Point way_out = depth.translation();
   std::cout << "A moves by (" << way_out.x << ", " << way_out.y << ", " << way_out.z << ")\n";
 }
 

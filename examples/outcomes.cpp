@@ -19,7 +19,7 @@ void tell(const mpq_class& x) {
   std::cout << "at " << x << ": " << fathom::name(depth.status());
   if (const fathom::Penetration* penetration = depth.penetration()) {
     const fathom::Optimum& first = penetration->optima.front();
-    std::cout << ", depth^2 = " << penetration->squared << ", shortest ways out: " << penetration->optima.size() << ", the first of kind "
+    std::cout << ", depth^2 = " << penetration->squared() << ", shortest ways out: " << penetration->optima.size() << ", the first of kind "
               << fathom::name(first.contact.kind);
     std::cout << ", from corner " << depth.contact()->a.front() << " at x = " << depth.witness()->a.x << " to x = " << depth.witness()->b.x;
     if (const auto next = fathom::second_nearest_squared(body, cube, *penetration)) std::cout << ", the next facet^2 = " << *next;

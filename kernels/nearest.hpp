@@ -3,6 +3,7 @@
 #pragma once
 
 #include <set>
+#include <utility>
 
 #include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
@@ -15,6 +16,11 @@ class NearestPlanes {
   struct LexicographicOrder {
     bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
   };
+
+  NearestPlanes() = default;
+  /// The planes at the squared distance numerator / denominator > 0 of which these are the primitive normals.
+  NearestPlanes(mpz_class numerator, mpz_class denominator, std::set<Vector, LexicographicOrder> directions)
+      : numerator_(std::move(numerator)), denominator_(std::move(denominator)), directions_(std::move(directions)) {}
 
   /// Takes the plane <normal,x> = height into account; `normal` may not be zero. Planes with height <= 0 are ignored: with O inside P none
   /// of them supports P. Returns whether the plane is among the nearest now.

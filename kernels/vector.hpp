@@ -37,7 +37,10 @@ Vec3<NT> operator-(const Vec3<NT>& a) {
   return {NT(-a.x), NT(-a.y), NT(-a.z)};
 }
 
-inline bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+template <class NT>
+bool is_zero(const Vec3<NT>& v) {
+  return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0;
+}
 
 /// Lexicographic order on components; the order in which tied optima are listed.
 inline bool lexicographically_less(const Vector& a, const Vector& b) {

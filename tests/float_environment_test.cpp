@@ -109,7 +109,7 @@ class Writer {
   Writer& operator<<(bool b) { return put(b ? "true" : "false"); }
   Writer& operator<<(const Contact& c) { return *this << static_cast<int>(c.kind) << c.a << c.b; }
   Writer& operator<<(const Witness& w) { return *this << w.a << w.b; }
-  Writer& operator<<(const Optimum& o) { return *this << o.direction << o.translation << o.contact; }
+  Writer& operator<<(const Optimum& o) { return *this << o.direction << o.support << o.translation() << o.contact; }
   Writer& operator<<(const Distance& d) { return *this << d.squared << d.direction << d.translation << d.witness; }
   template <class T>
   Writer& operator<<(const SeparationOr<T>& x) {
@@ -229,11 +229,32 @@ TEST(FloatEnvironment, CertificatesOverAllFamilies) {
     SCOPED_TRACE(input.id);
     const Depth depth = penetration_depth(input.a.points, input.b.points);
     expect_the_same("certificate", [&] { return certificate_text(make_certificate(input.a.points, input.b.points, depth)); });
+    expect_the_same("its text", [&] { return certificate_text(input.a.points, input.b.points, depth, "id"); });
     if (depth.status() != Status::penetrating) continue;
     expect_the_same("bounds", [&] {
       return certificate_text(make_bounds_certificate(input.a.points, input.b.points, depth.squared() / 2, depth.squared() * 2));
     });
     expect_the_same("gap", [&] { return second_nearest_squared(input.a.points, input.b.points, *depth.penetration()); });
+  }
+}
+
+/// The points, truncated to binary64.
+std::vector<std::array<double, 3>> doubles(const Body& body) {
+  std::vector<std::array<double, 3>> result;
+  for (const Point& p : body.points) result.push_back({p.x.get_d(), p.y.get_d(), p.z.get_d()});
+  return result;
+}
+
+TEST(FloatEnvironment, PointsInBinary64OverAllFamilies) {
+  Workspace workspace;
+  Options options;
+  options.workspace = &workspace;
+  for (const Case& input : all_cases()) {
+    SCOPED_TRACE(input.id);
+    const auto a = doubles(input.a), b = doubles(input.b);
+    expect_the_same("depth", [&] { return penetration_depth(a, b, options); });
+    const Depth depth = penetration_depth(a, b);
+    expect_the_same("certificate", [&] { return certificate_text(a, b, depth, "id"); });
   }
 }
 

@@ -27,11 +27,8 @@ Depth solve(const Case& single, const Body& b, const Request& request, Monitor& 
 Answer answer_to(const Case& single, const Request& request, Monitor& monitor) {
   const Body& b = has_one_body(request) ? single.a : single.b;
   Answer answer{single.id, solve(single, b, request, monitor)};
-  if (!request.certificate.empty() || request.embed_certificate) {
-    Certificate certificate = make_certificate(single.a.points, b.points, answer.depth, &monitor);
-    certificate.id = single.id;
-    answer.certificate = certificate_text(certificate);
-  }
+  if (!request.certificate.empty() || request.embed_certificate)
+    answer.certificate = certificate_text(single.a.points, b.points, answer.depth, single.id, &monitor);
   return answer;
 }
 

@@ -13,7 +13,7 @@ Json optima_array(const Depth& depth) {
   Json result = Json::array();
   for (const Optimum& optimum : depth.optima()) {
     result.push_back({{"direction", exact(optimum.direction)},
-                      {"translation", exact(optimum.translation)},
+                      {"translation", exact(optimum.translation())},
                       {"contact", contact_object(optimum.contact)}});
   }
   return result;

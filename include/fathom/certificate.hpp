@@ -7,9 +7,11 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/depth.hpp"
@@ -44,5 +46,12 @@ Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Po
 
 /// The text that checkers read: format 1, verify/check/FORMAT.md.
 std::string certificate_text(const Certificate& certificate);
+
+/// The text of make_certificate(a, b, answer), with this id. If the answer holds its proof, that is written as it stands: the points are not
+/// copied. Throws as make_certificate does.
+std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer, std::string_view id = {},
+                             Monitor* monitor = nullptr);
+std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
+                             std::string_view id = {}, Monitor* monitor = nullptr);
 
 }  // namespace fathom

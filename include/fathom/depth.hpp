@@ -8,8 +8,10 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -39,9 +41,12 @@ struct Contact {
 
 /// A shortest way out. Moving A by `translation` makes the interiors disjoint, and |translation| is the depth.
 struct Optimum {
-  Vector direction;   ///< primitive outward normal of a nearest facet of P
-  Point translation;  ///< (h(n) / <n,n>) n
+  Vector direction;   ///< primitive outward normal n of a nearest facet of P
+  mpq_class support;  ///< h(n) > 0, in lowest terms
   Contact contact;
+
+  /// (h(n) / <n,n>) n, computed when asked for.
+  [[nodiscard]] Point translation() const;
   friend bool operator==(const Optimum&, const Optimum&) = default;
 };
 
@@ -49,6 +54,25 @@ struct Optimum {
 struct Witness {
   Point a, b;
   friend bool operator==(const Witness&, const Witness&) = default;
+};
+
+/// A point in the form in which it was given.
+struct GivenPoint {
+  std::variant<std::array<double, 3>, Point> coordinates;
+  [[nodiscard]] Point exact() const;
+};
+
+/// A corner of one body, which a face of the other is to touch.
+struct CornerOfA {
+  GivenPoint point;
+};
+struct CornerOfB {
+  GivenPoint point;
+};
+
+/// Edges that cross, seen along the direction of the contact.
+struct CrossingEdges {
+  std::array<GivenPoint, 2> a, b;
 };
 
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary of P. Each corner is a corner of at least
@@ -61,10 +85,17 @@ struct InnerPolytope {
 
 /// What is known of bodies that penetrate.
 struct Penetration {
-  mpq_class squared;                   ///< depth^2 > 0, in lowest terms
-  std::vector<Optimum> optima;         ///< one per direction, sorted lexicographically on it; at least one
-  Witness witness;                     ///< in the faces of the first optimum's contact, with b - a = its translation
+  std::vector<Optimum> optima;  ///< one per direction, sorted lexicographically on it; at least one
+  /// What the witness follows from: the faces of the first optimum's contact where they are simple, else the witness itself.
+  std::variant<CornerOfA, CornerOfB, CrossingEdges, Witness> meeting;
   std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
+
+  // Computed when asked for.
+
+  /// depth^2 > 0, in lowest terms.
+  [[nodiscard]] mpq_class squared() const;
+  /// In the faces of the first optimum's contact, with b - a = its translation.
+  [[nodiscard]] Witness witness() const;
 };
 
 /// What is known of bodies that touch.
@@ -104,6 +135,18 @@ enum class ClosestLines : std::uint8_t {
   naive,    ///< every pair, through a double filter
 };
 
+/// Memory that calls use one after another: with it a depth of small bodies hardly allocates. One for each thread; it may outlive any call.
+class Workspace {
+ public:
+  Workspace();
+  ~Workspace();
+  Workspace(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;
+
+  struct Parts;
+  std::unique_ptr<Parts> parts;  ///< not for users
+};
+
 /// How to compute a depth. The answer does not depend on it.
 struct Options {
   Method method = Method::automatic;
@@ -116,6 +159,8 @@ struct Options {
   std::uint64_t seed = 1;
   /// Hears of progress and may stop the work; may be null.
   Monitor* monitor = nullptr;
+  /// Used by the call that gets it, and free for others when that returns; may be null.
+  Workspace* workspace = nullptr;
   /// Run `validate` on every stage and throw std::logic_error on any broken law. Slow.
   bool validate = false;
 };
@@ -152,13 +197,13 @@ struct Depth : BodyFacts {
   // The same for every status.
 
   /// depth^2: 0 unless penetrating.
-  [[nodiscard]] const mpq_class& squared() const;
+  [[nodiscard]] mpq_class squared() const;
   /// Empty unless penetrating.
   [[nodiscard]] const std::vector<Optimum>& optima() const;
   /// The least h(u) / |u| is reached at u = direction: that of the first optimum, of the touch, of the distance.
   [[nodiscard]] const Vector& direction() const;
   /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0 unless penetrating.
-  [[nodiscard]] const Point& translation() const;
+  [[nodiscard]] Point translation() const;
   /// Of the first optimum; null unless penetrating.
   [[nodiscard]] const Contact* contact() const;
   /// Points with b - a = translation(): in the faces of contact(), or a common point twice. nullopt if disjoint: see distance()->witness.
@@ -169,6 +214,10 @@ struct Depth : BodyFacts {
 /// degenerate input needs no special care. Time is near-linear in the size of the bodies, except where very many edges of A and B cross at
 /// nearly the same distance. Throws std::invalid_argument if a body is empty or a coordinate is not in lowest terms, and Interrupted.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
+
+/// The same for coordinates in binary64, which stand for their exact values. The fast way for small bodies: no rational is made before one
+/// is asked for. Throws std::invalid_argument if a body is empty or a coordinate is not finite, and Interrupted.
+Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Options& options = {});
 
 /// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its
 /// signed root is the least h(u) / |u| over all directions u, a continuous function of where the bodies are.

@@ -9,10 +9,10 @@
 
 namespace fathom::kernels {
 // sqrt(m / n) has few roundings, each by a factor below 1 + 2^-51.
-double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
-  if (numerator == 0) return 0;
+double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent) {
+  if (mpz_sgn(numerator) == 0) return 0;
   long i = 0, j = 0;
-  const double m = mpz_get_d_2exp(&i, numerator.get_mpz_t()), n = mpz_get_d_2exp(&j, denominator.get_mpz_t());
+  const double m = mpz_get_d_2exp(&i, numerator), n = mpz_get_d_2exp(&j, denominator);
   const long k = i - j - (i - j) % 2;  // even, and what is left is -1, 0 or 1
   const double root = std::sqrt(std::ldexp(m / n, static_cast<int>(i - j - k))) * error_bound::raised_root;
   const long shift = k / 2 - exponent;

@@ -11,7 +11,10 @@
 namespace fathom::kernels {
 
 /// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it. `numerator` >= 0, `denominator` > 0.
-double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent);
+double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent);
+inline double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+  return root_from_above(numerator.get_mpz_t(), denominator.get_mpz_t(), exponent);
+}
 
 /// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p).
 /// What it says of sides and of distance holds for the exact points, in every rounding mode.          [proofs/kernels.md]

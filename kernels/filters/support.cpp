@@ -20,11 +20,6 @@ namespace {
 
 constexpr std::size_t block_size = 128;  // of points: small enough that a second look is cheap, large enough to skip well
 
-struct DirectionImage {
-  double x, y, z;
-  double slack;  // how much less than the greatest computed value that of the farthest point can be
-};
-
 // The least e >= 0 with |c| <= 2^e.
 long exponent_of(const mpz_class& c) {
   if (c == 0) return 0;
@@ -50,18 +45,18 @@ DirectionImage image_for(const PointCloud& cloud, const Vector& u) {
   const Vec3<long>& e = cloud.axis_exponents();
   const auto stretched = [](const mpz_class& c, long axis) { return c == 0 ? 0 : exponent_of(c) + axis; };
   const long f = std::max({stretched(u.x, e.x), stretched(u.y, e.y), stretched(u.z, e.z)});
-  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), f + 2 <= 53 ? 0 : 2 * error_bound::product};
+  return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), slack_of(f)};
 }
 
 // The one place that computes the filter's value of points; two lanes at a time, or one.
 template <class Lane>
 struct Values {
   Lane x, y, z;
-  Lane operator()(const PointCloud& cloud, std::size_t i) const {
+  Lane operator()(const Images& images, std::size_t i) const {
     Lane px, py, pz;
-    std::memcpy(&px, cloud.xs().data() + i, sizeof(Lane));
-    std::memcpy(&py, cloud.ys().data() + i, sizeof(Lane));
-    std::memcpy(&pz, cloud.zs().data() + i, sizeof(Lane));
+    std::memcpy(&px, images.x.data() + i, sizeof(Lane));
+    std::memcpy(&py, images.y.data() + i, sizeof(Lane));
+    std::memcpy(&pz, images.z.data() + i, sizeof(Lane));
     return x * px + y * py + z * pz;
   }
 };
@@ -69,40 +64,38 @@ struct Values {
 // A vector type of the compiler, since the order of the maxima is ours to choose and -O2 would not choose it.
 typedef double Lanes __attribute__((vector_size(16)));
 
-double greatest(const PointCloud& cloud, const DirectionImage& u, std::size_t begin, std::size_t end) {
+double greatest(const Images& images, const DirectionImage& u, std::size_t begin, std::size_t end) {
   constexpr double lowest = -std::numeric_limits<double>::infinity();
   const Values<Lanes> values{{u.x, u.x}, {u.y, u.y}, {u.z, u.z}};
   Lanes m[4] = {{lowest, lowest}, {lowest, lowest}, {lowest, lowest}, {lowest, lowest}};
   std::size_t i = begin;
   for (; i + 8 <= end; i += 8) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const Lanes v = values(cloud, i + 2 * k);
+      const Lanes v = values(images, i + 2 * k);
       m[k] = v > m[k] ? v : m[k];
     }
   }
   double best = lowest;
   for (const Lanes& lanes : m) best = std::max({best, lanes[0], lanes[1]});
-  for (const Values<double> value{u.x, u.y, u.z}; i < end; ++i) best = std::max(best, value(cloud, i));
+  for (const Values<double> value{u.x, u.y, u.z}; i < end; ++i) best = std::max(best, value(images, i));
   return best;
 }
 
-std::vector<double> greatest_of_blocks(const PointCloud& cloud, const DirectionImage& u) {
-  std::vector<double> maxima;
-  maxima.reserve(cloud.size() / block_size + 1);
-  for (std::size_t begin = 0; begin < cloud.size(); begin += block_size)
-    maxima.push_back(greatest(cloud, u, begin, std::min(begin + block_size, cloud.size())));
-  return maxima;
+void find_maxima(const Images& images, const DirectionImage& u, std::vector<double>& maxima) {
+  maxima.clear();
+  for (std::size_t begin = 0; begin < images.size(); begin += block_size)
+    maxima.push_back(greatest(images, u, begin, std::min(begin + block_size, images.size())));
 }
 
 // Calls visit(index, value) for every point whose computed value is at least `level`, in order.
 template <class Visit>
-void visit_from(const PointCloud& cloud, const DirectionImage& u, const std::vector<double>& maxima, double level, Visit visit) {
+void visit_from(const Images& images, const DirectionImage& u, const std::vector<double>& maxima, double level, Visit visit) {
   const Values<double> value{u.x, u.y, u.z};
   for (std::size_t block = 0; block < maxima.size(); ++block) {
     if (maxima[block] < level) continue;
-    const std::size_t end = std::min((block + 1) * block_size, cloud.size());
+    const std::size_t end = std::min((block + 1) * block_size, images.size());
     for (std::size_t i = block * block_size; i < end; ++i)
-      if (const double v = value(cloud, i); v >= level) visit(static_cast<std::uint32_t>(i), v);
+      if (const double v = value(images, i); v >= level) visit(static_cast<std::uint32_t>(i), v);
   }
 }
 
@@ -120,6 +113,8 @@ std::vector<std::uint32_t> all_indices(std::size_t n) {
 }
 
 }  // namespace
+
+double slack_of(long bits) { return bits + 2 <= 53 ? 0 : 2 * error_bound::product; }
 
 PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
   if (exponent < binary_exponent(points_)) throw std::invalid_argument("the exponent of a point cloud is below that of its points");
@@ -150,25 +145,34 @@ long binary_exponent(std::span<const Vector> points) {
   return std::max({e.x, e.y, e.z});
 }
 
+void near_extreme(const Images& images, const DirectionImage& u, ScanMemory& memory) {
+  find_maxima(images, u, memory.maxima);
+  memory.near.clear();
+  visit_from(images, u, memory.maxima, *std::max_element(memory.maxima.begin(), memory.maxima.end()) - u.slack,
+             [&memory](std::uint32_t i, double) { memory.near.push_back(i); });
+}
+
 std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u) {
   if (cloud.size() == 0 || is_zero(u)) return all_indices(cloud.size());
   const DirectionImage v = image_for(cloud, u);
-  const std::vector<double> maxima = greatest_of_blocks(cloud, v);
-  std::vector<std::uint32_t> near;
-  visit_from(cloud, v, maxima, *std::max_element(maxima.begin(), maxima.end()) - v.slack,
-             [&near](std::uint32_t i, double) { near.push_back(i); });
-  if (near.size() == 1 || v.slack == 0) return near;
+  ScanMemory memory;
+  near_extreme(cloud.images(), v, memory);
+  std::vector<std::uint32_t>& near = memory.near;
+  if (near.size() == 1 || v.slack == 0) return std::move(near);
   return greatest<mpz_class>(near, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud.points()[i]); });
 }
 
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {
   if (is_zero(u)) return {};
   const DirectionImage v = image_for(cloud, u);
-  const double level = Values<double>{v.x, v.y, v.z}(cloud, k);
+  const Images images = cloud.images();
+  const double level = Values<double>{v.x, v.y, v.z}(images, k);
   mpz_class bar, value;
   set_dot(bar, u, cloud[k]);
+  std::vector<double> maxima;
+  find_maxima(images, v, maxima);
   std::vector<std::uint32_t> beyond;
-  visit_from(cloud, v, greatest_of_blocks(cloud, v), level - v.slack, [&](std::uint32_t i, double computed) {
+  visit_from(images, v, maxima, level - v.slack, [&](std::uint32_t i, double computed) {
     if (computed <= level + v.slack) {
       if (v.slack == 0) return;
       set_dot(value, u, cloud[i]);
@@ -179,23 +183,21 @@ std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& 
   return beyond;
 }
 
-std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u) {
-  const Vec3<long>& e = cloud.axis_exponents();
-  const auto scaled = [&](double c, long axis) { return std::ldexp(c, static_cast<int>(std::max(axis - cloud.exponent(), -4000L))); };
-  const DirectionImage v{scaled(u.x, e.x), scaled(u.y, e.y), scaled(u.z, e.z), 0};
+std::uint32_t likely_extreme_point(const Images& images, const Vec3<double>& u) {
+  const DirectionImage v{u.x, u.y, u.z, 0};
   std::size_t begin = 0;
   double best = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < cloud.size(); i += block_size) {
-    const double value = greatest(cloud, v, i, std::min(i + block_size, cloud.size()));
+  for (std::size_t i = 0; i < images.size(); i += block_size) {
+    const double value = greatest(images, v, i, std::min(i + block_size, images.size()));
     if (value > best) {
       best = value;
       begin = i;
     }
   }
   const Values<double> value{v.x, v.y, v.z};
-  const std::size_t end = std::min(begin + block_size, cloud.size());
+  const std::size_t end = std::min(begin + block_size, images.size());
   for (std::size_t i = begin; i < end; ++i)
-    if (value(cloud, i) >= best) return static_cast<std::uint32_t>(i);
+    if (value(images, i) >= best) return static_cast<std::uint32_t>(i);
   return static_cast<std::uint32_t>(begin);
 }
 

@@ -10,6 +10,34 @@
 
 namespace fathom::kernels {
 
+/// The binary64 images of points, one array per coordinate. Each lies in [-1, 1], within 2^-52 of the scaled coordinate.
+struct Images {
+  std::span<const double> x, y, z;
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// The image of a direction: components in [-1, 1], within 2^-53 of those of the exact direction after scaling.
+struct DirectionImage {
+  double x, y, z;
+  double slack;  ///< how much less than the greatest computed value that of the farthest point can be
+};
+/// The slack for directions of which `bits` bounds bits of a component and of a coordinate together: 0 if all is exact in binary64.
+[[nodiscard]] double slack_of(long bits);
+
+/// What a scan needs to remember; reused, it allocates nothing.
+struct ScanMemory {
+  std::vector<double> maxima;       // of blocks of points
+  std::vector<std::uint32_t> near;  // the result
+};
+
+/// Sets `memory.near` to the indices, ascending, of all points that may be extreme in direction u: those within the slack of the greatest
+/// value. If the slack is 0 they are extreme. There must be a point.
+void near_extreme(const Images& images, const DirectionImage& u, ScanMemory& memory);
+
+/// Returns the index of a point that is extreme in direction u by its image, without a guarantee; of several the lowest. There must be a
+/// point.
+std::uint32_t likely_extreme_point(const Images& images, const Vec3<double>& u);
+
 /// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of coordinate * 2^-(axis exponent).
 class PointCloud {
  public:
@@ -25,7 +53,7 @@ class PointCloud {
   [[nodiscard]] const std::vector<Vector>& points() const { return points_; }
   [[nodiscard]] long exponent() const { return exponent_; }
   [[nodiscard]] const Vec3<long>& axis_exponents() const { return axis_exponents_; }
-  /// Images, one array per coordinate.
+  [[nodiscard]] Images images() const { return {x_, y_, z_}; }
   [[nodiscard]] std::span<const double> xs() const { return x_; }
   [[nodiscard]] std::span<const double> ys() const { return y_; }
   [[nodiscard]] std::span<const double> zs() const { return z_; }
@@ -41,6 +69,7 @@ class PointCloud {
 
 /// The least e >= 0 with |coordinate| <= 2^e for every coordinate of every point.
 long binary_exponent(std::span<const Vector> points);
+inline long binary_exponent(const Vector& v) { return binary_exponent(std::span(&v, 1)); }
 
 /// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations and exact ones only for near ties.
 /// u may be zero (then every point is extreme). An empty cloud gives an empty list.
@@ -48,9 +77,6 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
 
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
-
-/// Returns the index of a point that is extreme in direction u by its binary64 image, without a guarantee. The cloud may not be empty.
-std::uint32_t likely_extreme_point(const PointCloud& cloud, const Vec3<double>& u);
 
 /// The naive twins: exact arithmetic only.
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);

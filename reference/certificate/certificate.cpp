@@ -34,7 +34,7 @@ InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b,
   search.monitor = monitor;
   Depth found = penetration_depth(a, b, search);
   if (!found.penetration()) contradiction("O is not in the interior of P");
-  if (found.squared() != answer.squared) contradiction("another depth");
+  if (found.squared() != answer.squared()) contradiction("another depth");
   const auto same = [](const Optimum& one, const Optimum& other) { return one.direction == other.direction; };
   if (!std::ranges::equal(found.optima(), answer.optima, same)) contradiction("other optima");
   return std::move(*std::get<Penetration>(found.outcome).inner);

@@ -1,60 +1,124 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate as text. Every number is exact and in lowest terms.
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <span>
+
 #include "fathom/certificate.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/dyadic.hpp"
+#include "reference/polytope/narrow_pair.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 namespace fathom::certificate {
 namespace {
 
-class Writer {
+// A text that grows; numbers of one or two limbs are written without GMP.
+class Text {
  public:
-  Writer& word(std::string_view text) {
-    separate();
-    text_ += text;
-    return *this;
+  explicit Text(std::size_t likely_size) : text_(likely_size, '\0') {}
+
+  void append(char c) { *room(1) = c, ++size_; }
+  void append(std::string_view text) {
+    text.copy(room(text.size()), text.size());
+    size_ += text.size();
   }
-  Writer& word(std::size_t n) { return word(std::to_string(n)); }
-  Writer& word(const mpz_class& n) {
-    separate();
-    number(n.get_mpz_t());
-    return *this;
+  void append(std::uint64_t n) {
+    char* const begin = room(20);
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + 20, n).ptr - begin);
   }
-  Writer& word(const mpq_class& q) {
-    separate();
-    number(q.get_num_mpz_t());
-    if (q.get_den() == 1) return *this;
-    text_ += '/';
-    number(q.get_den_mpz_t());
-    return *this;
+  void append(mpz_srcptr n) {
+    if (mpz_size(n) > 2) return append_long(n);
+    if (mpz_sgn(n) < 0) append('-');
+    append_two(static_cast<Double>(mpz_getlimbn(n, 1)) << 64 | mpz_getlimbn(n, 0));
   }
-  template <class V>
-  Writer& words(const V& v) {
-    return word(v.x).word(v.y).word(v.z);
+  std::string take() {
+    text_.resize(size_);
+    return std::move(text_);
   }
-  void end() {
-    text_ += '\n';
-    line_start_ = true;
-  }
-  std::string take() { return std::move(text_); }
 
  private:
-  void separate() {
-    if (!line_start_) text_ += ' ';
-    line_start_ = false;
+  __extension__ using Double = unsigned __int128;
+  static constexpr std::uint64_t ten_to_19 = 10'000'000'000'000'000'000U;
+
+  // Where the next characters go, at most so many.
+  char* room(std::size_t most) {
+    if (text_.size() - size_ < most) text_.resize(2 * text_.size() + most);
+    return text_.data() + size_;
   }
-  // In place: certificates are mostly numbers.
-  void number(mpz_srcptr n) {
-    const std::size_t begin = text_.size();
-    text_.resize(begin + mpz_sizeinbase(n, 10) + 2);
-    mpz_get_str(text_.data() + begin, 10, n);
-    text_.resize(text_.find('\0', begin));
+  void append_two(Double n) {
+    if (n < ten_to_19) return append(static_cast<std::uint64_t>(n));
+    append_two(n / ten_to_19);
+    char digits[20];
+    const char* const end = std::to_chars(digits, std::end(digits), static_cast<std::uint64_t>(n % ten_to_19)).ptr;
+    for (std::ptrdiff_t zeros = 19 - (end - digits); zeros > 0; --zeros) append('0');
+    append(std::string_view(digits, end));
+  }
+  void append_long(mpz_srcptr n) {
+    char* const begin = room(mpz_sizeinbase(n, 10) + 2);
+    mpz_get_str(begin, 10, n);
+    size_ += std::strlen(begin);
   }
 
   std::string text_;
+  std::size_t size_ = 0;
+};
+
+class Writer {
+ public:
+  explicit Writer(std::size_t likely_size) : text_(likely_size) {}
+
+  Writer& word(std::string_view text) { return separated().append(text), *this; }
+  Writer& word(std::size_t n) { return separated().append(std::uint64_t{n}), *this; }
+  Writer& word(const mpz_class& n) { return separated().append(n.get_mpz_t()), *this; }
+  Writer& word(const mpq_class& q) {
+    separated().append(q.get_num_mpz_t());
+    if (mpz_cmp_ui(q.get_den_mpz_t(), 1) == 0) return *this;
+    text_.append('/');
+    text_.append(q.get_den_mpz_t());
+    return *this;
+  }
+  Writer& word(double value) {
+    const kernels::Dyadic n = kernels::dyadic(value);
+    if (n.exponent > 0 || n.exponent < -63) return word(exact_value(value));
+    separated();
+    if (n.mantissa < 0) text_.append('-');
+    text_.append(static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
+    if (n.exponent == 0) return *this;
+    text_.append('/');
+    text_.append(std::uint64_t{1} << -n.exponent);
+    return *this;
+  }
+  template <class NT>
+  Writer& words(const Vec3<NT>& v) {
+    return word(v.x).word(v.y).word(v.z);
+  }
+  Writer& words(const Point& p) { return word(p.x).word(p.y).word(p.z); }
+  Writer& words(const std::array<double, 3>& p) { return word(p[0]).word(p[1]).word(p[2]); }
+  void end() {
+    text_.append('\n');
+    line_start_ = true;
+  }
+  std::string take() { return text_.take(); }
+
+ private:
+  Text& separated() {
+    if (!line_start_) text_.append(' ');
+    line_start_ = false;
+    return text_;
+  }
+
+  Text text_;
   bool line_start_ = true;
 };
 
 // Blanks too: a line may not end with one, and ids are easier to read out of a line without.
-std::string escaped(const std::string& id) {
+std::string escaped(std::string_view id) {
   constexpr char digits[] = "0123456789ABCDEF";
   std::string result;
   for (const char c : id) {
@@ -63,6 +127,20 @@ std::string escaped(const std::string& id) {
     else (result += '%', result += digits[byte >> 4], result += digits[byte & 15]);
   }
   return result;
+}
+
+template <class P>
+void write_points(Writer& out, std::string_view name, std::span<const P> points) {
+  out.word(name).word(points.size()).end();
+  for (const P& p : points) out.words(p).end();
+}
+
+template <class P>
+void write_head(Writer& out, std::string_view id, std::span<const P> a, std::span<const P> b) {
+  out.word("fathom-certificate 1").end();
+  if (!id.empty()) out.word("id").word(escaped(id)).end();
+  write_points(out, "a", a);
+  write_points(out, "b", b);
 }
 
 void write_claim(Writer& out, const Certificate& certificate) {
@@ -94,6 +172,37 @@ void write_weights(Writer& out, std::string_view name, const std::vector<Weight>
   for (const Weight& w : weights) out.word(std::size_t{w.index}).word(w.weight).end();
 }
 
+// Generous for coordinates in binary64: a text that is longer costs a copy.
+std::size_t likely_size(std::size_t points, const InnerPolytope* inner) {
+  return 500 + 120 * points + (inner != nullptr ? 8 * inner->vertices.size() + 24 * inner->facets.size() : 0);
+}
+
+// The last line counts what came before.
+void write_end(Writer& out, const std::array<std::size_t, 5>& counts) {
+  out.word("end");
+  for (const std::size_t n : counts) out.word(n);
+  out.end();
+}
+
+// The text of an answer that brings its proof along.
+template <class P>
+std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<const P> b, const Penetration& answer) {
+  const InnerPolytope& inner = *answer.inner;
+  Writer out(likely_size(a.size() + b.size(), &inner));
+  write_head(out, id, a, b);
+  out.word("claim").word("depth").word(answer.squared()).end();
+  out.word("directions").word(answer.optima.size()).word("all").end();
+  for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
+  write_inner(out, inner);
+  write_end(out, {a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});
+  return out.take();
+}
+
+std::string text_of(Certificate certificate, std::string_view id) {
+  certificate.id = id;
+  return certificate_text(certificate);
+}
+
 }  // namespace
 
 }  // namespace fathom::certificate
@@ -101,25 +210,37 @@ void write_weights(Writer& out, std::string_view name, const std::vector<Weight>
 namespace fathom {
 
 std::string certificate_text(const Certificate& certificate) {
-  certificate::Writer out;
-  out.word("fathom-certificate 1").end();
-  if (!certificate.id.empty()) out.word("id").word(certificate::escaped(certificate.id)).end();
-  out.word("a").word(certificate.a.size()).end();
-  for (const Point& p : certificate.a) out.words(p).end();
-  out.word("b").word(certificate.b.size()).end();
-  for (const Point& p : certificate.b) out.words(p).end();
-  certificate::write_claim(out, certificate);
   const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
   const bool weights = certificate.claim == ClaimKind::touching;
+  certificate::Writer out(certificate::likely_size(certificate.a.size() + certificate.b.size(), inner ? &certificate.inner : nullptr));
+  certificate::write_head(out, certificate.id, std::span<const Point>(certificate.a), std::span<const Point>(certificate.b));
+  certificate::write_claim(out, certificate);
   if (inner) certificate::write_inner(out, certificate.inner);
   if (weights) {
     certificate::write_weights(out, "weights_a", certificate.weights_a);
     certificate::write_weights(out, "weights_b", certificate.weights_b);
   }
-  out.word("end").word(certificate.a.size()).word(certificate.b.size()).word(certificate.directions.size());
-  out.word(inner ? certificate.inner.vertices.size() : certificate.weights_a.size());
-  out.word(inner ? certificate.inner.facets.size() : certificate.weights_b.size()).end();
+  certificate::write_end(out, {certificate.a.size(), certificate.b.size(), certificate.directions.size(),
+                               inner ? certificate.inner.vertices.size() : certificate.weights_a.size(),
+                               inner ? certificate.inner.facets.size() : certificate.weights_b.size()});
   return out.take();
+}
+
+std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer, std::string_view id,
+                             Monitor* monitor) {
+  const Penetration* penetration = answer.penetration();
+  if (penetration == nullptr || !penetration->inner) return certificate::text_of(make_certificate(a, b, answer, monitor), id);
+  polytope::require_bodies(a, b);
+  return certificate::text_of_depth(id, a, b, *penetration);
+}
+
+std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
+                             std::string_view id, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  const Penetration* penetration = answer.penetration();
+  if (penetration == nullptr || !penetration->inner)
+    return certificate_text(polytope::exact_points(a), polytope::exact_points(b), answer, id, monitor);
+  return certificate::text_of_depth(id, a, b, *penetration);
 }
 
 }  // namespace fathom

@@ -10,6 +10,17 @@
 namespace fathom::depth {
 namespace {
 
+ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
+  const std::vector<std::uint32_t> ids = kernels::extreme_points(body, u);
+  std::vector<Vector> points;
+  for (const std::uint32_t i : ids) points.push_back(body[i]);
+  return face_of(ids, std::move(points));
+}
+
+Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+}  // namespace
+
 // A face of a convex polytope given by its extreme points: one is a vertex, two an edge, more a facet.
 ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   if (corners_of_a >= 3) {
@@ -20,30 +31,12 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   throw std::logic_error("the faces in an optimal direction do not span a facet");
 }
 
-ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
-  ExtremeFace face;
-  face.ids = kernels::extreme_points(body, u);
-  for (const std::uint32_t i : face.ids) face.points.push_back(body[i]);
-  if (face.ids.size() == 1) return face;
-  polytope::Polytope hull = polytope::convex_hull(face.points);
-  for (std::uint32_t& id : hull.input_ids) id = face.ids[id];
+ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points) {
+  if (ids.size() == 1 || (ids.size() == 2 && points[0] != points[1])) return {std::move(points), {ids.begin(), ids.end()}};
+  polytope::Polytope hull = polytope::convex_hull(points);
+  for (std::uint32_t& id : hull.input_ids) id = ids[id];
   return {std::move(hull.vertices), std::move(hull.input_ids)};
 }
-
-Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
-Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-// The point of the edge a0 a1 that lies over the line b0 b1, seen along n. The edges are not parallel.
-Point over_line(const polytope::PlacedPair& pair, const std::vector<Vector>& a, const std::vector<Vector>& b, const Vector& n) {
-  const Vector along = a[1] - a[0], across = cross(b[1] - b[0], n);
-  const mpz_class divisor = dot(along, across), share = dot(Vector(b[0] - a[0]), across);
-  return pair.position(scaled(divisor, a[0]) + scaled(share, along), divisor);
-}
-
-}  // namespace
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
 
@@ -59,8 +52,8 @@ Point combination(const polytope::PlacedPair& pair, std::span<const Vector> poin
 }
 
 Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
-  const mpq_class factor = kernels::ratio(dot(n, faces.b.points.front() - faces.a.points.front()), dot(n, n) * pair.denominator);
-  return {n, {factor * n.x, factor * n.y, factor * n.z}, {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
+  const mpz_class height = dot(n, faces.b.points.front() - faces.a.points.front());
+  return {n, kernels::ratio(height, pair.denominator), {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
 }
 
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
@@ -74,21 +67,17 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
   return Witness{combination(pair, faces.a.points, common.a), combination(pair, faces.b.points, common.b)};
 }
 
-Witness witness(const polytope::PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces) {
-  const Point& t = optimum.translation;
-  const std::vector<Vector>&a = faces.a.points, &b = faces.b.points;
-  if (b.size() == 1) {
-    const Point p = pair.position(b[0]);
-    return {minus(p, t), p};
-  }
-  if (a.size() > 2 || (a.size() == 2 && b.size() > 2)) {
-    const Vector& n = optimum.direction;
-    const std::optional<Witness> common = meeting_points(pair, faces, scaled(dot(n, b.front() - a.front()), n), dot(n, n));
-    if (!common) throw std::logic_error("the faces in an optimal direction do not meet");
-    return *common;
-  }
-  const Point p = a.size() == 1 ? pair.position(a[0]) : over_line(pair, a, b, optimum.direction);
-  return {p, plus(p, t)};
+FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
+  const Vector apart = faces.b.points.front() - faces.a.points.front();
+  std::optional<Witness> common = meeting_points(pair, faces, scaled(dot(n, apart), n), dot(n, n));
+  if (!common) throw std::logic_error("the faces in an optimal direction do not meet");
+  return std::move(*common);
+}
+
+FaceMeeting meeting(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
+  const auto at = [&](const ExtremeFace& face) { return [&](std::size_t k) { return pair.position(face.points[k]); }; };
+  std::optional<FaceMeeting> simple = simple_meeting(faces.a.ids.size(), faces.b.ids.size(), at(faces.a), at(faces.b));
+  return simple ? std::move(*simple) : overlap(pair, n, faces);
 }
 
 Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest) {
@@ -96,10 +85,8 @@ Penetration penetration_along(const polytope::PlacedPair& pair, const std::vecto
   for (const Vector& n : nearest) {
     const FacingFaces faces = facing_faces(pair, n);
     result.optima.push_back(optimum(pair, n, faces));
-    if (result.optima.size() == 1) result.witness = witness(pair, result.optima.front(), faces);
+    if (result.optima.size() == 1) result.meeting = meeting(pair, n, faces);
   }
-  const Point& t = result.optima.front().translation;
-  result.squared = t.x * t.x + t.y * t.y + t.z * t.z;
   return result;
 }
 

@@ -14,6 +14,8 @@
 
 namespace fathom::depth {
 
+using FaceMeeting = decltype(Penetration::meeting);
+
 /// A face of a body: its extreme points in the order of their indices, those of the input; of equal points the lowest index.
 struct ExtremeFace {
   std::vector<Vector> points;
@@ -24,15 +26,34 @@ struct ExtremeFace {
 struct FacingFaces {
   ExtremeFace a, b;
 };
+
+/// The face that is spanned by points which are all extreme in one direction, given their ids, ascending.
+ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points);
+
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 
 /// Returns the optimum in direction n, the outward normal of a facet of P, given the faces in that direction. Throws std::logic_error if
 /// these do not span a facet.
 Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
-/// Returns points a of the face of A and b of the face of B with b - a = translation. They exist for a nearest facet: the foot point of O
-/// lies in it.
-Witness witness(const polytope::PlacedPair& pair, const Optimum& optimum, const FacingFaces& faces);
+/// Returns what the witness follows from, given the faces in direction n. There is a witness for a nearest facet: the foot point of O lies
+/// in it.
+FaceMeeting meeting(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
+
+/// The same for simple faces, of which only the numbers of corners matter: a corner against any face, edges that cross. Returns nullopt for
+/// others. a(k) is the position of corner k of the face of A, b(k) that of B.
+template <class PositionA, class PositionB>
+std::optional<FaceMeeting> simple_meeting(std::size_t of_a, std::size_t of_b, PositionA a, PositionB b) {
+  if (of_b == 1) return CornerOfB{{b(0)}};
+  if (of_a == 1) return CornerOfA{{a(0)}};
+  if (of_a == 2 && of_b == 2) return CrossingEdges{{{{a(0)}, {a(1)}}}, {{{b(0)}, {b(1)}}}};
+  return std::nullopt;
+}
+/// The same for others, whose faces overlap.
+FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
+
+/// The kind of contact of faces with these numbers of corners. Throws std::logic_error if they do not span a facet.
+ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b);
 
 /// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or nullopt if there are none.
 std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);

@@ -100,7 +100,7 @@ std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::s
   const kernels::DefaultFloatEnvironment environment;
   kernels::Context context(monitor);
   const polytope::PlacedPair pair = polytope::place(a, b);
-  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared * unit;
+  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared() * unit;
   polytope::Differences differences{pair.a, pair.b};
   std::optional<mpq_class> least;
   for (const Optimum& optimum : penetration.optima) depth::look_around(differences, optimum, nearest, least);

@@ -1,13 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accessors of Depth for every status.
+// Accessors of Depth for every status, and what follows from a few of an answer's numbers.
 #include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom {
+namespace {
 
-const mpq_class& Depth::squared() const {
-  static const mpq_class zero;
-  return penetration() ? penetration()->squared : zero;
+Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+
+Vec3<mpq_class> rational(const Vector& v) { return {v.x, v.y, v.z}; }
+
+// The point of the edge of A that lies over the line of the edge of B, seen along n. The edges are not parallel.
+Point over_line(const CrossingEdges& edges, const Vector& n) {
+  const auto difference = [](const Point& to, const Point& from) -> Vec3<mpq_class> {
+    return {to.x - from.x, to.y - from.y, to.z - from.z};
+  };
+  const Point start = edges.a[0].exact(), on_b = edges.b[0].exact();
+  const Vec3<mpq_class> along = difference(edges.a[1].exact(), start), across = cross(difference(edges.b[1].exact(), on_b), rational(n));
+  const mpq_class share = dot(difference(on_b, start), across) / dot(along, across);
+  return plus(start, {share * along.x, share * along.y, share * along.z});
 }
+
+// Calls the overload for the kind of meeting.
+template <class... Calls>
+struct Overloaded : Calls... {
+  using Calls::operator()...;
+};
+template <class... Calls>
+Overloaded(Calls...) -> Overloaded<Calls...>;
+
+}  // namespace
+
+Point GivenPoint::exact() const {
+  if (const Point* point = std::get_if<Point>(&coordinates)) return *point;
+  const auto& [x, y, z] = std::get<std::array<double, 3>>(coordinates);
+  return {exact_value(x), exact_value(y), exact_value(z)};
+}
+
+Point Optimum::translation() const {
+  const mpq_class factor = support / dot(direction, direction);
+  return {factor * direction.x, factor * direction.y, factor * direction.z};
+}
+
+mpq_class Penetration::squared() const {
+  // h(n) is in lowest terms, so only its numerator can share a factor with <n,n>.
+  const Optimum& first = optima.front();
+  const mpz_class square = first.support.get_num() * first.support.get_num(), length = dot(first.direction, first.direction);
+  const mpz_class shared = gcd(square, length);
+  return {square / shared, first.support.get_den() * first.support.get_den() * (length / shared)};
+}
+
+Witness Penetration::witness() const {
+  const Optimum& first = optima.front();
+  return std::visit(Overloaded{[](const Witness& found) { return found; },
+                               [&](const CornerOfA& a) {
+                                 return Witness{a.point.exact(), plus(a.point.exact(), first.translation())};
+                               },
+                               [&](const CornerOfB& b) {
+                                 return Witness{minus(b.point.exact(), first.translation()), b.point.exact()};
+                               },
+                               [&](const CrossingEdges& edges) {
+                                 Point p = over_line(edges, first.direction), q = plus(p, first.translation());
+                                 return Witness{std::move(p), std::move(q)};
+                               }},
+                    meeting);
+}
+
+mpq_class Depth::squared() const { return penetration() ? penetration()->squared() : mpq_class(0); }
 
 const std::vector<Optimum>& Depth::optima() const {
   static const std::vector<Optimum> none;
@@ -19,16 +81,13 @@ const Vector& Depth::direction() const {
   return distance() ? distance()->direction : optima().front().direction;
 }
 
-const Point& Depth::translation() const {
-  static const Point zero;
-  return penetration() ? optima().front().translation : zero;
-}
+Point Depth::translation() const { return penetration() ? optima().front().translation() : Point{}; }
 
 const Contact* Depth::contact() const { return penetration() ? &optima().front().contact : nullptr; }
 
 std::optional<Witness> Depth::witness() const {
   if (touch()) return Witness{touch()->point, touch()->point};
-  return penetration() ? std::optional(penetration()->witness) : std::nullopt;
+  return penetration() ? std::optional(penetration()->witness()) : std::nullopt;
 }
 
 mpq_class signed_square(const Depth& depth) { return depth.distance() ? mpq_class(-depth.distance()->squared) : depth.squared(); }

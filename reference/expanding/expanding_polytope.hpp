@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
+#include "reference/polytope/narrow_pair.hpp"
 #include "reference/polytope/placed_pair.hpp"
 
 namespace fathom::expanding {
@@ -34,12 +36,20 @@ struct Expansion {
   /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly farther from O.
   InnerPolytope inner;
   std::size_t points = 0;  ///< added to Q beyond the first four
+  /// How often it was asked on which side of a triangle a point lies, and how often binary64 could not tell.
+  std::uint64_t sides = 0, sides_exact = 0;
 };
 
-/// The clouds must have the same exponent and be non-empty. Always ends: gives up if Q would need more than `budget` points. Throws
-/// Interrupted.
+/// The clouds must be non-empty and have the same exponent, on all axes. Always ends: gives up if Q would need more than `budget` points.
+/// `workspace` may be null; with one, nothing is allocated on a narrow lattice but the result, once it has grown. Throws Interrupted.
 Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                               std::size_t budget = unlimited);
+                               std::size_t budget = unlimited, Workspace* workspace = nullptr);
+/// The same on a narrow lattice.
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, std::size_t budget = unlimited,
+                               Workspace* workspace = nullptr);
+/// The same in integers of any size: the twin, and the way for lattices that are not narrow.
+Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                      std::size_t budget = unlimited, Workspace* workspace = nullptr);
 
 /// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it is no nearer than the nearest planes,
 /// touches them in one facet each, and these support P. Quadratic in the size of Q.

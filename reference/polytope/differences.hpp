@@ -18,6 +18,8 @@ using Difference = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The clouds must outlive it.
 struct Differences {
+  using Integer = mpz_class;
+
   const kernels::PointCloud& a;
   const kernels::PointCloud& b;
   std::size_t scans = 0;  ///< linear scans over both clouds so far
@@ -25,6 +27,12 @@ struct Differences {
   [[nodiscard]] Vector operator[](Difference d) const { return b[d.second] - a[d.first]; }
   /// Returns a difference that maximises <u, p>; of several the one with the lowest indices.
   Difference extreme(const Vector& u);
+  /// Returns a difference that is extreme in direction n by its image, without a guarantee.
+  [[nodiscard]] Difference likely_extreme(const Vec3<double>& n) const {
+    return {kernels::likely_extreme_point(a.images(), -n), kernels::likely_extreme_point(b.images(), n)};
+  }
+  /// Of both clouds, if they share one.
+  [[nodiscard]] long exponent() const { return a.exponent(); }
 };
 
 /// What the points of one body weigh in a convex combination of differences: `side` is Difference::first for A.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
+#include "reference/polytope/affine_span.hpp"
 #include "reference/polytope/hull_hash.hpp"
 #include "reference/polytope/hull_merge.hpp"
 #include "reference/polytope/hull_triangles.hpp"
@@ -25,32 +26,6 @@ std::vector<Index> distinct_points(std::span<const Vector> points) {
     if (seen.insert(i).second) ids.push_back(i);
   }
   return ids;
-}
-
-/// The affine span of the points; for rank 2 with a normal of the plane.
-struct Span {
-  int rank = 0;
-  Vector normal;
-};
-
-Span affine_span(std::span<const Vector> points) {
-  Span span;
-  Vector direction;
-  for (const Vector& point : points) {
-    Vector d = point - points[0];
-    if (span.rank == 0) {
-      if (is_zero(d)) continue;
-      direction = std::move(d);
-      span.rank = 1;
-    } else if (span.rank == 1) {
-      span.normal = cross(direction, d);
-      if (!is_zero(span.normal)) span.rank = 2;
-    } else if (dot(span.normal, d) != 0) {
-      span.rank = 3;
-      break;
-    }
-  }
-  return span;
 }
 
 Polytope point(std::span<const Vector> points) {
@@ -98,14 +73,14 @@ Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, con
 
 }  // namespace
 
-int affine_rank(std::span<const Vector> points) { return affine_span(points).rank; }
+int affine_rank(std::span<const Vector> points) { return affine_span<mpz_class>(points, points.size()).rank; }
 
 Polytope convex_hull(std::span<const Vector> points) {
   const kernels::DefaultFloatEnvironment environment;
   if (points.empty()) throw std::invalid_argument("convex_hull: no points");
   if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
   const std::vector<Index> ids = distinct_points(points);
-  const Span span = affine_span(points);
+  const Span<mpz_class> span = affine_span<mpz_class>(points, points.size());
   switch (span.rank) {
     case 0: return point(points);
     case 1: return segment(points, ids);

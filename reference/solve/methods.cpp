@@ -12,27 +12,18 @@
 namespace fathom::solve {
 namespace {
 
-// Exhausting it costs about one exact run.
-std::size_t usual_budget(const polytope::PlacedPair& pair) {
-  return std::min<std::size_t>(200 + 2 * (pair.a.size() + pair.b.size()), 20000);
-}
-
 // Answers by an expanding polytope, which needs no hulls and proves its answer. Returns nullopt if O is not interior or the budget is
 // exhausted.
-std::optional<Depth> certified_depth(kernels::Context& context, const polytope::PlacedPair& pair, std::size_t budget, bool checked) {
-  expanding::Expansion expansion = expanding::nearest_by_expansion(context, pair.a, pair.b, budget);
+std::optional<Depth> certified_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
+  const std::size_t budget = expansion_budget(options, pair.a.size() + pair.b.size());
+  expanding::Expansion expansion = expanding::nearest_by_expansion(context, pair.a, pair.b, budget, options.workspace);
   if (expansion.end != expanding::ExpansionEnd::proved) return std::nullopt;
-  if (checked) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
+  if (options.validate) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
   Penetration answer = depth::penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()});
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   answer.inner = std::move(expansion.inner);
   return Depth{depth::facts_of(pair), std::move(answer), Method::certificate, context.counters};
-}
-
-Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
-  return depth::penetration_depth(context, pair,
-                                  {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
 }
 
 Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked) {
@@ -48,18 +39,26 @@ Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair
 
 }  // namespace
 
+bool expands_first(const Options& options) {
+  return options.method == Method::certificate || (options.method == Method::automatic && !options.closest_lines);
+}
+
+// Exhausting the usual budget costs about one exact run.
+std::size_t expansion_budget(const Options& options, std::size_t input_points) {
+  if (options.method == Method::certificate) return expanding::unlimited;
+  return options.expansion_budget.value_or(std::min<std::size_t>(200 + 2 * input_points, 20000));
+}
+
+Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
+  return depth::penetration_depth(context, pair,
+                                  {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
+}
+
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   context.counters = Counters{};
+  if (options.method == Method::naive) return naive_depth_of(context, pair, options.validate);
   std::optional<Depth> certified;
-  switch (options.method) {
-    case Method::automatic:
-      if (!options.closest_lines)
-        certified = certified_depth(context, pair, options.expansion_budget.value_or(usual_budget(pair)), options.validate);
-      break;
-    case Method::certificate: certified = certified_depth(context, pair, expanding::unlimited, options.validate); break;
-    case Method::naive: return naive_depth_of(context, pair, options.validate);
-    case Method::exact: break;
-  }
+  if (expands_first(options)) certified = certified_depth(context, pair, options);
   return certified ? std::move(*certified) : exact_depth(context, pair, options);
 }
 

@@ -34,14 +34,14 @@ TEST(BodyPair, EqualsTheExactPipeline) {
     for (const Optimum& optimum : depth.optima()) {
       const Vector& n = optimum.direction;
       const mpq_class factor = testing::support(input.a.points, input.b.points, n) * pair.placed().denominator / dot(n, n);
-      EXPECT_EQ(pair.translation(factor, n), optimum.translation) << input.id;
-      const auto [contact, witness] = pair.meeting(n, optimum.translation);
+      EXPECT_EQ(pair.translation(factor, n), optimum.translation()) << input.id;
+      const auto [contact, witness] = pair.meeting(n, optimum.translation());
       EXPECT_EQ(contact, optimum.contact) << input.id;
       ASSERT_TRUE(witness) << input.id;
-      EXPECT_EQ(testing::difference(witness->b, witness->a), optimum.translation);
+      EXPECT_EQ(testing::difference(witness->b, witness->a), optimum.translation());
       EXPECT_TRUE(testing::in_hull(witness->a, input.a.points, optimum.contact.a)) << input.id;
       EXPECT_TRUE(testing::in_hull(witness->b, input.b.points, optimum.contact.b)) << input.id;
-      const Point& t = optimum.translation;
+      const Point& t = optimum.translation();
       EXPECT_FALSE(pair.meeting(n, {2 * t.x, 2 * t.y, 2 * t.z}).witness) << input.id << ": twice as far, the faces do not meet";
     }
   }

@@ -54,7 +54,7 @@ TEST(Directional, AlongAnOptimumItIsTheDepth) {
   for (const Case& input : testing::cases_of_all_families(2, 10)) {
     const Depth exact = testing::exact_depth(input.a.points, input.b.points);
     for (const Optimum& optimum : exact.optima()) {
-      const DirectionalDepth found = directional_depth(input.a.points, input.b.points, optimum.translation);
+      const DirectionalDepth found = directional_depth(input.a.points, input.b.points, optimum.translation());
       EXPECT_EQ(found.factor(), 1) << input.id;
       EXPECT_EQ(found.squared(), exact.squared()) << input.id;
       EXPECT_EQ(found.normal(), optimum.direction) << input.id;

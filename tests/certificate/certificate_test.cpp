@@ -135,7 +135,7 @@ TEST(Certificate, ContradictsAWrongAnswer) {
     change(std::get<Penetration>(wrong.outcome));
     refused(wrong, b);
   };
-  refused_with([](Penetration& p) { p.squared += mpq_class(1, 1000000); });
+  refused_with([](Penetration& p) { p.optima.front().support += mpq_class(1, 1000000); });
   refused_with([](Penetration& p) { p.optima.pop_back(); });
   refused_with([](Penetration& p) { std::swap(p.optima[0], p.optima[1]); });
   refused(right, box(2, 3));
@@ -200,7 +200,7 @@ TEST(BoundsCertificate, HoldsWhateverTheBoundsAre) {
       continue;
     }
     ++made;
-    const mpq_class& q = depth.squared();
+    const mpq_class q = depth.squared();
     for (const auto& [low, high] :
          {std::pair<mpq_class, mpq_class>{0, q}, {q, q}, {q * mpq_class(9, 10), q * mpq_class(11, 10)}, {0, q * 100}}) {
       const Certificate certificate = bounds(low, high);

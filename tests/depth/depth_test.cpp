@@ -103,7 +103,7 @@ TEST(Depth, UnitCubesAThirdDeep) {
   EXPECT_EQ(depth.squared(), mpq_class(1, 9));
   ASSERT_EQ(depth.optima().size(), 1U);
   EXPECT_EQ(depth.optima()[0].direction, (Vector{-1, 0, 0})) << "A has to move away from B";
-  EXPECT_EQ(depth.optima()[0].translation, (Point{mpq_class(-1, 3), 0, 0}));
+  EXPECT_EQ(depth.optima()[0].translation(), (Point{mpq_class(-1, 3), 0, 0}));
   EXPECT_EQ(depth.optima()[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
 }
 

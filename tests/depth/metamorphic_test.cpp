@@ -135,7 +135,8 @@ TEST(Metamorphic, TheTranslationSeparates) {
     for (const Optimum& o : depth.optima()) {
       const auto moved = [&](const mpq_class& s) {
         return image(input.a.points, [&](const Point& p) {
-          return Point{p.x + s * o.translation.x, p.y + s * o.translation.y, p.z + s * o.translation.z};
+          const Point t = o.translation();
+          return Point{p.x + s * t.x, p.y + s * t.y, p.z + s * t.z};
         });
       };
       EXPECT_EQ(solve(moved(1), input.b.points).status(), Status::touching) << input.id;

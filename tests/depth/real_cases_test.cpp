@@ -19,8 +19,10 @@ namespace {
 std::vector<std::vector<std::string>> translations(const Depth& depth) {
   if (depth.optima().empty()) return {{"0", "0", "0"}};
   std::vector<std::vector<std::string>> result;
-  for (const Optimum& o : depth.optima())
-    result.push_back({o.translation.x.get_str(), o.translation.y.get_str(), o.translation.z.get_str()});
+  for (const Optimum& o : depth.optima()) {
+    const Point t = o.translation();
+    result.push_back({t.x.get_str(), t.y.get_str(), t.z.get_str()});
+  }
   std::ranges::sort(result);
   return result;
 }

@@ -40,7 +40,7 @@ void expect_answer(const Json& expected, const Depth& depth, const std::string& 
     const Json& listed = expected["optima"][i];
     const Optimum& optimum = depth.optima()[i];
     EXPECT_EQ(listed["direction"], texts(optimum.direction)) << id;
-    EXPECT_EQ(listed["translation"], texts(optimum.translation)) << id;
+    EXPECT_EQ(listed["translation"], texts(optimum.translation())) << id;
     EXPECT_EQ(listed["contact"], Json({{"kind", name(optimum.contact.kind)}, {"a", optimum.contact.a}, {"b", optimum.contact.b}})) << id;
   }
   if (!depth.distance()) return;

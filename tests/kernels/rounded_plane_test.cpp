@@ -124,12 +124,12 @@ TEST(LikelyExtremePoint, IsExtremeWhereNothingTies) {
   for (int i = 0; i < 300; ++i) {
     std::vector<Vector> points(1 + random() % 700);
     for (Vector& p : points) p = random_vector(random, 40);
-    const PointCloud cloud(points);
+    const PointCloud cloud(points, binary_exponent(points));
     const Vector u = testing::random_direction(random, 20);
-    const std::uint32_t found = likely_extreme_point(cloud, image(u, 20));
+    const std::uint32_t found = likely_extreme_point(cloud.images(), image(u, 20));
     EXPECT_EQ(found, extreme_points_naive(points, u).front());
   }
-  EXPECT_EQ(likely_extreme_point(PointCloud({{1, 2, 3}, {4, 5, 6}}), {0, 0, 0}), 0U);
+  EXPECT_EQ(likely_extreme_point(PointCloud({{1, 2, 3}, {4, 5, 6}}).images(), {0, 0, 0}), 0U);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void expect_same(const Depth& depth, const Depth& large, const mpq_class& factor
   ASSERT_EQ(depth.optima().size(), large.optima().size());
   for (std::size_t i = 0; i < depth.optima().size(); ++i) {
     EXPECT_EQ(depth.optima()[i].direction, large.optima()[i].direction);
-    EXPECT_EQ(times(depth.optima()[i].translation, factor), large.optima()[i].translation);
+    EXPECT_EQ(times(depth.optima()[i].translation(), factor), large.optima()[i].translation());
     EXPECT_EQ(depth.optima()[i].contact, large.optima()[i].contact);
   }
   if (depth.status() == Status::penetrating) {

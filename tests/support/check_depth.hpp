@@ -119,20 +119,20 @@ inline void check(const Distance& distance, std::span<const Point> a, std::span<
 /// Not that the minimum is a minimum; oracles tell that.
 inline void check(const Penetration& penetration, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
   const std::vector<Optimum>& optima = penetration.optima;
-  if (!report.expect(!optima.empty() && penetration.squared > 0, "a penetrating pair has an optimum")) return;
+  if (!report.expect(!optima.empty() && penetration.squared() > 0, "a penetrating pair has an optimum")) return;
   report.expect(std::ranges::is_sorted(optima, lexicographically_less, &Optimum::direction), "optima are sorted");
   for (const Optimum& o : optima) {
     const Vector& n = o.direction;
     const mpq_class h = support(a, b, n), square(dot(n, n));
     report.expect(primitive(n) == n, "direction is not primitive");
-    report.expect(h > 0 && h * h == penetration.squared * square, "h(n)^2 = q <n,n>");
-    report.expect(o.translation == Point{h / square * n.x, h / square * n.y, h / square * n.z}, "translation");
+    report.expect(h > 0 && h * h == penetration.squared() * square, "h(n)^2 = q <n,n>");
+    report.expect(o.translation() == Point{h / square * n.x, h / square * n.y, h / square * n.z}, "translation");
     report.expect(o.contact.a == face(a, -n) && o.contact.b == face(b, n), "contact features");
     report.expect(o.contact.kind == kind_of(o.contact, a, b), "contact kind");
   }
   const Optimum& first = optima.front();
-  const auto& [p, q] = penetration.witness;
-  report.expect(difference(q, p) == first.translation, "witness points do not differ by the translation");
+  const auto& [p, q] = penetration.witness();
+  report.expect(difference(q, p) == first.translation(), "witness points do not differ by the translation");
   report.expect(in_hull(p, a, first.contact.a) && in_hull(q, b, first.contact.b), "witness point off its face");
 }
 
@@ -144,10 +144,10 @@ inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::
   const std::optional<Witness> witness = depth.witness();
   if (const Penetration* penetration = depth.penetration()) {
     const Optimum& first = penetration->optima.front();
-    report.expect(depth.status() == Status::penetrating && depth.squared() == penetration->squared &&
+    report.expect(depth.status() == Status::penetrating && depth.squared() == penetration->squared() &&
                       depth.optima() == penetration->optima && depth.direction() == first.direction &&
-                      depth.translation() == first.translation && *depth.contact() == first.contact && witness == penetration->witness &&
-                      signed_square(depth) == depth.squared(),
+                      depth.translation() == first.translation() && *depth.contact() == first.contact &&
+                      witness == penetration->witness() && signed_square(depth) == depth.squared(),
                   "accessors of a penetrating pair");
     return report;
   }

@@ -64,7 +64,7 @@ bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
   if (!found || found->optima.size() != 1 || found->optima.front().direction != ridge.left) return false;
   const std::optional<mpq_class> next = second_nearest_squared(bodies.a.points, bodies.b.points, *found);
   if (!next) return false;
-  const mpq_class gap = quotient_of_roots(*next, found->squared, k + 24) - 1;
+  const mpq_class gap = quotient_of_roots(*next, found->squared(), k + 24) - 1;
   return abs(mpq_class(times_power_of_two(gap, k) - 1)) < ratio(1, 1 << 17);
 }
 

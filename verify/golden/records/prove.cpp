@@ -23,7 +23,6 @@ struct Refusal : std::runtime_error {
 /// What an accepted certificate says.
 struct Proved {
   Status status = Status::disjoint;
-  mpq_class squared;
   std::vector<Vector> directions;
   Point common;  ///< touching
 };
@@ -50,7 +49,6 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
     case fathom_check::Claim::depth:
       if (!certificate.all) throw Refusal("the certificate does not claim to list all optima");
       proved.status = Status::penetrating;
-      proved.squared = value_of(certificate.low);
       break;
     case fathom_check::Claim::bounds: throw Refusal("the certificate proves bounds only");
     case fathom_check::Claim::touching: proved.status = Status::touching; break;
@@ -100,11 +98,13 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 /// Both bodies seen in one direction.
 struct Sides {
   SupportingFace a, b;  ///< in the directions -n and n
+  mpq_class support;    ///< h(n)
   mpq_class factor;     ///< h(n) / <n,n>
   Point translation;
 
   Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
-    factor = kernels::ratio(a.height + b.height, dot(n, n) * bodies.denominator);
+    support = kernels::ratio(a.height + b.height, bodies.denominator);
+    factor = support / dot(n, n);
     translation = {factor * n.x, factor * n.y, factor * n.z};
   }
 
@@ -116,13 +116,13 @@ struct Sides {
 };
 
 Penetration proved_penetration(const Integers& bodies, const Proved& proved, const Witness& witness) {
-  Penetration answer{proved.squared, {}, witness, std::nullopt};
+  Penetration answer{{}, witness, std::nullopt};
   for (const Vector& n : proved.directions) {
     const Sides sides(bodies, n);
     if (answer.optima.empty() && !sides.witnessed(witness, bodies, n))
       throw Refusal("expected.witness: the points do not prove the contact");
     const ContactKind kind = kind_of(sides.a.corners.size(), sides.b.corners.size());
-    answer.optima.push_back({n, sides.translation, {kind, sides.a.corners, sides.b.corners}});
+    answer.optima.push_back({n, sides.support, {kind, sides.a.corners, sides.b.corners}});
   }
   return answer;
 }

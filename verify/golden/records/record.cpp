@@ -33,9 +33,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   Options options;
   options.monitor = monitor;
   Depth answer = penetration_depth(points.a.points, points.b.points, options);
-  Certificate certificate = make_certificate(points.a.points, points.b.points, answer, monitor);
-  certificate.id = points.id;
-  Record record{points.id, {}, certificate_text(certificate)};
+  Record record{points.id, {}, certificate_text(points.a.points, points.b.points, answer, points.id, monitor)};
   insist_on(record.id, record.certificate, answer);
   Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor);
   facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;

@@ -68,7 +68,7 @@ void write_witness(JsonText& out, const Witness& witness) {
 void write_optimum(JsonText& out, const Optimum& optimum) {
   out.open('{');
   write_direction(out, optimum.direction);
-  write_translation(out, optimum.translation);
+  write_translation(out, optimum.translation());
   out.key("contact").open('{').key("kind").text(name(optimum.contact.kind));
   write_indices(out, "a", optimum.contact.a);
   write_indices(out, "b", optimum.contact.b);

@@ -140,7 +140,7 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
   if (!truth) return result;
   if (truth->depth.distance()) add("distance^2", truth->depth.distance()->squared);
   for (const Optimum& optimum : truth->depth.optima()) {
-    const Point& t = optimum.translation;
+    const Point t = optimum.translation();
     result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
   }
   return result;

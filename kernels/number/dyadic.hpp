@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with a word of bits and a power of two: what binary64 holds, taken apart without rationals.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+namespace fathom::kernels {
+
+/// mantissa * 2^exponent, where the mantissa is odd; 0 is 0 * 2^0.
+struct Dyadic {
+  std::int64_t mantissa = 0;
+  long exponent = 0;
+};
+
+/// mantissa * 2^exponent, for any mantissa.
+inline Dyadic normalised(std::int64_t mantissa, long exponent) {
+  if (mantissa == 0) return {};
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+  return {mantissa >> zeros, exponent + zeros};
+}
+
+/// The exact value. Throws std::invalid_argument if it is not finite.
+inline Dyadic dyadic(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto biased = static_cast<long>(bits >> 52 & 0x7ff);
+  if (biased == 0x7ff) throw std::invalid_argument("a coordinate is not a finite number");
+  const auto fraction = static_cast<std::int64_t>(bits & 0xfffffffffffff);
+  const std::int64_t magnitude = biased == 0 ? fraction : fraction | std::int64_t{1} << 52;
+  return normalised(bits >> 63 != 0 ? -magnitude : magnitude, std::max(biased, 1L) - 1075);
+}
+
+/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a positive denominator, or has a numerator
+/// of 2^63 or more.
+std::optional<Dyadic> dyadic(const mpq_class& value);
+
+}  // namespace fathom::kernels

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search: a polytope inside P expands towards the facets of P nearest to O. One template over the integers: those of a fixed size, which
+// need no allocation, where the lattice is narrow, and mpz_class anywhere.                                       [proofs/expanding.md]
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "kernels/context.hpp"
+#include "kernels/filters/double_images.hpp"
+#include "kernels/filters/fixed_images.hpp"
+#include "kernels/number/ratio.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
+#include "reference/expanding/inner_polytope.hpp"
+#include "reference/expanding/start.hpp"
+#include "reference/expanding/surface.hpp"
+
+namespace fathom::expanding {
+
+/// The memory of one search, for the next one to use again.
+template <class Integer>
+struct Memory {
+  Surface<Integer> surface;
+  MergeMemory merge;
+  std::vector<std::pair<double, TriangleId>> waiting;        // a heap
+  std::vector<TriangleId> nearest;                           // triangles in the nearest facets of P
+  std::vector<std::pair<std::uint32_t, TriangleId>> facets;  // of Q, for each of them
+};
+
+inline Vector to_vector(const Vector& v) { return v; }
+template <unsigned Bits>
+Vector to_vector(const Vec3<kernels::FixedInteger<Bits>>& v) {
+  return {v.x.to_mpz(), v.y.to_mpz(), v.z.to_mpz()};
+}
+inline const mpz_class& to_mpz(const mpz_class& n) { return n; }
+template <unsigned Bits>
+mpz_class to_mpz(const kernels::FixedInteger<Bits>& n) {
+  return n.to_mpz();
+}
+
+/// The vector without the common factor of its components.
+inline Vector without_factor(const Vector& v) { return primitive(v); }
+template <unsigned Bits>
+Vector without_factor(const Vec3<kernels::FixedInteger<Bits>>& v) {
+  if (kernels::bit_length(v) > 63) return primitive(to_vector(v));
+  const std::int64_t x = v.x.to_word(), y = v.y.to_word(), z = v.z.to_word(),
+                     factor = std::max<std::int64_t>(std::gcd(std::gcd(x, y), z), 1);
+  return {x / factor, y / factor, z / factor};
+}
+
+/// A squared distance from O, as a quotient, and a binary64 number that the distance does not exceed.
+template <class Integer>
+struct Radius {
+  Integer numerator, denominator;
+  double from_above;
+};
+
+template <class Differences>
+class Expander {
+ public:
+  using Integer = typename Differences::Integer;
+  using Plane = ExactPlane<Integer>;
+  using Corner = SurfaceVertex<Integer>;
+
+  Expander(kernels::Context& context, Differences& differences, Memory<Integer>& memory, std::size_t budget)
+      : context_(context), differences_(differences), memory_(memory), surface_(memory.surface), budget_(budget) {}
+
+  /// False if P is flat.
+  bool start() {
+    memory_.waiting.clear();
+    const auto first = starting_tetrahedron(differences_);
+    if (!first) return false;
+    surface_.start({corner((*first)[0]), corner((*first)[1]), corner((*first)[2]), corner((*first)[3])});
+    wait_for_all();
+    return true;
+  }
+
+  /// Leaves triangles in all nearest facets of P in the memory.
+  ExpansionEnd find_nearest() {
+    memory_.nearest.clear();
+    std::optional<Radius<Integer>>& radius = nearest_;
+    radius.reset();
+    return grow([&](TriangleId t) { return radius && beyond(t, *radius, false); },
+                [&](TriangleId t) {
+                  const Plane& plane = surface_.plane(t);
+                  const Integer square = plane.height * plane.height, length = dot(plane.normal, plane.normal);
+                  const int order = radius ? cmp(Integer(square * radius->denominator), Integer(radius->numerator * length)) : -1;
+                  if (order > 0) return true;
+                  if (order < 0) {
+                    memory_.nearest.clear();
+                    radius = radius_of(square, length);
+                  }
+                  memory_.nearest.push_back(t);
+                  return true;
+                });
+  }
+
+  /// Expands until Q holds the ball. Sets `holds` to whether P does.
+  ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
+    const Radius<Integer> radius = radius_of(Integer(squared.get_num()), Integer(squared.get_den()));
+    bool met = false;  // a facet of P that cuts the ball
+    const ExpansionEnd end = grow([&](TriangleId t) { return beyond(t, radius, true); },
+                                  [&](TriangleId) {
+                                    met = true;
+                                    return false;
+                                  });
+    holds = end == ExpansionEnd::proved && !met;
+    return end;
+  }
+
+  /// Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance found, ignoring facets at `depth`.
+  ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
+    Radius<Integer> radius = radius_of(Integer(next.get_num()), Integer(next.get_den()));
+    return grow([&](TriangleId t) { return beyond(t, radius, true); },
+                [&](TriangleId t) {
+                  const Plane& plane = surface_.plane(t);
+                  const Integer square = plane.height * plane.height, length = dot(plane.normal, plane.normal);
+                  const mpq_class squared = kernels::ratio(to_mpz(square), to_mpz(length));
+                  if (squared != depth) {
+                    next = squared;
+                    radius = radius_of(square, length);
+                  }
+                  return true;
+                });
+  }
+
+  /// Expands until shows(n) for a normal n of a triangle, and sets `direction` to it, or leaves it as it is if there is none.
+  template <class Shows>
+  ExpansionEnd find_direction(Shows shows, Vector& direction) {
+    memory_.waiting.clear();
+    wait_for_all();
+    while (!memory_.waiting.empty()) {
+      const TriangleId t = take();
+      if (!surface_.triangles()[t].alive) continue;
+      const Vector normal = to_vector(surface_.plane(t).normal);
+      if (shows(normal)) {
+        direction = primitive(normal);
+        return ExpansionEnd::proved;
+      }
+      const std::optional<Corner> above = point_above(t);
+      if (above && !expand(*above, t)) return ExpansionEnd::spent;
+    }
+    return ExpansionEnd::proved;
+  }
+
+  InnerPolytope inner() { return inner_polytope(surface_, memory_.merge); }
+
+  /// The planes of the nearest facets, after find_nearest and inner.
+  kernels::NearestPlanes nearest() {
+    memory_.facets.clear();
+    for (const TriangleId t : memory_.nearest) memory_.facets.emplace_back(memory_.merge.facet_of[t], t);
+    std::sort(memory_.facets.begin(), memory_.facets.end());
+    std::set<Vector, kernels::NearestPlanes::LexicographicOrder> directions;
+    std::uint32_t last = UINT32_MAX;
+    for (const auto& [facet, t] : memory_.facets)
+      if (std::exchange(last, facet) != facet) directions.insert(without_factor(surface_.plane(t).normal));
+    return {to_mpz(nearest_->numerator), to_mpz(nearest_->denominator), std::move(directions)};
+  }
+
+  [[nodiscard]] const SideCounts& sides() const { return surface_.sides(); }
+  std::size_t points = 0;
+
+ private:
+  Corner corner(polytope::Difference d) const {
+    Vec3<Integer> exact = differences_[d];
+    const Vec3<double> rounded = kernels::image(exact, differences_.exponent());
+    return {d, std::move(exact), rounded};
+  }
+
+  [[nodiscard]] Radius<Integer> radius_of(const Integer& numerator, const Integer& denominator) const {
+    return {numerator, denominator, kernels::root_from_above(numerator, denominator, differences_.exponent())};
+  }
+
+  // The triangle that seems nearest is the first of the heap.
+  void wait_for(TriangleId t) {
+    memory_.waiting.emplace_back(-estimated_distance(t), t);
+    std::push_heap(memory_.waiting.begin(), memory_.waiting.end());
+  }
+
+  TriangleId take() {
+    std::pop_heap(memory_.waiting.begin(), memory_.waiting.end());
+    const TriangleId t = memory_.waiting.back().second;
+    memory_.waiting.pop_back();
+    return t;
+  }
+
+  void wait_for_all() {
+    for (const TriangleId t : surface_.triangles().ids())
+      if (surface_.triangles()[t].alive) wait_for(t);
+  }
+
+  // Takes triangle after triangle, except those that `pass_over` skips, and expands Q towards a point of P above it. A triangle with
+  // nothing above it lies in the plane of a facet of P, and `go_on` gets it.
+  template <class PassOver, class GoOn>
+  ExpansionEnd grow(PassOver pass_over, GoOn go_on) {
+    while (!memory_.waiting.empty()) {
+      const TriangleId t = take();
+      if (!surface_.triangles()[t].alive || pass_over(t)) continue;
+      if (const std::optional<Corner> above = point_above(t)) {
+        if (!expand(*above, t)) return ExpansionEnd::spent;
+        continue;
+      }
+      if (sgn(surface_.plane(t).height) <= 0) return ExpansionEnd::not_inside;
+      if (!go_on(t)) return ExpansionEnd::proved;
+    }
+    return ExpansionEnd::proved;
+  }
+
+  // Decides nothing but the order.
+  double estimated_distance(TriangleId t) {
+    const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
+    if (rounded.trustworthy()) return rounded.estimated_distance();
+    const Plane& plane = surface_.plane(t);
+    const double distance =
+        kernels::root_from_above(Integer(plane.height * plane.height), Integer(dot(plane.normal, plane.normal)), differences_.exponent());
+    return sgn(plane.height) < 0 ? -distance : distance;
+  }
+
+  // Whether O lies below the plane, at a greater distance than the radius, or perhaps an equal one.
+  bool beyond(TriangleId t, const Radius<Integer>& radius, bool or_equal) {
+    if (surface_.triangles()[t].rounded.surely_beyond(radius.from_above)) return true;
+    const Plane& plane = surface_.plane(t);
+    if (sgn(plane.height) <= 0) return false;
+    const Integer mine = plane.height * plane.height * radius.denominator, limit = radius.numerator * dot(plane.normal, plane.normal);
+    const int order = cmp(mine, limit);
+    return or_equal ? order >= 0 : order > 0;
+  }
+
+  // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms, or an extreme point. Returns nullopt if
+  // the plane supports P.
+  std::optional<Corner> point_above(TriangleId t) {
+    std::optional<Corner> found = corner(likely_extreme(t));
+    if (surface_.side(t, *found) > 0) return found;
+    found = corner(differences_.extreme(surface_.plane(t).normal));
+    if (surface_.side(t, *found) > 0) return found;
+    return std::nullopt;
+  }
+
+  polytope::Difference likely_extreme(TriangleId t) {
+    const kernels::RoundedPlane& plane = surface_.triangles()[t].rounded;
+    if (plane.trustworthy()) return differences_.likely_extreme(plane.estimated_normal());
+    const Vec3<Integer>& exact = surface_.plane(t).normal;
+    return differences_.likely_extreme(kernels::image(exact, kernels::binary_exponent(exact)));
+  }
+
+  bool expand(const Corner& above, TriangleId t) {
+    if (points == budget_) return false;
+    context_.report("expanding polytope");
+    ++points;
+    for (const TriangleId fresh : surface_.insert(above, t)) wait_for(fresh);
+    return true;
+  }
+
+  kernels::Context& context_;
+  Differences& differences_;
+  Memory<Integer>& memory_;
+  Surface<Integer>& surface_;
+  std::size_t budget_;
+  std::optional<Radius<Integer>> nearest_;
+};
+
+}  // namespace fathom::expanding

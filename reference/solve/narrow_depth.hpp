@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies as the user gives them.
+// Output  the answer of method `certificate`, found without rationals, if both lie on a narrow lattice and the expanding polytope ends.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "fathom/depth.hpp"
+#include "kernels/context.hpp"
+
+namespace fathom::solve {
+
+enum class NarrowEnd {
+  answered,
+  failed,     ///< the expanding polytope gave up, and would do so on any lattice
+  not_tried,  ///< the method does not ask for it, or the lattice is not narrow
+};
+
+struct NarrowResult {
+  NarrowEnd end = NarrowEnd::not_tried;
+  std::optional<Depth> depth;
+};
+
+/// The answer equals that of depth_by_method, its naive twin, in every field.
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Options& options);
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const std::array<double, 3>> a,
+                                     std::span<const std::array<double, 3>> b, const Options& options);
+
+}  // namespace fathom::solve

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether two expansions are the same in every field.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "reference/expanding/expanding_polytope.hpp"
+#include "verify/families/families.hpp"
+
+namespace fathom::expanding {
+
+inline void expect_same(const Expansion& x, const Expansion& y) {
+  ASSERT_EQ(x.end, y.end);
+  EXPECT_EQ(x.points, y.points);
+  EXPECT_EQ(x.nearest.numerator(), y.nearest.numerator());
+  EXPECT_EQ(x.nearest.denominator(), y.nearest.denominator());
+  EXPECT_EQ(x.nearest.directions(), y.nearest.directions());
+  EXPECT_EQ(x.inner.vertices, y.inner.vertices);
+  EXPECT_EQ(x.inner.facets, y.inner.facets);
+  EXPECT_EQ(x.sides, y.sides);
+  EXPECT_EQ(x.sides_exact, y.sides_exact);
+}
+
+/// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on a narrow lattice that shifts find.
+inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, Workspace& workspace) {
+  SCOPED_TRACE(input.id);
+  constexpr std::size_t budget = 500;
+  kernels::Context context;
+  const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
+  const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, budget, &workspace);
+  expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
+  polytope::NarrowPair pair;
+  const bool narrow = polytope::place_narrow(input.a.points, input.b.points, pair);
+  if (narrow) expect_same(nearest_by_expansion(context, pair, budget, &workspace), twin);
+  return {twin.end, narrow};
+}
+
+}  // namespace fathom::expanding
