@@ -29,7 +29,7 @@ void warn_of_many_rays(const Request& request) {
 Replies approximate_replies(const Request& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.reply = [&request](const Case& single, Monitor& monitor) -> CaseReply {
+  replies.reply = [&request](const Case& single, Monitor& monitor, Workspace&) -> CaseReply {
     const ApproxDepth depth = solve(single, request, monitor);
     if (request.json) return {approx_json(single.id, depth, request)};
     return {is_stream(request) ? approx_line(single.id, depth, request) : approx_block(depth, request)};

@@ -9,7 +9,7 @@ namespace fathom::cli {
 
 ExitCode run_ray(const Request& request) {
   Replies replies;
-  replies.reply = [&request](const Case& pair, Monitor& monitor) -> CaseReply {
+  replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, *request.direction, &monitor);
     if (request.json) return {ray_json(pair.id, depth, request)};
     return {is_stream(request) ? ray_line(pair.id, depth) : ray_block(depth, request)};

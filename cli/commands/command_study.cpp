@@ -27,7 +27,7 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
 
 ExitCode run_study(const Request& request) {
   Replies replies;
-  replies.reply = [&](const Case& pair, Monitor& monitor) {
+  replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) {
     return CaseReply{text_of(pair.id, study_of(pair, request, monitor), request)};
   };
   if (request.csv) {

@@ -14,19 +14,20 @@
 namespace fathom::cli {
 namespace {
 
-Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor) {
+Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
   options.method = request.method;
   options.closest_lines = request.closest_lines;
   options.seed = request.seed;
   options.monitor = &monitor;
+  options.workspace = &workspace;
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);
   return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a.points, b.points, options);
 }
 
-Answer answer_to(const Case& single, const Request& request, Monitor& monitor) {
+Answer answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Body& b = has_one_body(request) ? single.a : single.b;
-  Answer answer{single.id, solve(single, b, request, monitor)};
+  Answer answer{single.id, solve(single, b, request, monitor, workspace)};
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(single.a.points, b.points, answer.depth, single.id, &monitor);
   return answer;
@@ -61,9 +62,10 @@ std::string text_of(const Answer& answer, const Request& request) {
 
 Replies exact_replies(const Request& request) {
   Replies replies;
-  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor) -> CaseReply {
+  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor,
+                                                                                    Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
-    const Answer answer = answer_to(single, request, monitor);
+    const Answer answer = answer_to(single, request, monitor, workspace);
     CaseReply reply{text_of(answer, request)};
     if (file) file->write(answer.certificate);
     else if (!request.certificate.empty())

@@ -45,7 +45,8 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   const Case single = single_case(request);
   const Working working;
   Progress progress;
-  const CaseReply reply = replies.reply(single, progress);
+  Workspace workspace;
+  const CaseReply reply = replies.reply(single, progress, workspace);
   if (reply.keep) reply.keep();
   progress.answered();
   tell_of_hulls(single, has_one_body(request), progress);

@@ -19,7 +19,7 @@ bool is_stream(const Request& request);
 struct Replies {
   /// Returns the reply to a case: several lines for a single case, one line in a stream. For a stream it is called by several threads at
   /// once. May throw anything.
-  std::function<CaseReply(const Case&, Monitor&)> reply;
+  std::function<CaseReply(const Case&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
   /// Printed before all replies, unless empty.

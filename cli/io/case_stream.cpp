@@ -2,6 +2,7 @@
 #include "cli/io/case_stream.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <atomic>
@@ -54,11 +55,18 @@ class Stream {
   /// Shows the progress of the case that is to be delivered next: of one at a time, and the others wait for it.
   class CaseMonitor;
 
-  void answer(Passage& passage, const Case& single, Monitor& monitor) const;
+  void answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const;
   void tell_of_hull(const Passage& passage);
   void report(const Passage& bad);
 
+  /// What each thread uses for one case after another.
+  struct Memory {
+    files::QuickCaseReader reader;
+    Workspace workspace;
+  };
+
   const StreamWork& work_;
+  tbb::enumerable_thread_specific<Memory> memory_;
   std::atomic<bool> failed_ = false, hull_told_ = false;
   CaseInput input_;
   files::UnreadCases texts_;
@@ -113,6 +121,7 @@ std::shared_ptr<Passage> Stream::next() {
 void Stream::answer(Passage& passage) {
   if (std::exchange(passage.answered, true)) return;
   const std::size_t line = passage.text.line;
+  Memory& memory = memory_.local();
   CaseMonitor monitor(*this, passage);
   monitor.has_the_bar();
   const auto lose = [&](InputError why, ExitCode code) {
@@ -121,11 +130,11 @@ void Stream::answer(Passage& passage) {
   };
   passage.id = std::to_string(line);
   try {
-    const CaseItem item = files::read_case(passage.text, texts_.name());
+    const CaseItem item = files::read_case(memory.reader, passage.text, texts_.name());
     std::string().swap(passage.text.text);
     passage.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    answer(passage, item.value(), monitor);
+    answer(passage, item.value(), monitor, memory.workspace);
   } catch (const Interrupted&) {
     if (!failed_) throw;  // else the run ends by what failed
   } catch (const InputError& error) {
@@ -136,10 +145,10 @@ void Stream::answer(Passage& passage) {
 }
 
 // To count exactly the cases with inner points would take a hull each: after the first they are counted by what is seen without one.
-void Stream::answer(Passage& passage, const Case& single, Monitor& monitor) const {
+void Stream::answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const {
   passage.perhaps_inner = may_have_inner_points(single, work_.one_body);
   if (passage.perhaps_inner && !hull_told_) passage.hull_note = hull_note(single, work_.one_body);
-  passage.reply = work_.answer(single, monitor);
+  passage.reply = work_.answer(single, monitor, workspace);
 }
 
 void Stream::deliver(Passage& passage) try {

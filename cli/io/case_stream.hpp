@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/io/exit_code.hpp"
+#include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/monitor.hpp"
 
@@ -19,8 +20,8 @@ struct CaseReply {
 
 /// What a command does with the cases of a stream.
 struct StreamWork {
-  /// Answers one case. Called for several at once, on other threads. May throw anything.
-  std::function<CaseReply(const Case&, Monitor&)> answer;
+  /// Answers one case. Called for several at once, on other threads, each with a workspace of its own. May throw anything.
+  std::function<CaseReply(const Case&, Monitor&, Workspace&)> answer;
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
   /// Printed before all results, unless empty.

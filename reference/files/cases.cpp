@@ -26,9 +26,19 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
 
 }  // namespace
 
-CaseItem read_case(const UnreadCase& text, const std::string& name) {
-  if (text.error) return {text.line, std::to_string(text.line), *text.error};
-  return parse_case(text.text, name, text.line);
+CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::string& name) {
+  const std::size_t line = text.line;
+  if (text.error) return {line, std::to_string(line), *text.error};
+  const kernels::DefaultFloatEnvironment environment;
+  std::optional<CaseFields> quick = reader.fields(text.text);
+  CaseFields fields = quick ? *std::move(quick) : read_case_fields(text.text);
+  Case result{fields.id.value_or(std::to_string(line)), {}, {}};
+  std::string fault = std::move(fields.fault);
+  if (fault.empty()) fault = place(fields.a, fields.rounded, "a", result.a);
+  if (fault.empty()) fault = place(fields.b, fields.rounded, "b", result.b);
+  std::string id = result.id;
+  if (fault.empty()) return {line, std::move(id), std::move(result)};
+  return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
 }
 
 }  // namespace fathom::files
@@ -36,16 +46,8 @@ CaseItem read_case(const UnreadCase& text, const std::string& name) {
 namespace fathom {
 
 CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line) {
-  const kernels::DefaultFloatEnvironment environment;
-  std::optional<files::CaseFields> quick = files::quick_case_fields(text);
-  files::CaseFields fields = quick ? *std::move(quick) : files::read_case_fields(text);
-  Case result{fields.id.value_or(std::to_string(line)), {}, {}};
-  std::string fault = std::move(fields.fault);
-  if (fault.empty()) fault = files::place(fields.a, fields.rounded, "a", result.a);
-  if (fault.empty()) fault = files::place(fields.b, fields.rounded, "b", result.b);
-  std::string id = result.id;
-  if (fault.empty()) return {line, std::move(id), std::move(result)};
-  return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
+  files::QuickCaseReader reader;
+  return files::read_case(reader, {line, std::string(text)}, name);
 }
 
 class CaseStream::Reader {
@@ -54,12 +56,13 @@ class CaseStream::Reader {
 
   std::optional<CaseItem> next() {
     const std::optional<files::UnreadCase> text = texts_.next();
-    return text ? std::optional(files::read_case(*text, texts_.name())) : std::nullopt;
+    return text ? std::optional(files::read_case(reader_, *text, texts_.name())) : std::nullopt;
   }
   [[nodiscard]] std::size_t case_line() const { return texts_.case_line(); }
 
  private:
   files::UnreadCases texts_;
+  files::QuickCaseReader reader_;
 };
 
 CaseStream::CaseStream(std::istream& input, std::string name, CaseLayout layout)

@@ -248,33 +248,32 @@ bool read_case(Value value, CaseFields& result) {
   return for_each_field(value, read) && has_a && has_b;
 }
 
-/// What the parser needs, to be used again.
-struct Scratch {
-  ondemand::parser parser;
-  std::string padded;
-};
-
-std::optional<CaseFields> read(std::string_view text, Scratch& scratch) {
-  scratch.padded.reserve(text.size() + simdjson::SIMDJSON_PADDING);
-  scratch.padded = text;
-  ondemand::document document;
-  CaseFields fields;
-  const simdjson::padded_string_view padded(scratch.padded.data(), text.size(), text.size() + simdjson::SIMDJSON_PADDING);
-  if (scratch.parser.iterate(padded).get(document) || !read_case(document.get_value(), fields)) return std::nullopt;
-  if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) return std::nullopt;  // more follows
-  return fields;
-}
-
 }  // namespace
 
-std::optional<CaseFields> quick_case_fields(std::string_view text) {
-  constexpr std::size_t kept = std::size_t{1} << 20;  // longer texts shall not hold memory once they are read
-  if (text.size() > kept) {
-    Scratch scratch;
-    return read(text, scratch);
+struct QuickCaseReader::Scratch {
+  ondemand::parser parser;
+  std::string padded;
+
+  std::optional<CaseFields> fields(std::string_view text) {
+    padded.reserve(text.size() + simdjson::SIMDJSON_PADDING);
+    padded = text;
+    ondemand::document document;
+    CaseFields fields;
+    const simdjson::padded_string_view view(padded.data(), text.size(), text.size() + simdjson::SIMDJSON_PADDING);
+    if (parser.iterate(view).get(document) || !read_case(document.get_value(), fields)) return std::nullopt;
+    if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) return std::nullopt;  // more follows
+    return fields;
   }
-  thread_local Scratch scratch;
-  return read(text, scratch);
+};
+
+QuickCaseReader::QuickCaseReader() : scratch_(std::make_unique<Scratch>()) {}
+QuickCaseReader::QuickCaseReader(QuickCaseReader&&) noexcept = default;
+QuickCaseReader& QuickCaseReader::operator=(QuickCaseReader&&) noexcept = default;
+QuickCaseReader::~QuickCaseReader() = default;
+
+std::optional<CaseFields> QuickCaseReader::fields(std::string_view text) {
+  constexpr std::size_t kept = std::size_t{1} << 20;  // longer texts shall not hold memory once they are read
+  return text.size() > kept ? Scratch().fields(text) : scratch_->fields(text);
 }
 
 }  // namespace fathom::files

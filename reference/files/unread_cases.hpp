@@ -10,6 +10,7 @@
 #include <string>
 
 #include "fathom/files.hpp"
+#include "reference/files/quick_case_fields.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::files {
@@ -21,8 +22,8 @@ struct UnreadCase {
   std::optional<InputError> error = {};
 };
 
-/// Reads the case. Throws nothing on bad input; may throw std::bad_alloc.
-CaseItem read_case(const UnreadCase& text, const std::string& name);
+/// Reads the case, as parse_case does. Throws nothing on bad input; may throw std::bad_alloc.
+CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::string& name);
 
 /// As CaseStream, which reads each text as it comes.
 class UnreadCases {

@@ -41,7 +41,7 @@ void compare(Comparison& comparison, const std::vector<Optimum>& x, const std::v
   for (std::size_t i = 0; i < x.size() && !comparison.differs(); ++i) {
     const std::string place = fmt::format("optima[{}].", i);
     comparison.same(place + "direction", x[i].direction, y[i].direction);
-    comparison.same(place + "translation", x[i].translation, y[i].translation);
+    comparison.same(place + "translation", x[i].translation(), y[i].translation());
     comparison.same(place + "contact", x[i].contact, y[i].contact);
   }
 }

@@ -40,6 +40,7 @@ void expect_named(const std::function<Depth()>& make, const std::vector<Change>&
 }
 
 Penetration& in(Depth& depth) { return std::get<Penetration>(depth.outcome); }
+Witness& with_another_witness(Depth& depth) { return in(depth).meeting.emplace<Witness>(in(depth).witness()); }
 
 TEST(Disagreement, NamesTheFieldOfPenetration) {
   ASSERT_EQ(penetrating().optima().size(), 4u);
@@ -49,15 +50,15 @@ TEST(Disagreement, NamesTheFieldOfPenetration) {
                               }},
                              {"flat_a", [](Depth& d) { d.flat_a = true; }},
                              {"flat_b", [](Depth& d) { d.flat_b = true; }},
-                             {"squared", [](Depth& d) { in(d).squared += mpq_class(1, 1000); }},
+                             {"squared", [](Depth& d) { in(d).optima[0].support += mpq_class(1, 1000); }},
                              {"number of optima", [](Depth& d) { in(d).optima.pop_back(); }},
                              {"optima[3].direction", [](Depth& d) { in(d).optima[3].direction.z += 1; }},
-                             {"optima[2].translation", [](Depth& d) { in(d).optima[2].translation.x += 1; }},
+                             {"optima[2].translation", [](Depth& d) { in(d).optima[2].support += 1; }},
                              {"optima[1].contact", [](Depth& d) { in(d).optima[1].contact.kind = ContactKind::edge_edge; }},
                              {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.a.pop_back(); }},
                              {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.b.front() += 9; }},
-                             {"witness", [](Depth& d) { in(d).witness.a.y += 1; }},
-                             {"witness", [](Depth& d) { in(d).witness.b.z += 1; }}});
+                             {"witness", [](Depth& d) { with_another_witness(d).a.y += 1; }},
+                             {"witness", [](Depth& d) { with_another_witness(d).b.z += 1; }}});
 }
 
 TEST(Disagreement, NamesTheFieldOfTouchingAndDisjointBodies) {
