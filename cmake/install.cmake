@@ -23,7 +23,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/fathomConfig.cmake ${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake cmake/fathomNumbers.cmake
   DESTINATION ${package_dir})
 
-foreach(program fathom fathom-check fathom-golden-mpi)
+foreach(program fathom fathom-check fathom-mpi)
   if(TARGET ${program})
     install(TARGETS ${program})
     add_dependencies(installed ${program})

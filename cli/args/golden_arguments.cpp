@@ -35,7 +35,7 @@ CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
 }
 
 std::string check_level(const std::string& text) {
-  return golden::find_level(text) ? "" : fmt::format("expected L0, L1 or L2, found {}", kernels::shown(text));
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2 or L3, found {}", kernels::shown(text));
 }
 
 /// "i/n".
@@ -59,7 +59,8 @@ void add_jobs(CLI::App& app, GoldenRequest& request) {
 void add_generate_options(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>(
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
-         "L0, L1 or L2: hundreds, about ten thousand, over a hundred thousand\nrecords; each holds the shards of those below it")
+         "L0, L1, L2 or L3: hundreds of records, about ten thousand, over a hundred\nthousand, about ten million; each holds the shards of "
+         "those below it")
       ->check(check_level)
       ->type_name("LEVEL")
       ->required();

@@ -122,7 +122,7 @@ class Verifier {
   }
 
   bool check_pages() {
-    for (const auto& [name, expected] : fixed_pages()) {
+    for (const auto& [name, expected] : fixed_pages(dataset_.level)) {
       const std::optional<std::string> text = text_of(name);
       if (text && *text != expected) refuse(name, "the page is not the one that goes with this version of the data");
     }
@@ -158,6 +158,15 @@ class Verifier {
 
   bool check_shards() {
     const std::size_t all = records_in(dataset_);
+    if (options_->elsewhere) {
+      options_->elsewhere(shards_, [&](std::size_t, ShardResult result) {
+        result_.records += result.records;
+        if (options_->report) options_->report(result_.records, all);
+        if (result.refusal) result_.refusals.push_back(*std::move(result.refusal));
+        return accepted();
+      });
+      return accepted();
+    }
     const ShardOptions options{options_->methods, options_->monitor, [&] {
                                  ++result_.records;
                                  if (options_->report) options_->report(result_.records, all);
@@ -180,11 +189,37 @@ class Verifier {
 
 }  // namespace
 
-Verified verify(const fs::path& folder, const VerifyOptions& options) {
+namespace {
+
+/// Runs `work` in an arena of as many threads as the options say, and returns its result.
+template <class Work>
+auto on_threads(const VerifyOptions& options, Work work) {
   const unsigned threads = options.jobs > 0 ? options.jobs : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
-  return arena.execute([&] { return Verifier(folder, options).run(); });
+  return arena.execute(work);
+}
+
+}  // namespace
+
+Verified verify(const fs::path& folder, const VerifyOptions& options) {
+  return on_threads(options, [&] { return Verifier(folder, options).run(); });
+}
+
+ShardVerifier::ShardVerifier(fs::path folder, VerifyOptions options) : folder_(std::move(folder)), options_(std::move(options)) {
+  std::optional<Dataset> dataset = parse_dataset(read_small_file(folder_ / dataset_name));
+  if (!dataset) throw FileError((folder_ / dataset_name).string() + ": this is not the page of a release");
+  dataset_ = *std::move(dataset);
+  shards_ = plan(dataset_.level, dataset_.seed);
+}
+
+ShardResult ShardVerifier::verify(std::size_t shard) const {
+  return on_threads(options_, [&] {
+    ShardResult result;
+    const ShardOptions options{options_.methods, options_.monitor, [&] { ++result.records; }};
+    result.refusal = refusal_of_shard(folder_, shards_.at(shard), dataset_.shards.at(shard), options);
+    return result;
+  });
 }
 
 void state_agreement(const fs::path& folder, const Verified& verified, const std::vector<Method>& methods) {

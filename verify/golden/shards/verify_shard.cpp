@@ -80,12 +80,13 @@ class Verification {
   Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, const ShardOptions& options)
       : manifest_(&manifest),
         options_(&options),
-        order_(shard.recipes),
+        planned_(shard.recipes()),
+        order_(planned_),
         records_(folder, manifest.files[0]),
         certificates_(folder, manifest.files[1]),
         csv_(folder, manifest.files[2]),
         include_(folder, manifest.files[3]) {
-    for (const Recipe& recipe : shard.recipes) recipes_.emplace(id_of(recipe), &recipe);
+    for (const Recipe& recipe : planned_) recipes_.emplace(id_of(recipe), &recipe);
   }
 
   std::optional<Refusal> run() {
@@ -174,6 +175,7 @@ class Verification {
   const Manifest* manifest_;
   const ShardOptions* options_;
   std::map<std::string, const Recipe*> recipes_;  // by the ids of their first records
+  const std::vector<Recipe> planned_;
   RecordOrder order_;
   Stream records_, certificates_, csv_, include_;
   std::optional<Refusal> refusal_;  // of the last stage
