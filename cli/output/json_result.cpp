@@ -57,6 +57,7 @@ std::string json_result(const Answer& answer, const Request& request) {
   result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
   result["witness"] = depth.witness() ? witness_object(*depth.witness()) : Json();
   result["optima"] = optima_array(depth);
+  if (request.optima) result["optima_count"] = depth.optima_count();
   if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);

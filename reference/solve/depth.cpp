@@ -4,6 +4,7 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/solve/deciding_points.hpp"
 #include "reference/solve/methods.hpp"
@@ -12,6 +13,7 @@ namespace fathom {
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
   const kernels::DefaultFloatEnvironment environment;
+  depth::require_listed(options.optima);
   kernels::Context context(options.monitor);
   if (const std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(a, b))
     return solve::depth_by_method(context, *slim, options);
