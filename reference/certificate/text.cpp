@@ -161,7 +161,7 @@ void write_claim(Writer& out, const Certificate& certificate) {
     case ClaimKind::touching: out.word("touching").end(); break;
     case ClaimKind::disjoint: out.word("disjoint").end(); break;
   }
-  const bool complete = certificate.claim == ClaimKind::depth;
+  const bool complete = certificate.claim == ClaimKind::depth && certificate.complete;
   out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
   for (const Vector& n : certificate.directions) out.words(n).end();
 }

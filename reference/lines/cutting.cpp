@@ -16,7 +16,7 @@ constexpr std::uint64_t worth_a_frame = 1024;
 constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 400, offer_cost = 256;
 
 // Smaller margins are near the end of binary64's digits. Where they are larger, it is cheaper to cut blocks than to compute long numbers.
-constexpr double small_margin = 0x1p-40;
+constexpr double small_margin = 0x1p-43;
 
 // The offset test may leave this many pairs for each line of a block.
 constexpr std::size_t left_for_each = 4;
@@ -152,8 +152,7 @@ Blocks::Blocks(const Grid& grid, std::uint64_t allowance)
       trees_{CellTree(grid.rows()), CellTree(grid.columns())},
       frames_{{trees_[0], clearing_.rows()}, {trees_[1], clearing_.columns()}} {
   const std::uint64_t crossings = std::uint64_t{grid.rows()} * grid.columns();
-  vertex_account_.free = crossings / 8 + allowance;
-  frames_account_.free = 16 * frame_cost;
+  test_account_.free = crossings / 8 + allowance;
   wide_account_.free = 16 * wide_cost + wide_line_cost * (grid.rows() + grid.columns()) / 4;
 }
 
@@ -161,33 +160,38 @@ std::uint64_t Blocks::credit(const LineSearch& search) const {
   return offers_before_ ? (search.offers() - *offers_before_) * offer_cost / 8 : 0;
 }
 
-bool Blocks::exhausted(const LineSearch& search) const { return !vertex_account_.worth_trying(credit(search)); }
+bool Blocks::exhausted(const LineSearch& search) const { return !test_account_.worth_trying(credit(search)); }
 
 bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search) {
   if (exhausted(search)) return false;
   if (!offers_before_) offers_before_ = search.offers();
   Counters& counters = search.counters();
   ++counters.block_tests;
-  spend(vertex_account_, vertex_cost, search);
+  spend(test_account_, vertex_cost, search);
   if (clearing_.vertex_clears(block(side, cell, opposite), search.nearest(), search.bound())) {
     ++counters.vertex_clears;
     return true;
   }
   const std::uint64_t pairs = tree(side).size(cell) * tree(other(side)).size(opposite);
-  const bool now_and_then = counters.block_tests % 16 == 0;
-  if (pairs < worth_a_frame || !(now_and_then || frames_account_.worth_trying(credit(search)))) return false;
+  if (pairs < worth_a_frame || !frames_promise(search)) return false;
   const auto [row, column] = rows_and_columns(side, cell, opposite);
   if (!frames_clear(row, column, search)) return false;
-  frames_account_.saved += pairs;
-  vertex_account_.saved += pairs;
+  ++frames_held_;
+  test_account_.saved += pairs;
   return true;
+}
+
+// Where one in 16 clears they are tried on all blocks, or where pairs cost so much that they may as well be; else on one in 16.
+bool Blocks::frames_promise(const LineSearch& search) const {
+  return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 || frame_cost * frames_tried_ <= credit(search);
 }
 
 // In binary64; then, if precision or the lines' own noise may be what is wrong, in wide floats.
 bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   Counters& counters = search.counters();
   ++counters.frame_tests;
-  spend(frames_account_, frame_cost, search);
+  ++frames_tried_;
+  spend(test_account_, frame_cost, search);
   const double bound = search.bound().above;
   if (kernels::frames_beyond(frames_.rows.sketch(row), frames_.columns.sketch(column), bound) &&
       kernels::frames_beyond(frames_.rows.whole(row), frames_.columns.whole(column), bound)) {

@@ -53,6 +53,7 @@ class Blocks {
     Wide(const Grid& grid, const std::array<CellTree, 2>& trees);
   };
 
+  [[nodiscard]] bool frames_promise(const LineSearch& search) const;
   bool frames_clear(CellNode row, CellNode column, LineSearch& search);
   bool nearly_tied(CellNode row, CellNode column, double bound);
   bool wide_clears(CellNode row, CellNode column, LineSearch& search);
@@ -72,7 +73,8 @@ class Blocks {
   std::array<CellTree, 2> trees_;
   Framed<kernels::LineImages> frames_;
   std::unique_ptr<Wide> wide_;
-  Account vertex_account_, frames_account_, wide_account_;
+  Account test_account_, wide_account_;
+  std::uint64_t frames_tried_ = 0, frames_held_ = 0;
   std::optional<std::uint64_t> offers_before_;  // those of the search when it first came here
 };
 
