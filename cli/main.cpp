@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line `fathom`: parses the arguments, runs the command, and turns errors into one sentence and an exit code.
+// The command line of `fathom`, and of `fathom-depth`: parses the arguments, runs the command, and turns errors into one sentence and an
+// exit code.
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <string_view>
 
 #include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/exec_program.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
@@ -16,29 +19,35 @@ namespace {
 
 using namespace fathom::cli;
 
+/// Commands with a command line of their own.
+bool parses_itself(std::string_view command) { return command == "check" || command == "golden"; }
+
 ExitCode failed(const std::string& sentence, ExitCode code) {
   talk(sentence);
   return code;
 }
 
-ExitCode run_command(const Request& request) {
-  switch (request.command) {
-    case Command::depth: return run_depth(request);
-    case Command::width: return run_width(request);
-    case Command::approx: return run_approx(request);
-    case Command::ray: return run_ray(request);
-    case Command::metric: return run_metric(request);
-    case Command::study: return run_study(request);
-    case Command::cases: return run_cases(request);
-    case Command::certify: return run_certify(request);
-  }
-  return internal_error;
+constexpr const char* mpi_program = "fathom-mpi";
+
+/// Whether an MPI launcher started several processes, which share this command.
+bool is_shared_by_many(int argc, char** argv) {
+  const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
+  if (size == nullptr || std::atoi(size) < 2 || argc < 2) return false;
+  const std::string_view command = argv[1];
+  return command == "golden" || command == "certify" || command == "depth";
+}
+
+ExitCode become_mpi(int argc, char** argv) {
+  become(mpi_program, {argv + 1, argv + argc});
+  return failed(std::string(mpi_program) +
+                    " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)",
+                bad_input);
 }
 
 ExitCode run(int argc, char** argv) {
   try {
-    if (argc > 1 && std::string_view(argv[1]) == "check") return run_check({argv + 2, argv + argc});
-    if (argc > 1 && std::string_view(argv[1]) == "golden") return run_golden({argv + 2, argv + argc});
+    if (is_shared_by_many(argc, argv)) return become_mpi(argc, argv);
+    if (argc > 1 && parses_itself(argv[1])) return run_command(argv[1], {argv + 2, argv + argc});
     const Arguments arguments = parse_arguments(argc, argv);
     if (!arguments.request) {
       if (arguments.code != fine) return failed(arguments.text, arguments.code);

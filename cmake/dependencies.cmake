@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every library that fathom is built from. The headers of CGAL and nlohmann-json are used inside .cpp files only.
+# Every library that fathom is built from. The headers of CGAL, nlohmann-json and simdjson are used inside .cpp files only.
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
@@ -8,12 +8,16 @@ find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(simdjson REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(TBB REQUIRED)
-find_package(zstd REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-
+find_package(TBB REQUIRED)
 find_package(mimalloc QUIET)
+if(FATHOM_ONLY_DEPTH)
+  return()
+endif()
+
+find_package(zstd REQUIRED)
 
 # Optional: several processes that share the work of `fathom golden generate`.
 find_package(MPI QUIET COMPONENTS CXX)
@@ -21,5 +25,5 @@ if(MPI_CXX_FOUND)
   find_package(Boost QUIET COMPONENTS mpi serialization)
 endif()
 if(NOT TARGET Boost::mpi)
-  message(STATUS "fathom-golden-mpi is left out: it needs Open MPI and Boost.MPI (Debian: libopenmpi-dev, openmpi-bin, libboost-mpi-dev)")
+  message(STATUS "fathom-mpi is left out: it needs Open MPI and Boost.MPI (Debian: libopenmpi-dev, openmpi-bin, libboost-mpi-dev)")
 endif()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # After `cmake --install`, a foreign project says find_package(fathom), links fathom::fathom and includes <fathom/fathom.hpp>, or one of the
 # headers beside it. Tests of other implementations need fathom::judge alone, checkers of certificates fathom::check alone.
-# It needs GMP, MPFR and fmt, which the static libraries link; CGAL and nlohmann-json were used in their making only. Who includes
+# It needs GMP, MPFR, fmt and simdjson, which the static libraries link; CGAL and nlohmann-json were used in their making only. Who includes
 # <fathom/cgal.hpp> links CGAL::CGAL too.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -23,7 +23,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/fathomConfig.cmake ${PROJECT_BINARY_DIR}/fathomConfigVersion.cmake cmake/fathomNumbers.cmake
   DESTINATION ${package_dir})
 
-foreach(program fathom fathom-check fathom-golden-mpi)
+foreach(program fathom fathom-check fathom-mpi)
   if(TARGET ${program})
     install(TARGETS ${program})
     add_dependencies(installed ${program})

@@ -25,7 +25,8 @@ inputs() {
   (cd "$root" && find "${from[@]}" -type f -printf '%p %s %T@\n' 2>/dev/null) | LC_ALL=C sort
 }
 
-up_to_date() { [[ -x $out/fathom && -f $stamp && $(inputs) == "$(<"$stamp")" ]]; }
+# up_to_date PROGRAM. The stamp is that of the whole program if that is there, else that of fathom-depth.
+up_to_date() { [[ -x $out/$1 && -f $stamp && $(inputs) == "$(<"$stamp")" ]]; }
 
 # How many characters fit into a line of the terminal without making it scroll.
 line_width() {
@@ -34,15 +35,33 @@ line_width() {
   echo $((${columns:-0} > 1 ? columns - 1 : 79))
 }
 
+start_log() {
+  : >"$log"
+  [[ -t 2 ]] || say "the log is $log"
+}
+
+# Shows the latest line in place. Ninja's begin with [done/all]: there the share that is done and the time left, at the pace so far, precede.
+show_lines() {
+  local line width start=$SECONDS finished all left
+  width=$(line_width)
+  while IFS= read -r line; do
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      finished=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+      left=$(((SECONDS - start) * (all - finished) / (finished ? finished : 1)))
+      if ((left < 100)); then left+=" s"; else left="$((left / 60 + 1)) min"; fi
+      line="$((100 * finished / all)) %, $left left $line"
+    fi
+    printf '\r\033[K%s' "${line:0:width}" >&2
+  done
+}
+
 # Runs a command with its output in the log; on a terminal the latest line is shown while it works.
 logged() {
-  local width
   if [[ ! -t 2 ]]; then
     "$@" </dev/null >>"$log" 2>&1
     return
   fi
-  width=$(line_width)
-  "$@" </dev/null 2>&1 | tee -a "$log" | while IFS= read -r line; do printf '\r\033[K%s' "${line:0:width}" >&2; done
+  "$@" </dev/null 2>&1 | tee -a "$log" | show_lines
   local status=${PIPESTATUS[0]}
   printf '\r\033[K' >&2
   return "$status"
@@ -127,9 +146,10 @@ jobs() {
 }
 
 # build TESTS TARGETS [CMAKE ARGUMENTS...]: configures and builds the preset. TESTS: ON, or KEEP what an earlier call chose.
-# TARGETS: words; without `all` and `fathom` the program may stay behind its sources.
+# TARGETS: words; without `all`, `fathom` and `fathom-depth` the programs may stay behind their sources. `fathom-depth` alone is configured
+# without the rest, whose packages may be missing.
 build() {
-  local tests=$1 targets before cache=$out/CMakeCache.txt
+  local tests=$1 targets before only_depth=OFF what cache=$out/CMakeCache.txt
   read -ra targets <<<"$2"
   shift 2
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
@@ -139,14 +159,24 @@ build() {
     tests=OFF
     if grep -qsxF 'FATHOM_TESTS:BOOL=ON' "$cache"; then tests=ON; fi
   fi
-  if [[ -x $out/fathom ]]; then say "building what changed ($preset)"; else say "building ($preset); this takes some minutes"; fi
+  if [[ -x $out/fathom || ${targets[*]} == fathom-depth && -x $out/fathom-depth ]]; then
+    what='building what changed'
+  elif [[ ${targets[*]} == fathom-depth ]]; then
+    what='building what depth needs, which takes some minutes; the other commands are built when one is asked for'
+  elif [[ -x $out/fathom-depth ]]; then
+    what='building the other commands, which takes some minutes'
+  else
+    what='building, which takes some minutes'
+  fi
+  say "$what ($preset)"
+  if [[ ${targets[*]} == fathom-depth ]]; then only_depth=ON; fi
   [[ -n ${CCACHE_DIR-} || -w ${HOME-} ]] || export CCACHE_DISABLE=1 # ccache fails where it can store nothing
   before=$(inputs)
   freshen "$before"
   before=$(inputs)
   rm -f "$stamp"
   cd "$root" || die 3 "cannot enter $root"
-  logged_or_die "configuring" cmake --preset "$preset" "-DFATHOM_TESTS=$tests" "$@"
+  logged_or_die "configuring" cmake --preset "$preset" "-DFATHOM_TESTS=$tests" "-DFATHOM_ONLY_DEPTH=$only_depth" "$@"
   logged_or_die "building" cmake --build "$out" --target "${targets[@]}" -j "$(jobs)"
-  if [[ " ${targets[*]} " == *" all "* || " ${targets[*]} " == *" fathom "* ]]; then printf '%s\n' "$before" >"$stamp"; fi
+  if [[ " ${targets[*]} " =~ ' '(all|fathom|fathom-depth)' ' ]]; then printf '%s\n' "$before" >"$stamp"; fi
 }

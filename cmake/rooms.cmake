@@ -30,7 +30,7 @@ function(fathom_room target folder)
   if(heavy)
     add_library(${target}_cgal OBJECT ${heavy})
     target_include_directories(${target}_cgal PRIVATE ${PROJECT_SOURCE_DIR})
-    set_target_properties(${target}_cgal PROPERTIES JOB_POOL_COMPILE cgal)
+    set_target_properties(${target}_cgal PROPERTIES JOB_POOL_COMPILE cgal UNITY_BUILD ON)  # CGAL's headers are most of it: read them once
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_cgal>)
     list(APPEND parts ${target}_cgal)
   endif()

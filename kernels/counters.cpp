@@ -38,6 +38,8 @@ Counters& operator+=(Counters& sum, const Counters& more) {
                            &Counters::grids_cut,       &Counters::cells,
                            &Counters::block_tests,     &Counters::vertex_clears,
                            &Counters::frame_tests,     &Counters::frame_clears,
+                           &Counters::wide_tests,      &Counters::wide_clears,
+                           &Counters::offset_blocks,   &Counters::offset_pairs,
                            &Counters::quota_checks,    &Counters::quota_refinements,
                            &Counters::few_cells,       &Counters::rays,
                            &Counters::facets_visited}) {

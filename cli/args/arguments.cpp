@@ -15,6 +15,7 @@
 #include "cli/args/examples_first.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/shell_words.hpp"
+#include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
@@ -45,6 +46,8 @@ std::optional<std::uint64_t> seed_of(const std::string& value) {
   return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
 }
 
+std::string check_threads(const std::string& value) { return threads_of(value) ? "" : expected_threads(value); }
+
 std::string check_seed(const std::string& value) {
   if (seed_of(value)) return "";
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
@@ -67,8 +70,18 @@ void add_inputs(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
 }
 
-void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+/// The inputs of a command that answers two meshes, or a stream.
+void add_questions(CLI::App& app, Request& request, Texts& texts) {
   add_inputs(app, request, texts);
+  app.add_option_function<std::string>(
+         "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
+         "cases of a stream that are answered at once; as many as there are\ncores unless given. The output is the same with any number")
+      ->check(check_threads)
+      ->type_name("N");
+}
+
+void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
@@ -92,7 +105,7 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->check(check_seed)
       ->type_name("N");
   app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
-  add_inputs(app, request, texts);
+  add_questions(app, request, texts);
   app.add_option("--certificate", request.certificate,
                  "write the proof of the answer to FILE; for a stream: a directory, one\nfile for each case")
       ->type_name("FILE");
@@ -120,7 +133,7 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   add_approx_options(approx, request);
   add_ray_options(ray, request);
   add_metric_options(metric, request);
-  for (CLI::App* command : {&approx, &ray, &metric}) add_inputs(*command, request, texts);
+  for (CLI::App* command : {&approx, &ray, &metric}) add_questions(*command, request, texts);
   for (CLI::App* command : {&approx, &ray}) {
     command->add_option("--digits", request.digits, "add an enclosure of the length to N significant digits")
         ->check(check_digits)

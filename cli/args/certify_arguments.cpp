@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/args/second_method.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
@@ -17,7 +18,7 @@ namespace {
 constexpr unsigned most_jobs = 1024;
 
 /// Numbers on the command line are meant as typed: decimals are exact.
-std::optional<mpq_class> typed_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
+std::optional<mpq_class> exact_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
 
 template <class Count>
 std::optional<Count> typed_count(const std::string& text) {
@@ -36,11 +37,11 @@ bool is_jobs(const std::string& text) {
   return jobs && *jobs >= 1 && *jobs <= most_jobs;
 }
 bool is_time(const std::string& text) {
-  const auto time = typed_number(text);
+  const auto time = exact_number(text);
   return time && *time > 0;
 }
 bool is_tolerance(const std::string& text) {
-  const auto value = typed_number(text);
+  const auto value = exact_number(text);
   return value && *value >= 0;
 }
 bool is_count(const std::string& text) { return typed_count<std::size_t>(text).has_value(); }
@@ -55,10 +56,7 @@ std::vector<std::string> words_of(const std::string& list) {
   return words;
 }
 
-std::vector<std::string> all_variants() {
-  const auto names = harness::variant_names();
-  return {names.begin(), names.end()};
-}
+std::vector<std::string> all_variants() { return {std::begin(harness::variant_names), std::end(harness::variant_names)}; }
 
 /// Sets the variants. Returns what is wrong with the list, or "".
 std::string wrong_variants(CertifyRequest& certify) {
@@ -88,7 +86,7 @@ void add_subject(CLI::App& app, CertifyRequest& certify) {
       ->check(rule(is_jobs, fmt::format("a number from 1 to {}", most_jobs)))
       ->type_name("N");
   app.add_option_function<std::string>(
-         "--time-out", [&certify](const std::string& text) { certify.time_out = round_binary64(*typed_number(text), Rounding::ru); },
+         "--time-out", [&certify](const std::string& text) { certify.time_out = round_binary64(*exact_number(text), Rounding::ru); },
          "seconds that a case may take; 10 unless given")
       ->check(rule(is_time, "a number of seconds above 0"))
       ->type_name("S");
@@ -96,7 +94,7 @@ void add_subject(CLI::App& app, CertifyRequest& certify) {
 
 void add_tolerance(CLI::App& app, const char* name, mpq_class& value, const char* meaning) {
   app.add_option_function<std::string>(
-         name, [&value](const std::string& text) { value = *typed_number(text); }, meaning)
+         name, [&value](const std::string& text) { value = *exact_number(text); }, meaning)
       ->check(rule(is_tolerance, "a number of at least 0, such as 1e-6 or 1/1000"))
       ->type_name("Q");
 }
@@ -135,6 +133,10 @@ void add_certify_options(CLI::App& app, Request& request) {
   add_tolerance(app, "--tol-rel", certify.tolerance.relative, "a depth may be wrong by Q times itself; 1/1000 unless given,");
   add_tolerance(app, "--tol-abs", certify.tolerance.absolute, "or by Q times the longest side of the bodies; 1/1000000 unless given,");
   add_count(app, "--tol-ulps", certify.tolerance.ulps, "or by N units in the last place; 0 unless given: the largest of the three");
+  add_second_method(
+      app, certify.methods,
+      "find every truth again by exact (AGHRS's pipeline) or naive (the hull of\nall vertex differences), and compare it, and "
+      "every judgement, field by\nfield; may be repeated");
   add_reports(app, request);
 }
 

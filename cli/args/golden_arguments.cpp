@@ -10,6 +10,7 @@
 
 #include "cli/args/examples_first.hpp"
 #include "cli/args/golden_help.hpp"
+#include "cli/args/second_method.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -34,7 +35,7 @@ CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
 }
 
 std::string check_level(const std::string& text) {
-  return golden::find_level(text) ? "" : fmt::format("expected L0, L1 or L2, found {}", kernels::shown(text));
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2 or L3, found {}", kernels::shown(text));
 }
 
 /// "i/n".
@@ -58,7 +59,8 @@ void add_jobs(CLI::App& app, GoldenRequest& request) {
 void add_generate_options(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>(
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
-         "L0, L1 or L2: hundreds, about ten thousand, over a hundred thousand\nrecords; each holds the shards of those below it")
+         "L0, L1, L2 or L3: hundreds of records, about ten thousand, over a hundred\nthousand, about ten million; each holds the shards of "
+         "those below it")
       ->check(check_level)
       ->type_name("LEVEL")
       ->required();
@@ -79,6 +81,15 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
          "make every n-th shard only, from the i-th on, and leave it to a last run\nwithout --shard to complete the release")
       ->check(check_part)
       ->type_name("I/N");
+  add_jobs(app, request);
+}
+
+void add_verify_options(CLI::App& app, GoldenRequest& request) {
+  app.add_option_function<std::string>("folder", [&request](const std::string& path) { request.folder = path; });
+  add_second_method(app, request.methods,
+                    "compute every record again by exact (AGHRS's pipeline) or naive (the hull\nof all vertex differences) too, and "
+                    "compare every field; may be repeated");
+  app.add_flag("--state", request.state, "once all agree, write agreement.json into the folder, which says so");
   add_jobs(app, request);
 }
 
@@ -107,8 +118,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
                                    "fathom golden generate --level LEVEL --out DIR [OPTIONS]");
   CLI::App& verify = add_command(app, "verify", "Prove a release, or refuse it.", verify_examples, "fathom golden verify DIR [OPTIONS]");
   add_generate_options(generate, request);
-  verify.add_option_function<std::string>("folder", [&](const std::string& path) { request.folder = path; });
-  add_jobs(verify, request);
+  add_verify_options(verify, request);
 
   const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
   if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
@@ -123,6 +133,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   }
   if (!asked()) return refusal("golden expects a task: generate, verify");
   if (request.folder.empty()) return refusal(generate.parsed() ? "--out expects a folder" : "verify expects a folder", asked()->get_name());
+  if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
   request.what = generate.parsed() ? GoldenRequest::What::generate : GoldenRequest::What::verify;
   return {request, "", fine};
 }

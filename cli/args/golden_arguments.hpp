@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/io/exit_code.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {
@@ -21,6 +22,8 @@ struct GoldenRequest {
   unsigned jobs = 0;                ///< 0: as many as there are cores
   bool is_part = false;             ///< generate: only every `parts`-th shard
   std::size_t part = 1, parts = 1;  ///< 1 <= part <= parts
+  std::vector<Method> methods;      ///< verify: compute every record again by these too
+  bool state = false;               ///< verify: write the page that says so
 };
 
 /// Like Arguments of the other commands.

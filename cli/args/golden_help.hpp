@@ -27,6 +27,9 @@ inline constexpr std::string_view generate_examples =
 inline constexpr std::string_view verify_examples =
     "Examples\n"
     "  fathom golden verify data                sums, schemas, counts, every certificate, every value\n"
+    "  fathom golden verify --method exact data the same, and every value computed again by AGHRS's pipeline\n"
+    "  fathom golden verify --method exact --method naive --state data\n"
+    "                                           by two methods; agreement.json in data then says so\n"
     "  zstd -dc data/*.cert.zst | fathom check -\n"
     "                                           the certificates alone, by the independent checker\n";
 

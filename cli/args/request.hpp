@@ -28,11 +28,12 @@ struct Request {
   bool csv = false;  ///< study: rows of counts
   bool all = false;  ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
-  std::string certificate;         ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
-  bool embed_certificate = false;  ///< as a field of each JSON result
-  std::optional<mpq_class> delta;  ///< approx, width: the answer may be wrong by a factor of 1 + delta
-  std::optional<Point> direction;  ///< ray
-  std::string ball;                ///< metric: a mesh
+  std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
+  std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  bool embed_certificate = false;   ///< as a field of each JSON result
+  std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
+  std::optional<Point> direction;   ///< ray
+  std::string ball;                 ///< metric: a mesh
   CasesRequest cases;
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves

@@ -29,10 +29,10 @@ void warn_of_many_rays(const Request& request) {
 Replies approximate_replies(const Request& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.reply = [&request](const Case& single, Progress& progress) {
-    const ApproxDepth depth = solve(single, request, progress);
-    if (request.json) return approx_json(single.id, depth, request);
-    return is_stream(request) ? approx_line(single.id, depth, request) : approx_block(depth, request);
+  replies.reply = [&request](const Case& single, Monitor& monitor, Workspace&) -> CaseReply {
+    const ApproxDepth depth = solve(single, request, monitor);
+    if (request.json) return {approx_json(single.id, depth, request)};
+    return {is_stream(request) ? approx_line(single.id, depth, request) : approx_block(depth, request)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };

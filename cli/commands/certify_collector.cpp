@@ -18,7 +18,8 @@ constexpr std::size_t most_told = 5;  // sentences of one kind
 
 Collector::Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected)
     : request_(request), expected_(expected) {
-  const std::string header = harness::header_line(info, request.certify.tolerance, {FATHOM_VERSION, request.certify.command_line, ""});
+  const std::string header = harness::header_line(info, request.certify.tolerance,
+                                                  {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods});
   const auto remember = [this](harness::Outcome outcome) {
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
     known_.insert_or_assign(std::move(key), std::move(outcome));

@@ -77,4 +77,14 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
   }
 }
 
+void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress) {
+  progress.report(fmt::format("shrinking {}", found.pair.id), -1);
+  const harness::KeptDifference kept =
+      harness::keep_difference(folder, found.pair, found.what(), harness::solver_by(Method::automatic), found.second, interrupt_requested);
+  progress.clear();
+  if (interrupt_requested()) throw Interrupted();
+  talk(
+      fmt::format("{} and {} differ: {} points are left; {}", name(Method::automatic), found.second.name, points_of(kept.pair), kept.path));
+}
+
 }  // namespace fathom::cli

@@ -3,12 +3,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/args/request.hpp"
 #include "cli/io/exit_code.hpp"
 
 namespace fathom::cli {
+
+/// Runs the command of the request, or the one of this name, `check` or `golden`, with the words behind it. The two programs differ here:
+/// every_command.cpp belongs to fathom, depth_alone.cpp to fathom-depth.
+ExitCode run_command(const Request& request);
+ExitCode run_command(std::string_view name, const std::vector<std::string>& words);
 
 /// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
 ExitCode run_depth(const Request& request);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
+#include "cli/commands/command_certify.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/commands/adapters.hpp"
 #include "cli/commands/certify_cases.hpp"
@@ -23,6 +26,7 @@
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/replay.hpp"
 #include "verify/harness/runner.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -42,13 +46,14 @@ ExitCode list_adapters() {
 /// One run, from the hello to the exit code.
 class Certify {
  public:
-  explicit Certify(const Request& request) : request_(request), certify_(request.certify) {
+  Certify(const Request& request, const ExaminersElsewhere& elsewhere)
+      : request_(request), certify_(request.certify), elsewhere_(elsewhere) {
     probe_reports(certify_);
     if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
     earlier_ = earlier_list(certify_);
     cases_.emplace(request.inputs[0], [this](const std::string& fault) { tell("bad cases", fault); });
     if (!certify_.replay.empty()) replay_ = Replay::read(certify_.replay);
-    else command_.shell = certify_.adapter.empty() ? certify_.subject : adapter_command(certify_.adapter);
+    else command_ = subject_of(certify_);
   }
 
   ExitCode work() {
@@ -90,10 +95,7 @@ class Certify {
   }
 
   harness::Settings settings() {
-    harness::Settings settings;
-    settings.time_out = certify_.time_out;
-    settings.tolerance = certify_.tolerance;
-    settings.stop = interrupt_requested;
+    harness::Settings settings = examiner_settings(certify_);
     settings.unattributed = [this](const harness::Unattributed& thing) { take(thing); };
     return settings;
   }
@@ -109,7 +111,11 @@ class Certify {
 
   /// The examiner of one thread. The first thread uses the existing one.
   harness::Worker make_worker() {
-    if (replay_) return {[this](const Case& pair) { return replay_->examine(pair, certify_.tolerance, interrupt_requested); }, {}};
+    if (replay_) {
+      const harness::Settings set = examiner_settings(certify_);
+      return {[this, set](const Case& pair) { return replay_->examine(pair, {set.tolerance, set.second, set.stop}); }, {}};
+    }
+    if (elsewhere_.count > 0) return {[this](const Case& pair) { return elsewhere_.examine(pair, hello_text(info())); }, {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
     if (hello_text(examiner->info()) != hello_text(info()))
       throw harness::SubjectError("the subject says something else of itself each time that it is started");
@@ -120,7 +126,7 @@ class Certify {
     if (replay_)
       for (const InputError& fault : replay_->faults()) tell("bad replies", fault.what());
     harness::RunPlan plan;
-    plan.jobs = certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
+    plan.jobs = elsewhere_.count > 0 ? elsewhere_.count : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
     plan.variants = certify_.variants;
     plan.precision = info().precision;
     plan.tolerance = certify_.tolerance;
@@ -157,6 +163,10 @@ class Certify {
     } catch (const harness::NoReply& missing) {
       ++missing_;
       tell("cases without a reply", missing.what());
+    } catch (const harness::Disagreement& fault) {
+      ++faults_;
+      tell("faults", pair.id + ": " + fault_text(fault));
+      if (!disagreement_) disagreement_ = fault;
     } catch (const std::logic_error& fault) {
       ++faults_;
       tell("faults", pair.id + ": " + fault_text(fault));
@@ -180,6 +190,7 @@ class Certify {
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
     if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
+    if (!certify_.shrink.empty() && disagreement_) shrink_disagreement(certify_.shrink, *disagreement_, found_->progress());
     ExitCode code = code_of(certify_, *found_, known);
     if (cases_->bad() > 0 || (replay_ && !replay_->faults().empty())) code = std::max(code, bad_input);
     if (faults_ > 0) code = std::max(code, internal_error);
@@ -222,6 +233,8 @@ class Certify {
 
   const Request& request_;
   const CertifyRequest& certify_;
+  const ExaminersElsewhere& elsewhere_;
+  std::optional<harness::Disagreement> disagreement_;  // the first
   harness::SubjectCommand command_;
   std::optional<ExpectedFailures> expected_;
   ExpectedFailures earlier_;  // the list that a new one replaces
@@ -237,13 +250,26 @@ class Certify {
 
 }  // namespace
 
-ExitCode run_certify(const Request& request) {
-  if (request.certify.list_adapters) return list_adapters();
+harness::SubjectCommand subject_of(const CertifyRequest& certify) {
+  return {certify.adapter.empty() ? certify.subject : adapter_command(certify.adapter)};
+}
+
+harness::Settings examiner_settings(const CertifyRequest& certify) {
+  harness::Settings settings;
+  settings.time_out = certify.time_out;
+  settings.tolerance = certify.tolerance;
+  for (const Method method : certify.methods) settings.second.push_back(harness::solver_by(method));
+  settings.stop = interrupt_requested;
+  return settings;
+}
+
+ExitCode certify(const Request& request, const ExaminersElsewhere& elsewhere) {
   std::ios::sync_with_stdio(false);
   constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
   const Working working(patience);
-  Certify certify(request);
-  return certify.work();
+  return Certify(request, elsewhere).work();
 }
+
+ExitCode run_certify(const Request& request) { return request.certify.list_adapters ? list_adapters() : certify(request, {}); }
 
 }  // namespace fathom::cli

@@ -1,50 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom golden generate | verify
+#include "cli/commands/command_golden.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "cli/args/golden_arguments.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/exec_program.hpp"
 #include "cli/io/golden_progress.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/generate.hpp"
-#include "verify/golden/release/verify.hpp"
 
 namespace fathom::cli {
 namespace {
 
-constexpr const char* mpi_program = "fathom-golden-mpi";
 constexpr ExitCode refused = static_cast<ExitCode>(1);
-
-/// Whether an MPI launcher started several processes.
-bool is_one_of_many() {
-  const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  return size != nullptr && std::atoi(size) > 1;
-}
-
-ExitCode become_mpi(std::vector<std::string> words) {
-  words.erase(words.begin());  // "generate"
-  become(mpi_program, std::move(words));
-  talk(std::string(mpi_program) +
-       " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)");
-  return bad_input;
-}
-
-/// The shards of the request's part: i, i + n, i + 2 n, ...
-std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GoldenRequest& request) {
-  std::vector<std::size_t> ours;
-  for (const std::size_t shard : shards)
-    if (shard % request.parts == request.part - 1) ours.push_back(shard);
-  return ours;
-}
 
 /// Makes the missing shards of the request's part. Returns their number, and that of the release.
 std::pair<std::size_t, std::size_t> make_shards(const GoldenRequest& request) {
@@ -68,25 +45,46 @@ ExitCode generate(const GoldenRequest& request) {
   return fine;
 }
 
-ExitCode verify(const GoldenRequest& request) {
+std::string verified_line(const golden::Verified& verified, const GoldenRequest& request) {
+  std::vector<std::string_view> agreed;
+  for (const Method method : request.methods) agreed.push_back(name(method));
+  return fmt::format("s VERIFIED {} version={} seed={} shards={} records={}{}{} {}", name_of(verified.level), verified.version,
+                     verified.seed, verified.shards, verified.records, agreed.empty() ? "" : " agreed=", fmt::join(agreed, ","),
+                     request.folder);
+}
+
+}  // namespace
+
+std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GoldenRequest& request) {
+  std::vector<std::size_t> ours;
+  for (const std::size_t shard : shards)
+    if (shard % request.parts == request.part - 1) ours.push_back(shard);
+  return ours;
+}
+
+ExitCode verify_golden(const GoldenRequest& request,
+                       std::function<void(const std::vector<golden::ShardPlan>&, const golden::TakeShard&)> elsewhere) {
   const Working working;
   golden::Verified verified;
   {
     GoldenProgress progress("records");
     StopOnInterrupt interrupt;
-    golden::VerifyOptions options{request.jobs, &interrupt, {}};
+    golden::VerifyOptions options{request.methods, request.jobs, &interrupt, {}, std::move(elsewhere)};
     options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
     verified = golden::verify(request.folder, options);
   }
   for (const golden::Refusal& refusal : verified.refusals)
     print(without_controls(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason)));
   if (!verified.refusals.empty()) return refused;
-  print(fmt::format("s VERIFIED {} version={} seed={} shards={} records={} {}", name_of(verified.level), verified.version, verified.seed,
-                    verified.shards, verified.records, request.folder));
+  try {
+    if (request.state) golden::state_agreement(request.folder, verified, request.methods);
+  } catch (const golden::FileError& error) {
+    talk(error.what());
+    return internal_error;
+  }
+  print(verified_line(verified, request));
   return fine;
 }
-
-}  // namespace
 
 ExitCode run_golden(const std::vector<std::string>& words) {
   const GoldenArguments arguments = parse_golden(words);
@@ -99,9 +97,8 @@ ExitCode run_golden(const std::vector<std::string>& words) {
     return arguments.code;
   }
   const bool generates = arguments.request->what == GoldenRequest::What::generate;
-  if (generates && is_one_of_many()) return become_mpi(words);
   try {
-    return generates ? generate(*arguments.request) : verify(*arguments.request);
+    return generates ? generate(*arguments.request) : verify_golden(*arguments.request);
   } catch (const golden::FolderError& error) {
     talk(error.what());
     return bad_input;

@@ -9,10 +9,10 @@ namespace fathom::cli {
 
 ExitCode run_ray(const Request& request) {
   Replies replies;
-  replies.reply = [&request](const Case& pair, Progress& progress) {
-    const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, *request.direction, &progress);
-    if (request.json) return ray_json(pair.id, depth, request);
-    return is_stream(request) ? ray_line(pair.id, depth) : ray_block(depth, request);
+  replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
+    const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, *request.direction, &monitor);
+    if (request.json) return {ray_json(pair.id, depth, request)};
+    return {is_stream(request) ? ray_line(pair.id, depth) : ray_block(depth, request)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };

@@ -27,7 +27,9 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
 
 ExitCode run_study(const Request& request) {
   Replies replies;
-  replies.reply = [&](const Case& pair, Progress& progress) { return text_of(pair.id, study_of(pair, request, progress), request); };
+  replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) {
+    return CaseReply{text_of(pair.id, study_of(pair, request, monitor), request)};
+  };
   if (request.csv) {
     replies.header = study_csv_header();
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return study_csv_error(item.id, fault); };

@@ -14,19 +14,20 @@
 namespace fathom::cli {
 namespace {
 
-Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor) {
+Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
   options.method = request.method;
   options.closest_lines = request.closest_lines;
   options.seed = request.seed;
   options.monitor = &monitor;
+  options.workspace = &workspace;
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);
   return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a.points, b.points, options);
 }
 
-Answer answer_to(const Case& single, const Request& request, Monitor& monitor) {
+Answer answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Body& b = has_one_body(request) ? single.a : single.b;
-  Answer answer{single.id, solve(single, b, request, monitor)};
+  Answer answer{single.id, solve(single, b, request, monitor, workspace)};
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(single.a.points, b.points, answer.depth, single.id, &monitor);
   return answer;
@@ -39,10 +40,12 @@ class CertificatePlaces {
     if (!path_.empty() && is_stream(request)) folder_.emplace(path_);
   }
 
-  /// Null if none is to be written.
-  std::unique_ptr<CertificateFile> open(const Case& single) {
-    if (path_.empty()) return nullptr;
-    return std::make_unique<CertificateFile>(folder_ ? folder_->file(single.id) : path_);
+  /// Returns the file of a single case; null for a stream, or if no certificate is to be written.
+  std::unique_ptr<CertificateFile> single() const { return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_); }
+  /// Writes the certificate of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the
+  /// first gets the file.
+  void write_to_folder(const std::string& id, const std::string& certificate) {
+    if (folder_) CertificateFile(folder_->file(id)).write(certificate);
   }
 
  private:
@@ -59,11 +62,15 @@ std::string text_of(const Answer& answer, const Request& request) {
 
 Replies exact_replies(const Request& request) {
   Replies replies;
-  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Progress& progress) {
-    const std::unique_ptr<CertificateFile> file = places->open(single);  // an unwritable path fails early
-    const Answer answer = answer_to(single, request, progress);
+  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor,
+                                                                                    Workspace& workspace) -> CaseReply {
+    const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
+    const Answer answer = answer_to(single, request, monitor, workspace);
+    CaseReply reply{text_of(answer, request)};
     if (file) file->write(answer.certificate);
-    return text_of(answer, request);
+    else if (!request.certificate.empty())
+      reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
+    return reply;
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };

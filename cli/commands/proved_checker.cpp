@@ -39,9 +39,9 @@ class Text {
 
  private:
   void add(const char* word) { result_ += word; }
-  void add(const mpz_class& n) { result_ += n.get_str(); }
+  void add(const fathom_check::Integer& n) { result_ += n.value().get_str(); }
   void add(std::size_t n) { result_ += std::to_string(n); }
-  void add(const fathom_check::Rational& r) { result_ += r.num.get_str() + '/' + r.den.get_str(); }
+  void add(const fathom_check::Rational& r) { result_ += r.num.value().get_str() + '/' + r.den.value().get_str(); }
 
   std::string result_;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/replies.hpp"
 
+#include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
@@ -16,11 +18,8 @@ ExitCode reply_to_stream(const Request& request, const Replies& replies) {
   work.one_body = has_one_body(request);
   work.header = replies.header;
   work.error_line = replies.error_line;
-  work.answer = [&](const Case& single, Progress& progress) {
-    const std::string reply = replies.reply(single, progress);
-    progress.answered();
-    print(reply);
-  };
+  work.answer = replies.reply;
+  work.threads = request.threads.value_or(usual_threads());
   return for_each_case(request.inputs[0], work);
 }
 
@@ -46,11 +45,13 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   const Case single = single_case(request);
   const Working working;
   Progress progress;
-  const std::string reply = replies.reply(single, progress);
+  Workspace workspace;
+  const CaseReply reply = replies.reply(single, progress, workspace);
+  if (reply.keep) reply.keep();
   progress.answered();
   tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);
-  print(reply);
+  print(reply.text);
   return fine;
 }
 

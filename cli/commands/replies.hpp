@@ -8,7 +8,6 @@
 #include "cli/args/request.hpp"
 #include "cli/io/case_stream.hpp"
 #include "cli/io/exit_code.hpp"
-#include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {
@@ -18,8 +17,9 @@ bool is_stream(const Request& request);
 
 /// How a command replies to cases.
 struct Replies {
-  /// Returns the reply to a case, without the last newline: several lines for a single case, one line in a stream. May throw anything.
-  std::function<std::string(const Case&, Progress&)> reply;
+  /// Returns the reply to a case: several lines for a single case, one line in a stream. For a stream it is called by several threads at
+  /// once. May throw anything.
+  std::function<CaseReply(const Case&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
   /// Printed before all replies, unless empty.

@@ -2,104 +2,210 @@
 #include "cli/io/case_stream.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <iostream>
+#include <atomic>
+#include <memory>
 #include <new>
+#include <optional>
 #include <string>
 
+#include "cli/io/case_input.hpp"
+#include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
+#include "reference/files/unread_cases.hpp"
 
 namespace fathom::cli {
 namespace {
 
+// A longer text is answered before more is read: so many at once would take much memory, and two threads share the work on large bodies.
+constexpr std::size_t long_text = std::size_t{1} << 20;
+
+/// A case on its way.
+struct Passage {
+  std::size_t number = 0;  ///< of cases before it
+  files::UnreadCase text;
+  std::optional<Working> working;
+  bool answered = false;
+
+  std::string id;
+  CaseReply reply;
+  std::optional<InputError> fault;  ///< in place of the reply
+  ExitCode code = fine;
+  std::optional<std::string> hull_note;  ///< if none was said when it was answered
+  bool perhaps_inner = false;
+};
+
 class Stream {
  public:
-  Stream(const std::string& input, const StreamWork& work) : name_(input == "-" ? "<stdin>" : input), work_(work) {}
+  Stream(const std::string& input, const StreamWork& work)
+      : work_(work), input_(input, [this] { return failed_ || interrupt_requested(); }), texts_(input_.texts()) {}
 
-  /// Reads a case and answers it. Returns false at the end.
-  bool take_next(CaseStream& items) {
-    std::optional<CaseItem> item;
-    try {
-      item = items.next();
-    } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
-      ++cases_;
-      const std::size_t line = items.case_line();
-      report({line, std::to_string(line), InputError(name_, line, fault_text(error))}, internal_error);
-      return true;
-    }
-    if (item) take(*item);
-    return item.has_value();
+  /// Null at the end.
+  std::shared_ptr<Passage> next();
+  void answer(Passage& passage);
+  void deliver(Passage& passage);
+  ExitCode finish();
+
+ private:
+  /// Shows the progress of the case that is to be delivered next: of one at a time, and the others wait for it.
+  class CaseMonitor;
+
+  void answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const;
+  void tell_of_hull(const Passage& passage);
+  void report(const Passage& bad);
+
+  /// What each thread uses for one case after another.
+  struct Memory {
+    files::QuickCaseReader reader;
+    Workspace workspace;
+  };
+
+  const StreamWork& work_;
+  tbb::enumerable_thread_specific<Memory> memory_;
+  std::atomic<bool> failed_ = false, hull_told_ = false;
+  CaseInput input_;
+  files::UnreadCases texts_;
+  Progress progress_;
+  std::size_t read_ = 0, failures_ = 0, perhaps_inner_ = 0;
+  std::atomic<std::size_t> delivered_ = 0;
+  ExitCode code_ = fine;
+};
+
+class Stream::CaseMonitor : public StopOnInterrupt {
+ public:
+  CaseMonitor(Stream& stream, const Passage& passage) : stream_(stream), number_(passage.number), line_(passage.text.line) {}
+
+  void report(std::string_view stage, double share) override {
+    if (has_the_bar()) stream_.progress_.report(stage, share);
   }
-
-  ExitCode finish() {
-    progress_.clear();
-    if (failed_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failed_, cases_));
-    if (perhaps_inner_ > 0) talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
-    return code_;
+  [[nodiscard]] bool stopped() override {
+    has_the_bar();
+    return stream_.failed_ || StopOnInterrupt::stopped();
+  }
+  bool has_the_bar() {
+    if (has_it_ || stream_.delivered_ != number_) return has_it_;
+    stream_.progress_.about(fmt::format("line {}", line_));
+    stream_.progress_.report("", -1);
+    return has_it_ = true;
   }
 
  private:
-  void take(const CaseItem& item) {
-    const Working working;
-    ++cases_;
-    progress_.about(fmt::format("line {}", item.line));
-    progress_.report("", -1);
-    if (!item.ok()) return report(item, bad_input);
-    try {
-      tell_of_hull(item);
-      work_.answer(item.value(), progress_);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const OutputError&) {
-      throw;
-    } catch (const InputError& error) {
-      report({item.line, item.id, error}, bad_input);
-    } catch (const std::exception& error) {
-      report({item.line, item.id, InputError(name_, item.line, fault_text(error))}, internal_error);
-    }
-  }
-
-  // To count such cases exactly would take a hull each: after the first they are counted by what is seen without one.
-  void tell_of_hull(const CaseItem& item) {
-    if (hull_told_) {
-      if (may_have_inner_points(item.value(), work_.one_body)) ++perhaps_inner_;
-      return;
-    }
-    const std::optional<std::string> note = hull_note(item.value(), work_.one_body);
-    if (!note) return;
-    hull_told_ = true;
-    progress_.clear();
-    talk(fmt::format("{}:{}: {}; later cases are counted", name_, item.line, *note));
-  }
-
-  void report(const CaseItem& bad, ExitCode code) {
-    const std::string sentence = bad.error().what();
-    ++failed_;
-    code_ = std::max(code_, code);
-    progress_.clear();
-    work_.error_line ? print(work_.error_line(bad, sentence)) : talk(sentence);
-  }
-
-  std::string name_;  // of the input, for messages
-  const StreamWork& work_;
-  Progress progress_;
-  std::size_t cases_ = 0, failed_ = 0, perhaps_inner_ = 0;
-  bool hull_told_ = false;
-  ExitCode code_ = fine;
+  Stream& stream_;
+  std::size_t number_, line_;
+  bool has_it_ = false;
 };
+
+std::shared_ptr<Passage> Stream::next() {
+  auto passage = std::make_shared<Passage>();
+  try {
+    std::optional<files::UnreadCase> text = texts_.next();
+    if (interrupt_requested()) throw Interrupted();
+    if (failed_ || !text) return nullptr;
+    passage->text = std::move(*text);
+  } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+    const std::size_t line = texts_.case_line();
+    passage->text = {line, "", InputError(texts_.name(), line, fault_text(error))};
+    passage->code = internal_error;
+  }
+  passage->number = read_++;
+  passage->working.emplace();
+  if (passage->text.text.size() >= long_text) answer(*passage);
+  return passage;
+}
+
+void Stream::answer(Passage& passage) {
+  if (std::exchange(passage.answered, true)) return;
+  const std::size_t line = passage.text.line;
+  Memory& memory = memory_.local();
+  CaseMonitor monitor(*this, passage);
+  monitor.has_the_bar();
+  const auto lose = [&](InputError why, ExitCode code) {
+    passage.fault = std::move(why);
+    passage.code = std::max(passage.code, code);
+  };
+  passage.id = std::to_string(line);
+  try {
+    const CaseItem item = files::read_case(memory.reader, passage.text, texts_.name());
+    std::string().swap(passage.text.text);
+    passage.id = item.id;
+    if (!item.ok()) return lose(item.error(), bad_input);
+    answer(passage, item.value(), monitor, memory.workspace);
+  } catch (const Interrupted&) {
+    if (!failed_) throw;  // else the run ends by what failed
+  } catch (const InputError& error) {
+    lose(error, bad_input);
+  } catch (const std::exception& error) {
+    lose({texts_.name(), line, fault_text(error)}, internal_error);
+  }
+}
+
+// To count exactly the cases with inner points would take a hull each: after the first they are counted by what is seen without one.
+void Stream::answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const {
+  passage.perhaps_inner = may_have_inner_points(single, work_.one_body);
+  if (passage.perhaps_inner && !hull_told_) passage.hull_note = hull_note(single, work_.one_body);
+  passage.reply = work_.answer(single, monitor, workspace);
+}
+
+void Stream::deliver(Passage& passage) try {
+  tell_of_hull(passage);
+  if (!passage.fault && passage.reply.keep) {
+    try {
+      passage.reply.keep();
+    } catch (const InputError& error) {
+      passage.fault = error;
+      passage.code = bad_input;
+    }
+  }
+  if (passage.fault) {
+    report(passage);
+  } else {
+    progress_.answered();
+    print(passage.reply.text);
+  }
+  ++delivered_;
+  passage.working.reset();
+  if (interrupt_requested()) throw Interrupted();
+} catch (...) {
+  failed_ = true;  // who waits for input or computes is to stop
+  throw;
+}
+
+void Stream::tell_of_hull(const Passage& passage) {
+  if (hull_told_) perhaps_inner_ += passage.perhaps_inner;
+  if (hull_told_ || !passage.hull_note) return;
+  hull_told_ = true;
+  progress_.clear();
+  talk(fmt::format("{}:{}: {}; later cases are counted", texts_.name(), passage.text.line, *passage.hull_note));
+}
+
+void Stream::report(const Passage& bad) {
+  const std::string sentence = bad.fault->what();
+  ++failures_;
+  code_ = std::max(code_, bad.code);
+  progress_.clear();
+  work_.error_line ? print(work_.error_line({bad.text.line, bad.id, *bad.fault}, sentence)) : talk(sentence);
+}
+
+ExitCode Stream::finish() {
+  progress_.clear();
+  if (failures_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failures_, read_));
+  if (perhaps_inner_ > 0) talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
+  return code_;
+}
 
 }  // namespace
 
 ExitCode for_each_case(const std::string& input, const StreamWork& work) {
-  std::ios::sync_with_stdio(false);  // whole blocks at a time; a pipe still yields each line as it comes
-  CaseStream items = CaseStream::open(input, std::cin);
-  if (!work.header.empty()) print(work.header);
   Stream stream(input, work);
-  while (stream.take_next(items))
-    if (interrupt_requested()) throw Interrupted();
+  if (!work.header.empty()) print(work.header);
+  in_order<Passage>(
+      work.threads, [&] { return stream.next(); }, [&](Passage& passage) { stream.answer(passage); },
+      [&](Passage& passage) { stream.deliver(passage); });
   return stream.finish();
 }
 

@@ -6,26 +6,37 @@
 #include <string>
 
 #include "cli/io/exit_code.hpp"
-#include "cli/io/progress.hpp"
+#include "fathom/depth.hpp"
 #include "fathom/files.hpp"
+#include "fathom/monitor.hpp"
 
 namespace fathom::cli {
 
+/// An answer to a case.
+struct CaseReply {
+  std::string text;                 ///< to be printed, without the last newline
+  std::function<void()> keep = {};  ///< if set: called first, in the order of the cases; may throw InputError and OutputError
+};
+
 /// What a command does with the cases of a stream.
 struct StreamWork {
-  /// Answers one case and prints the answer. May throw anything.
-  std::function<void(const Case&, Progress&)> answer;
+  /// Answers one case. Called for several at once, on other threads, each with a workspace of its own. May throw anything.
+  std::function<CaseReply(const Case&, Monitor&, Workspace&)> answer;
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
   /// Printed before all results, unless empty.
   std::string header;
   /// Whether B is ignored.
   bool one_body = false;
+  /// How many cases are answered at once.
+  unsigned threads = 1;
 };
 
-/// Answers each case of the stream called `input` before the next one is read. A bad case gets its error and counts in the exit code, and
-/// the stream goes on. Notes the first case with points that are not extreme on standard error, and a count of others at the end. A stream
-/// without any case is an error. Throws InputError if the stream cannot be read, OutputError, Interrupted.
+/// Answers each case of the stream called `input`, in order: whatever is printed does not depend on the number of threads, and no answer
+/// waits for a later case to be there. Of cases that have no answer yet, a fixed number is read ahead, large ones only when their turn has
+/// come. A bad case gets its error and counts in the exit code, and the stream goes on. Notes the first case with points that are not
+/// extreme on standard error, and a count of others at the end. A stream without any case is an error. Throws InputError if the stream
+/// cannot be read, OutputError, Interrupted.
 ExitCode for_each_case(const std::string& input, const StreamWork& work);
 
 }  // namespace fathom::cli

@@ -14,7 +14,7 @@
 
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -111,7 +111,7 @@ std::string certificate_file_name(const std::string& id) {
   }
   constexpr std::string_view end = ".cert";
   if (name.empty()) name = "%";
-  if (name.size() + end.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + golden::digest_of(id).sha256;
+  if (name.size() + end.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
   return name.append(end);
 }
 

@@ -2,13 +2,11 @@
 #include "cli/io/interruptible_input.hpp"
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <string>
 
-#include "cli/io/interrupt.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {
@@ -20,10 +18,10 @@ constexpr int between_looks = 100;  // milliseconds
 
 InterruptibleInput::int_type InterruptibleInput::underflow() {
   while (true) {
-    if (interrupt_requested()) throw Interrupted();
-    pollfd input{STDIN_FILENO, POLLIN, 0};
+    if (stopped_()) throw Interrupted();
+    pollfd input{descriptor_, POLLIN, 0};
     if (const int ready = ::poll(&input, 1, between_looks); ready == 0 || (ready < 0 && errno == EINTR)) continue;
-    const ssize_t got = ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
+    const ssize_t got = ::read(descriptor_, buffer_.data(), buffer_.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw InputError("<stdin>", 0, std::string("cannot be read: ") + std::strerror(errno));
     if (got == 0) return traits_type::eof();

@@ -17,7 +17,7 @@ struct OutputError : std::runtime_error {
 /// and writing fail as before.
 void hold_standard_streams();
 
-/// Writes `text` and a newline to standard output and flushes, so that a reader has each result before the next case is read.
+/// Writes `text` and a newline to standard output and flushes, so that a reader has each result as soon as it is there.
 /// Throws OutputError.
 void print(std::string_view text);
 

@@ -1,183 +1,123 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mpirun -np N fathom golden generate ...   is replaced by this program. Rank 0 gives the shards one by one to the ranks that ask, and
-// works itself; so a slow process makes fewer of them and delays the others only by its last one. All ranks must see the same folder. Each
-// shard is made by one process, as without MPI, so the bytes are the same.
+// golden generate and golden verify by shards. All ranks must see the same folder. Each shard is made, or proved, by one process as without
+// MPI, so bytes and verdicts are the same. Rank 0 alone checks the pages of a release.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <boost/mpi/collectives.hpp>
-#include <boost/mpi/communicator.hpp>
-#include <boost/mpi/environment.hpp>
-#include <chrono>
+#include <charconv>
 #include <csignal>
-#include <cstdlib>
-#include <exception>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <string>
-#include <thread>
-#include <vector>
 
-#include "cli/args/golden_arguments.hpp"
-#include "cli/io/memory.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/command_golden.hpp"
 #include "cli/io/output.hpp"
-#include "kernels/float_environment.hpp"
+#include "cli/mpi/verbs.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/generate.hpp"
 
+namespace fathom::cli {
 namespace {
 
-namespace mpi = boost::mpi;
-using namespace fathom;
-
-constexpr int tag_request = 1, tag_shard = 2;  // to rank 0, and back
-constexpr int no_more = -1;
-constexpr auto patience = std::chrono::milliseconds(2);  // between two looks for messages: MPI's own waiting keeps a core busy
-
-void wait_for_message(const mpi::communicator& world, int source, int tag) {
-  while (!world.iprobe(source, tag)) std::this_thread::sleep_for(patience);
+std::size_t number_in(const std::string& task) {
+  std::size_t number = 0;
+  std::from_chars(task.data(), task.data() + task.size(), number);
+  return number;
 }
 
-/// The shards that nobody has been given, and the first thing that went wrong; for several threads.
-class Stock {
- public:
-  explicit Stock(std::vector<std::size_t> shards) : shards_(std::move(shards)) {}
-  int take() {
-    const std::lock_guard lock(mutex_);
-    return failure_.empty() && given_ < shards_.size() ? static_cast<int>(shards_[given_++]) : no_more;
-  }
-  void fail(const std::string& reason) {
-    const std::lock_guard lock(mutex_);
-    if (failure_.empty()) failure_ = reason;
-  }
-  std::string failure() {
-    const std::lock_guard lock(mutex_);
-    return failure_;
-  }
-  [[nodiscard]] std::size_t size() const { return shards_.size(); }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::size_t> shards_;
-  std::size_t given_ = 0;
-  std::string failure_;
-};
-
-void make(const golden::Generation& generation, int shard) {
-  const std::size_t number = static_cast<std::size_t>(shard);
-  generation.make({&number, 1});
+golden::GenerateOptions options_of(const GoldenRequest& request, unsigned jobs) {
+  return {request.level, request.seed, request.folder, jobs, {}, {}};
 }
 
-/// Rank 0: answers requests until every other rank has been told that there is no more, while a thread of its own works.
-void serve(const mpi::communicator& world, const std::optional<golden::Generation>& generation, Stock& stock) {
-  std::thread own([&] {
-    try {
-      for (int shard = stock.take(); shard != no_more; shard = stock.take()) make(*generation, shard);
-    } catch (const std::exception& error) {
-      stock.fail(error.what());
-    }
+Handle maker(std::shared_ptr<const golden::Generation> generation) {
+  return [generation](const std::string& task) {
+    const std::size_t number = number_in(task);
+    generation->make({&number, 1});
+    return std::string();
+  };
+}
+
+ExitCode generate(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
+  if (world.rank() > 0) {
+    follow(world, [&] { return maker(std::make_shared<golden::Generation>(options_of(request, jobs))); });
+    return fine;
+  }
+  std::shared_ptr<golden::Generation> generation;
+  Ranks ranks(world, [&](const std::string& task) { return maker(generation)(task); });
+  std::size_t made = 0;
+  ranks.serve([&] {
+    generation = std::make_shared<golden::Generation>(options_of(request, jobs));
+    const std::vector<std::size_t> wanted = in_part(generation->unfinished(), request);
+    in_order_by_ranks(
+        ranks, wanted.size(), [&](std::size_t i) { return std::to_string(wanted[i]); },
+        [&](std::size_t i) { return generation->shards()[wanted[i]].name; }, [](std::size_t, const std::string&) { return true; });
+    if (!request.is_part) generation->close();
+    made = wanted.size();
   });
-  for (int left = world.size() - 1; left > 0;) {
-    wait_for_message(world, mpi::any_source, tag_request);
-    std::string failure;  // of the shard that this rank was given before; empty: none
-    const int rank = world.recv(mpi::any_source, tag_request, failure).source();
-    if (!failure.empty()) stock.fail(fmt::format("rank {}: {}", rank, failure));
-    const int shard = stock.take();
-    world.send(rank, tag_shard, shard);
-    if (shard == no_more) --left;
-  }
-  own.join();
+  print(fmt::format("{}: {} of {} shards made by {} processes; {}", request.folder, made, generation->shards().size(), world.size(),
+                    request.is_part ? "the part is there" : "the release is complete"));
+  return fine;
 }
 
-/// Every other rank: asks, makes, asks again. What goes wrong is rank 0's to tell.
-void work(const mpi::communicator& world, const golden::GenerateOptions& options) {
-  std::string failure;
-  std::optional<golden::Generation> generation;
-  for (;;) {
-    world.send(0, tag_request, failure);
-    wait_for_message(world, 0, tag_shard);
-    int shard = no_more;
-    world.recv(0, tag_shard, shard);
-    if (shard == no_more) return;
-    try {
-      if (!generation) generation.emplace(options);
-      make(*generation, shard);
-      failure.clear();
-    } catch (const std::exception& error) {
-      failure = error.what();
-    }
-  }
+/// The records that were proved; then, if the shard is refused, place and reason.
+Handle prover(const GoldenRequest& request, unsigned jobs) {
+  golden::VerifyOptions options;
+  options.methods = request.methods;
+  options.jobs = jobs;
+  return [verifier = std::make_shared<golden::ShardVerifier>(request.folder, options)](const std::string& task) {
+    const golden::ShardResult result = verifier->verify(number_in(task));
+    std::vector<std::string> words = {std::to_string(result.records)};
+    if (result.refusal) words.insert(words.end(), {result.refusal->place, result.refusal->reason});
+    return packed(words);
+  };
 }
 
-/// Rank 0 from beginning to end; the exit code.
-int lead(const mpi::communicator& world, const golden::GenerateOptions& options, const cli::GoldenRequest& request) {
-  std::optional<golden::Generation> generation;
-  std::vector<std::size_t> wanted;
-  std::string failure;
-  int code = cli::internal_error;
-  try {
-    generation.emplace(options);
-    for (const std::size_t shard : generation->unfinished())
-      if (shard % request.parts == request.part - 1) wanted.push_back(shard);
-  } catch (const golden::FolderError& error) {
-    failure = error.what();
-    code = cli::bad_input;
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  Stock stock(wanted);
-  if (!failure.empty()) stock.fail(failure);
-  serve(world, generation, stock);  // also where there is nothing to do: the others wait for an answer
-  failure = stock.failure();
-  try {
-    if (failure.empty() && !request.is_part) generation->close();
-  } catch (const std::exception& error) {
-    failure = error.what();
-  }
-  if (!failure.empty()) {
-    cli::talk(failure);
-    return code;
-  }
-  cli::print(fmt::format("{}: {} of {} shards made by {} processes; {}", request.folder, stock.size(), generation->shards().size(),
-                         world.size(), request.is_part ? "the part is there" : "the release is complete"));
-  return cli::fine;
+golden::ShardResult result_in(const std::string& answer) {
+  const std::vector<std::string> words = unpacked(answer);
+  golden::ShardResult result{number_in(words.at(0)), std::nullopt};
+  if (words.size() > 1) result.refusal = {words.at(1), words.at(2)};
+  return result;
 }
 
-/// Threads for each process, unless the user says: the cores of this machine, shared by the processes on it.
-unsigned usual_jobs() {
-  const char* const ours = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
-  const unsigned processes = ours ? static_cast<unsigned>(std::max(1, std::atoi(ours))) : 1;
-  return std::max(1U, std::thread::hardware_concurrency() / processes);
-}
-
-int run(int argc, char** argv) {
-  mpi::environment environment(argc, argv, mpi::threading::funneled);
-  const mpi::communicator world;
-  std::vector<std::string> words = {argv + std::min(argc, 1), argv + argc};
-  words.insert(words.begin(), "generate");
-  const cli::GoldenArguments arguments = cli::parse_golden(words);
-  if (!arguments.request) {
-    if (world.rank() == 0) cli::talk(arguments.text);
-    return cli::bad_input;
+ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+  if (world.rank() > 0) {
+    follow(world, [&] { return prover(request, jobs); });
+    return fine;
   }
-  const cli::GoldenRequest& request = *arguments.request;
-  std::signal(SIGXFSZ, SIG_IGN);
-  golden::GenerateOptions options{request.level, request.seed, request.folder, request.jobs ? request.jobs : usual_jobs(), {}, {}};
-  if (world.rank() == 0) return lead(world, options, request);
-  work(world, options);
-  return cli::fine;
+  Handle own;  // once the release's pages are known to be good
+  Ranks ranks(world, [&](const std::string& task) { return own(task); });
+  ExitCode code = internal_error;
+  ranks.serve([&] {
+    code = verify_golden(request, [&](const std::vector<golden::ShardPlan>& shards, const golden::TakeShard& take) {
+      own = prover(request, jobs);
+      in_order_by_ranks(
+          ranks, shards.size(), [](std::size_t i) { return std::to_string(i); }, [&](std::size_t i) { return shards[i].name; },
+          [&](std::size_t i, const std::string& answer) { return take(i, result_in(answer)); });
+    });
+  });
+  return code;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  fathom::cli::guard_memory();
-  fathom::cli::hold_standard_streams();
-  const fathom::kernels::DefaultFloatEnvironment environment;
+ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>& words) {
+  const GoldenArguments arguments = parse_golden(words);
+  if (!arguments.request) {
+    if (world.rank() == 0) arguments.code == fine ? print(arguments.text) : talk(arguments.text);
+    return arguments.code;
+  }
+  const GoldenRequest& request = *arguments.request;
+  const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
+  const bool generates = request.what == GoldenRequest::What::generate;
   try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fathom::cli::talk(error.what());
-    return fathom::cli::internal_error;
+    return generates ? generate(world, request, jobs) : verify(world, request, jobs);
+  } catch (const golden::FolderError& error) {
+    talk(error.what());
+    return bad_input;
+  } catch (const golden::FileError& error) {
+    talk(error.what());
+    return generates ? internal_error : bad_input;
   }
 }
+
+}  // namespace fathom::cli

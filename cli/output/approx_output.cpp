@@ -60,7 +60,8 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
   Json result = {{"schema", result_schema}, {"id", id}, {"status", name(depth.status())}};
-  result["depth"] = length(depth.squared(), request.digits);
+  const Json size = length(depth.squared(), request.digits);
+  result["depth"] = size;
   result["translation"] = exact(depth.translation());
   result["direction"] = exact(depth.direction());
   result["contact"] = found ? contact_object(found->contact) : Json();
@@ -71,8 +72,8 @@ std::string approx_json(const std::string& id, const ApproxDepth& depth, const R
   result["delta"] = exact_text(depth.delta);
   result["rays"] = rays(depth);
   result["bound"] = length(depth.bound_squared(), request.digits);
-  if (has_one_body(request)) result["width"] = result["depth"];
-  return one_line(result);
+  if (has_one_body(request)) result["width"] = size;
+  return result.text();
 }
 
 }  // namespace fathom::cli

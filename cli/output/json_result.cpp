@@ -9,11 +9,13 @@
 namespace fathom::cli {
 namespace {
 
-Json optima_array(const Depth& depth) {
+/// The first optimum's direction and translation are those of the depth.
+Json optima_array(const Depth& depth, const Json& direction, const Json& translation) {
   Json result = Json::array();
   for (const Optimum& optimum : depth.optima()) {
-    result.push_back({{"direction", exact(optimum.direction)},
-                      {"translation", exact(optimum.translation())},
+    const bool first = &optimum == &depth.optima().front();
+    result.push_back({{"direction", first ? direction : exact(optimum.direction)},
+                      {"translation", first ? translation : exact(optimum.translation())},
                       {"contact", contact_object(optimum.contact)}});
   }
   return result;
@@ -32,17 +34,17 @@ Json counters_object(const Counters& counters) {
   Json stages = Json::array();
   for (const StageCounts& stage : counts_by_stage(counters)) {
     if (stage.ran()) stages.push_back(stage.stage);
-    for (const Count& count : stage.counts) result[std::string(count.name)] = count.value;
+    for (const Count& count : stage.counts) result[count.name] = count.value;
   }
-  result["stages"] = std::move(stages);
-  Json& predicates = result["predicates"] = Json::object();
+  result["stages"] = stages;
+  Json predicates = Json::object();
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
     Json decided = Json::object();
     for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
-    predicates[std::string(predicate_names[i])] = {
-        {"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", std::move(decided)}};
+    predicates[predicate_names[i]] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
   }
+  result["predicates"] = predicates;
   return result;
 }
 
@@ -51,19 +53,22 @@ Json counters_object(const Counters& counters) {
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
   Json result = {{"schema", result_schema}, {"id", answer.id}, {"status", name(depth.status())}};
-  result["depth"] = length(depth.squared(), request.digits);
-  result["translation"] = exact(depth.translation());
-  result["direction"] = exact(depth.direction());
+  const Json size = length(depth.squared(), request.digits);
+  result["depth"] = size;
+  const Json translation = exact(depth.translation()), direction = exact(depth.direction());
+  result["translation"] = translation;
+  result["direction"] = direction;
   result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
-  result["witness"] = depth.witness() ? witness_object(*depth.witness()) : Json();
-  result["optima"] = optima_array(depth);
+  const std::optional<Witness> witness = depth.witness();
+  result["witness"] = witness ? witness_object(*witness) : Json();
+  result["optima"] = optima_array(depth, direction, translation);
   if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);
   if (request.counters) result["counters"] = counters_object(depth.counters);
   if (request.embed_certificate) result["certificate"] = answer.certificate;
-  if (request.command == Command::width) result["width"] = result["depth"];
-  return one_line(result);
+  if (request.command == Command::width) result["width"] = size;
+  return result.text();
 }
 
 std::string json_error(const std::string& id, std::size_t line, std::string_view error) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/roundings.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -14,34 +15,36 @@ Json nearest_binary64(double value, int sign) {
   return value;
 }
 
-template <class Round>
-Json in_every_direction(Round round) {
-  return {{"rn", hex_text(round(Rounding::rn))}, {"rd", hex_text(round(Rounding::rd))}, {"ru", hex_text(round(Rounding::ru))}};
+template <class Float>
+Json in_every_direction(const kernels::EveryMode<Float>& rounded) {
+  return {{"rn", Json::plain(hex_text(rounded.rn))}, {"rd", Json::plain(hex_text(rounded.rd))}, {"ru", Json::plain(hex_text(rounded.ru))}};
+}
+
+/// The fields of a number that is printed exactly as `key`.
+Json rounded_number(std::string_view key, const mpq_class& exactly, const kernels::Roundings& rounded) {
+  return {{key, Json::plain(exact_text(exactly))},
+          {"value", nearest_binary64(rounded.binary64.rn, sgn(exactly))},
+          {"rounded", {{"f64", in_every_direction(rounded.binary64)}, {"f32", in_every_direction(rounded.binary32)}}}};
 }
 
 }  // namespace
 
-Json exact(const Point& p) { return Json::array({exact_text(p.x), exact_text(p.y), exact_text(p.z)}); }
+Json exact(const Point& p) {
+  return Json::array({Json::plain(exact_text(p.x)), Json::plain(exact_text(p.y)), Json::plain(exact_text(p.z))});
+}
 
-Json exact(const Vector& v) { return Json::array({v.x.get_str(), v.y.get_str(), v.z.get_str()}); }
+Json exact(const Vector& v) { return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())}); }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
-  Json result = {{"squared", exact_text(squared)}, {"value", nearest_binary64(root_binary64(squared, Rounding::rn), sgn(squared))}};
-  result["rounded"] = {{"f64", in_every_direction([&](Rounding mode) { return root_binary64(squared, mode); })},
-                       {"f32", in_every_direction([&](Rounding mode) { return root_binary32(squared, mode); })}};
+  Json result = rounded_number("squared", squared, kernels::roundings_of_root(squared));
   if (digits) {
     const Enclosure enclosure = enclose_root(squared, *digits);
-    result["enclosure"] = {enclosure.low, enclosure.high};
+    result["enclosure"] = Json::array({enclosure.low, enclosure.high});
   }
   return result;
 }
 
-Json number(const mpq_class& value) {
-  Json result = {{"exact", exact_text(value)}, {"value", nearest_binary64(round_binary64(value, Rounding::rn), sgn(value))}};
-  result["rounded"] = {{"f64", in_every_direction([&](Rounding mode) { return round_binary64(value, mode); })},
-                       {"f32", in_every_direction([&](Rounding mode) { return round_binary32(value, mode); })}};
-  return result;
-}
+Json number(const mpq_class& value) { return rounded_number("exact", value, kernels::roundings(value)); }
 
 Json contact_object(const Contact& contact) { return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}}; }
 
@@ -54,12 +57,8 @@ Json flat_array(const BodyFacts& facts) {
   return result;
 }
 
-std::string valid_utf8(const std::string& text) { return Json::parse(one_line(text)).get<std::string>(); }
-
-std::string one_line(const Json& object) { return object.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error) {
-  return one_line({{"schema", schema}, {"id", id}, {"line", line}, {"error", error}});
+  return Json{{"schema", schema}, {"id", id}, {"line", line}, {"error", error}}.text();
 }
 
 }  // namespace fathom::cli

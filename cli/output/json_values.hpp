@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces of JSON results. Only .cpp files that write results include it, and with it the JSON library.
+// The pieces of JSON results.
 #pragma once
 
 #include <gmpxx.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "cli/output/json.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// Exact numbers as strings.
 Json exact(const Point& p);
@@ -29,11 +27,6 @@ Json contact_object(const Contact& contact);
 Json witness_object(const Witness& witness);
 Json flat_array(const BodyFacts& facts);
 
-/// Returns the text with U+FFFD for what is not UTF-8.
-std::string valid_utf8(const std::string& text);
-
-/// Ids and file names may hold any bytes; what is not UTF-8 is replaced, never an error.
-std::string one_line(const Json& object);
 /// Returns the line for a case of a stream that has no result.
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error);
 

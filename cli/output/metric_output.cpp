@@ -91,7 +91,7 @@ std::string metric_json(const std::string& id, const MetricResult& result, const
   object["optima"] = optima_array(result);
   object["flat"] = flat_array(result);
   object["rays"] = result.penetration() ? result.penetration()->rays : 0;
-  return one_line(object);
+  return object.text();
 }
 
 std::string metric_json_error(const std::string& id, std::size_t line, const std::string& error) {

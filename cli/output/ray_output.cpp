@@ -55,7 +55,7 @@ std::string ray_json(const std::string& id, const DirectionalDepth& depth, const
   result["witness"] = exit ? witness_object(exit->witness) : Json();
   result["flat"] = flat_array(depth);
   result["steps"] = exit ? exit->steps : 0;
-  return one_line(result);
+  return result.text();
 }
 
 std::string ray_json_error(const std::string& id, std::size_t line, const std::string& error) {

@@ -49,6 +49,9 @@ struct Counters {
   std::uint64_t block_tests = 0;                            ///< blocks (cell x run, or cell x line) put to the vertex test
   std::uint64_t vertex_clears = 0;                          ///< of these, cleared by it
   std::uint64_t frame_tests = 0, frame_clears = 0;          ///< blocks put to the frame test, and cleared by it
+  std::uint64_t wide_tests = 0, wide_clears = 0;            ///< of those not cleared: put to it in wide floats, and cleared by that
+  std::uint64_t offset_blocks = 0;                          ///< of those still not cleared: done by the offset test
+  std::uint64_t offset_pairs = 0;                           ///< pairs of these that it left to be looked at
   std::uint64_t quota_checks = 0;                           ///< conflict lists that were counted
   std::uint64_t quota_refinements = 0;                      ///< of these, over the quota: the cell was refined
   std::uint64_t few_cells = 0;                              ///< of these, over the quota, but the cell too small to be refined

@@ -30,6 +30,11 @@ Triple minus(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1
 double size_of(const Triple& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
 double quotient(const mpq_class& q) {
+  const mpz_srcptr num = q.get_num_mpz_t(), den = q.get_den_mpz_t();
+  if (mpz_size(num) <= 1 && mpz_size(den) == 1) {
+    const double size = static_cast<double>(mpz_getlimbn(num, 0)) / static_cast<double>(mpz_getlimbn(den, 0));
+    return sgn(q) < 0 ? -size : size;
+  }
   const double above = q.get_num().get_d(), below = q.get_den().get_d();
   return std::isfinite(above) && std::isfinite(below) ? above / below : q.get_d();
 }
@@ -49,8 +54,8 @@ bool scale(std::vector<Image>& points, int axis, mpq_class Point::*coordinate) {
   }
   if (!std::isfinite(size)) return false;
   if (size < least_size) return std::ranges::all_of(points, [&](const Image& p) { return p.exact->*coordinate == 0; });
-  const int exponent = std::ilogb(size) + 1;
-  for (Image& p : points) p.at[axis] = std::ldexp(p.at[axis], -exponent);
+  const double unit = std::ldexp(1, -std::ilogb(size) - 1);  // to multiply by it rounds as ldexp does
+  for (Image& p : points) p.at[axis] *= unit;
   return true;
 }
 

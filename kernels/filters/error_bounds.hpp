@@ -5,39 +5,58 @@
 
 namespace fathom::kernels::error_bound {
 
-inline constexpr double unit = 0x1p-52;  ///< of one operation, relative to its result
+inline constexpr double unit = 0x1p-52;  ///< of one operation in binary64, relative to its result
+/// The same for any floating-point numbers. Bounds that are multiples of it hold for each kind of numbers.
+template <class Number>
+inline constexpr double unit_of = Number::unit;
+template <>
+inline constexpr double unit_of<double> = unit;
 
 // Absolute.
 
-inline constexpr double product = 0x1p-48;                ///< of <n,d>
-inline constexpr double determinant = 0x1p-46;            ///< of <a x b, c>
-inline constexpr double order_on_vertical = 0x1p-44;      ///< of <d2,n><d1,v> - <d1,n><d2,v>, in either form
-inline constexpr double rise = 0x1p-47;                   ///< of <u, q - p>, for points within 2^-52
-inline constexpr double turn = 0x1p-44;                   ///< of a width times a rise, less another such product
-inline constexpr double height_over_line = 96 * unit;     ///< of <p - q, d x e>
-inline constexpr double squared_length = 112 * unit;      ///< of |d x e|^2
+inline constexpr double product = 0x1p-48;            ///< of <n,d>
+inline constexpr double determinant = 0x1p-46;        ///< of <a x b, c>
+inline constexpr double order_on_vertical = 0x1p-44;  ///< of <d2,n><d1,v> - <d1,n><d2,v>, in either form
+inline constexpr double rise = 0x1p-47;               ///< of <u, q - p>, for points within 2^-52
+inline constexpr double turn = 0x1p-44;               ///< of a width times a rise, less another such product
+template <class Number>
+inline constexpr double height_over_line_of = 96 * unit_of<Number>;  ///< of <p - q, d x e>
+template <class Number>
+inline constexpr double squared_length_of = 112 * unit_of<Number>;  ///< of |d x e|^2
+inline constexpr double height_over_line = height_over_line_of<double>, squared_length = squared_length_of<double>;
 inline constexpr double difference_of_heights = 0x1p-46;  ///< of <u,p> - <u,q>, for exact u and images of rational points
 
 // Factors that make up for the roundings of a few operations.
 
-inline constexpr double raised_bound = 1 + 16 * unit;       ///< of a squared distance that a computed one must exceed
-inline constexpr double lowered_bound = 1 - 16 * unit;      ///< of a squared distance that a computed one must stay below
-inline constexpr double raised_quotient = 1 + 8 * unit;     ///< of a quotient of numbers truncated to 53 bits: an upper bound
-inline constexpr double below_raised = 1 - 0x1p-47;         ///< of that upper bound: a lower bound
-inline constexpr double raised_root = 1 + 0x1p-40;          ///< of the root of a quotient, and of a product with it
-inline constexpr double raised_frame_length = 1 + 0x1p-43;  ///< of a root, where lengths are measured in a nearly orthonormal frame
-inline constexpr double orthonormal = 16 * unit;            ///< absolute: of the computed products of that frame's directions
+inline constexpr double raised_bound = 1 + 16 * unit;    ///< of a squared distance that a computed one must exceed
+inline constexpr double lowered_bound = 1 - 16 * unit;   ///< of a squared distance that a computed one must stay below
+inline constexpr double raised_quotient = 1 + 8 * unit;  ///< of a quotient of numbers truncated to 53 bits: an upper bound
+inline constexpr double below_raised = 1 - 0x1p-47;      ///< of that upper bound: a lower bound
+inline constexpr double raised_root = 1 + 0x1p-40;       ///< of the root of a quotient, and of a product with it
+template <class Number>
+inline constexpr double frame_length =
+    512 * unit_of<Number>;  ///< more than 1: of a root, where lengths are measured in a nearly orthonormal frame
+template <class Number>
+inline constexpr double orthonormal = 16 * unit_of<Number>;  ///< absolute: of the computed products of that frame's directions
 
 // Of Taylor models, and of the parabolas that lines are fitted with.
 
-inline constexpr double taylor_product = 8 * unit;      ///< of a product's coefficients together, relative to the product of the norms
-inline constexpr double taylor_sum = 4 * unit;          ///< of a combination's, relative to the norms
-inline constexpr double taylor_least = 64 * unit;       ///< of a minimum over the square, relative to the norm
+template <class Number>
+inline constexpr double taylor_product =
+    8 * unit_of<Number>;  ///< of a product's coefficients together, relative to the product of the norms
+template <class Number>
+inline constexpr double taylor_sum = 4 * unit_of<Number>;  ///< of a combination's, relative to the norms
+template <class Number>
+inline constexpr double taylor_least = 64 * unit_of<Number>;  ///< of a minimum over the square, relative to the norm
+template <class Number>
+inline constexpr double parabola = 8 * unit_of<Number>;  ///< of a parabola's value, relative to the sizes of its terms
+/// Of a coordinate of a line's tuple, whose point is moved along the line by t directions.
+template <class Number>
+inline double tuple(double t) {
+  return unit_of<Number> * (16 + 32 * (t < 0 ? -t : t));
+}
 inline constexpr double raised_radius = 1 + 64 * unit;  ///< factor of a sum of fewer than 30 products, none of them negative; besides it
 inline constexpr double underflow = 0x1p-1000;          ///< what all underflow of such a sum may add up to, by far
-inline constexpr double parabola = 8 * unit;            ///< of a parabola's value, relative to the sizes of its terms
-/// Of a coordinate of a line's tuple, whose point is moved along the line by t directions.
-inline double tuple(double t) { return unit * (16 + 32 * (t < 0 ? -t : t)); }
 
 // Of (q - p) x (r - p), and of its product with a step t - s, for points p, q, r, s, t. These follow the size of the triangle: u and v are
 // the largest components of the computed edges, `size` that of the computed normal, `length` that of the computed step.

@@ -16,6 +16,8 @@ namespace fathom::kernels {
 /// of its own so that the largest component lies in [1/2, 1]; either is within 2^-53 a coordinate.
 class LineImages {
  public:
+  using Number = double;
+
   explicit LineImages(long exponent = 0) : exponent_(exponent) {}
 
   /// |coordinates of point| <= 2^exponent; direction not zero.

@@ -10,6 +10,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/roundings.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -21,9 +22,10 @@ struct Format {
 constexpr Format binary64{53, -1074, 1024};
 constexpr Format binary32{24, -149, 128};
 
-/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells whether v is not the left end.
+/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells whether v is not the left end. `bits` has at
+/// most two bits more than the precision.
 struct Cut {
-  mpz_class bits;
+  std::uint64_t bits;
   long exponent;
   bool rest;
 };
@@ -46,9 +48,11 @@ long magnitude(const mpq_class& q) { return bit_length(q.get_num()) - bit_length
 /// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of the format's least number.
 long cut_exponent(long low, const Format& format) { return std::max(low - format.precision, format.least_exponent - 1); }
 
+static_assert(sizeof(unsigned long) >= sizeof(Cut::bits), "get_ui() would lose bits");
+
 Cut cut_value(const mpq_class& q, const Format& format) {
   Cut cut{0, cut_exponent(magnitude(q) - 1, format), false};
-  cut.bits = scaled_floor(q, cut.exponent, cut.rest);
+  cut.bits = scaled_floor(q, cut.exponent, cut.rest).get_ui();
   return cut;
 }
 
@@ -57,21 +61,22 @@ Cut cut_root(const mpq_class& q, const Format& format) {
   Cut cut{0, cut_exponent((magnitude(q) - 1) >> 1, format), false};
   bool rest_of_floor = false;
   const mpz_class square = scaled_floor(q, 2 * cut.exponent, rest_of_floor);
-  mpz_class rest_of_root;
-  mpz_sqrtrem(cut.bits.get_mpz_t(), rest_of_root.get_mpz_t(), square.get_mpz_t());
+  mpz_class root, rest_of_root;
+  mpz_sqrtrem(root.get_mpz_t(), rest_of_root.get_mpz_t(), square.get_mpz_t());
+  cut.bits = root.get_ui();
   cut.rest = rest_of_floor || rest_of_root != 0;
   return cut;
 }
 
-/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives it.
-mpz_class rounded_significand(const Cut& cut, const Format& format, Rounding mode, long& exponent) {
-  const long dropped = std::max(bit_length(cut.bits) - format.precision, 1L);  // the half bit, and what lies below it
+/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives it. The cut may be one for a finer format.
+std::uint64_t rounded_significand(const Cut& cut, const Format& format, Rounding mode, long& exponent) {
+  // The half bit, and what lies below it.
+  const long dropped = std::max(static_cast<long>(std::bit_width(cut.bits)) - format.precision, format.least_exponent - cut.exponent);
   exponent = cut.exponent + dropped;
-  mpz_class significand = cut.bits >> static_cast<mp_bitcnt_t>(dropped);
-  const mp_bitcnt_t half_bit = static_cast<mp_bitcnt_t>(dropped - 1);
-  const bool half = mpz_tstbit(cut.bits.get_mpz_t(), half_bit) != 0;
-  const bool below = cut.rest || mpz_scan1(cut.bits.get_mpz_t(), 0) < half_bit;
-  const bool odd = mpz_odd_p(significand.get_mpz_t()) != 0;
+  if (dropped > std::numeric_limits<std::uint64_t>::digits) return mode == Rounding::ru && (cut.bits != 0 || cut.rest) ? 1 : 0;
+  const std::uint64_t half_bit = std::uint64_t{1} << (dropped - 1);
+  std::uint64_t significand = cut.bits / half_bit / 2;
+  const bool half = (cut.bits & half_bit) != 0, below = cut.rest || (cut.bits & (half_bit - 1)) != 0, odd = significand % 2 != 0;
   if (mode == Rounding::ru ? half || below : mode == Rounding::rn && half && (below || odd)) ++significand;
   return significand;
 }
@@ -79,11 +84,12 @@ mpz_class rounded_significand(const Cut& cut, const Format& format, Rounding mod
 /// For a cut of a positive value. The double is exact: at most 53 bits, and never finer than the format.
 double assemble(const Cut& cut, const Format& format, Rounding mode) {
   long exponent = 0;
-  const mpz_class significand = rounded_significand(cut, format, mode, exponent);
-  if (bit_length(significand) + exponent <= format.top) return std::ldexp(significand.get_d(), static_cast<int>(exponent));
+  const std::uint64_t significand = rounded_significand(cut, format, mode, exponent);
+  if (static_cast<long>(std::bit_width(significand)) + exponent <= format.top)
+    return std::ldexp(static_cast<double>(significand), static_cast<int>(exponent));
   if (mode != Rounding::rd) return std::numeric_limits<double>::infinity();
-  const mpz_class largest = (mpz_class(1) << static_cast<mp_bitcnt_t>(format.precision)) - 1;
-  return std::ldexp(largest.get_d(), static_cast<int>(format.top - format.precision));
+  const std::uint64_t largest = (std::uint64_t{1} << format.precision) - 1;
+  return std::ldexp(static_cast<double>(largest), static_cast<int>(format.top - format.precision));
 }
 
 Rounding mirrored(Rounding mode) { return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn; }
@@ -95,12 +101,43 @@ double round_value(const mpq_class& value, const Format& format, Rounding mode) 
   return assemble(cut_value(value, format), format, mode);
 }
 
-double round_root(const mpq_class& squared, const Format& format, Rounding mode) {
+void require_square(const mpq_class& squared) {
   if (sgn(squared) < 0) throw std::domain_error("the square root of a negative number was asked for");
+}
+
+double round_root(const mpq_class& squared, const Format& format, Rounding mode) {
+  require_square(squared);
   return sgn(squared) == 0 ? 0.0 : assemble(cut_root(squared, format), format, mode);
 }
 
+template <class Float>
+EveryMode<Float> every_mode(const Cut& cut, const Format& format) {
+  const auto rounded = [&](Rounding mode) { return static_cast<Float>(assemble(cut, format, mode)); };
+  return {rounded(Rounding::rn), rounded(Rounding::rd), rounded(Rounding::ru)};
+}
+
+Roundings roundings_of(const Cut& cut) { return {every_mode<double>(cut, binary64), every_mode<float>(cut, binary32)}; }
+
+template <class Float>
+EveryMode<Float> negative(const EveryMode<Float>& positive) {
+  return {-positive.rn, -positive.ru, -positive.rd};
+}
+
 }  // namespace
+
+Roundings roundings(const mpq_class& value) {
+  const DefaultFloatEnvironment environment;
+  if (sgn(value) == 0) return {};
+  if (sgn(value) > 0) return roundings_of(cut_value(value, binary64));
+  const Roundings positive = roundings_of(cut_value(mpq_class(-value), binary64));
+  return {negative(positive.binary64), negative(positive.binary32)};
+}
+
+Roundings roundings_of_root(const mpq_class& squared) {
+  const DefaultFloatEnvironment environment;
+  require_square(squared);
+  return sgn(squared) == 0 ? Roundings{} : roundings_of(cut_root(squared, binary64));
+}
 
 }  // namespace fathom::kernels
 

@@ -4,10 +4,8 @@
 namespace fathom::lines {
 
 template <gaussian::Colour c>
-EdgeLines<c>::EdgeLines(const polytope::Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent), truncated_(exponent) {
+EdgeLines<c>::EdgeLines(const polytope::Polytope& polytope, long exponent) : polytope_(&polytope), images_(exponent) {
   for (const Edge i : ids()) images_.push_back(point(i), direction(i));
-  if (exponent < kernels::TruncatedLines::worth_it) return;
-  for (const Edge i : ids()) truncated_.push_back(point(i), direction(i));
 }
 
 template <gaussian::Colour c>

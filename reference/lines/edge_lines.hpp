@@ -3,7 +3,6 @@
 #pragma once
 
 #include "kernels/filters/line_scan.hpp"
-#include "kernels/filters/truncated_lines.hpp"
 #include "kernels/nearest.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -24,13 +23,10 @@ class EdgeLines {
   [[nodiscard]] const Vector& point(Edge edge) const { return polytope_->vertices[polytope_->edges[edge.value].from]; }
   [[nodiscard]] Vector direction(Edge edge) const;
   [[nodiscard]] const kernels::LineImages& images() const { return images_; }
-  /// Empty unless the coordinates are long.
-  [[nodiscard]] const kernels::TruncatedLines& truncated() const { return truncated_; }
 
  private:
   const polytope::Polytope* polytope_;
   kernels::LineImages images_;
-  kernels::TruncatedLines truncated_;
 };
 
 using EdgeLinesOfA = EdgeLines<gaussian::Colour::a>;

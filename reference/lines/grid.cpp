@@ -78,6 +78,18 @@ kernels::LineImages Grid::column_images(const std::array<std::size_t, 3>& chosen
   return gathered(scene_->b.images(), std::array{column(chosen[0]), column(chosen[1]), column(chosen[2])});
 }
 
+kernels::WideLines Grid::wide_rows() const {
+  return {rows(), [grid = *this](std::size_t i) {
+            return kernels::wide_line(grid.row_point(i), grid.row_direction(i), grid.scene().a.images().exponent());
+          }};
+}
+
+kernels::WideLines Grid::wide_columns() const {
+  return {columns(), [grid = *this](std::size_t j) {
+            return kernels::wide_line(grid.column_point(j), grid.column_direction(j), grid.scene().b.images().exponent());
+          }};
+}
+
 kernels::Report validate(const Grid& grid) {
   kernels::Report report;
   CrossingCheck check(grid, report);

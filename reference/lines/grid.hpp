@@ -47,6 +47,10 @@ class Grid {
   [[nodiscard]] kernels::LineImages row_images(const std::array<std::size_t, 3>& chosen) const;
   [[nodiscard]] kernels::LineImages column_images(const std::array<std::size_t, 3>& chosen) const;
 
+  /// The oriented lines of both chains in wide floats. They refer to the grid's scene.
+  [[nodiscard]] kernels::WideLines wide_rows() const;
+  [[nodiscard]] kernels::WideLines wide_columns() const;
+
   /// The sign of <w, next row>, and of <w, next column>, at each crossing w: what it means that the chains are in order.
   [[nodiscard]] kernels::Sign row_sense() const;
   [[nodiscard]] kernels::Sign column_sense() const;

@@ -15,6 +15,14 @@ ChartLines<c>::ChartLines(const chart::ColourChart& chart, const EdgeLines<c>& l
   }
 }
 
+template <gaussian::Colour c>
+kernels::WideLines ChartLines<c>::wide() const {
+  return {images_.size(), [this](std::size_t i) {
+            const Arc arc(static_cast<std::uint32_t>(i));
+            return kernels::wide_line(point(arc), direction(arc), images_.exponent());
+          }};
+}
+
 template class ChartLines<gaussian::Colour::a>;
 template class ChartLines<gaussian::Colour::b>;
 

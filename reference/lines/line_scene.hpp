@@ -4,6 +4,7 @@
 // Size    linear.
 #pragma once
 
+#include "kernels/filters/wide_lines.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/lines/edge_lines.hpp"
 
@@ -21,6 +22,8 @@ class ChartLines {
   [[nodiscard]] const Vector& point(Arc i) const { return lines_->point(edge(i)); }
   [[nodiscard]] Vector direction(Arc i) const { return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i)); }
   [[nodiscard]] const kernels::LineImages& images() const { return images_; }
+  /// In wide floats. They refer to this.
+  [[nodiscard]] kernels::WideLines wide() const;
   [[nodiscard]] const EdgeLines<c>& lines() const { return *lines_; }
 
  private:

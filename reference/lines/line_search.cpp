@@ -4,9 +4,8 @@
 #include <limits>
 
 namespace fathom::lines {
-
 LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed)
-    : context_(context), scene_(scene), nearest_(nearest), random_(seed) {
+    : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed) {
   counters().seed = seed;
   tighten();
 }
@@ -44,10 +43,8 @@ void LineSearch::scan(const Clearing& clearing, kernels::LineRun rows, kernels::
 }
 
 void LineSearch::offer(chart::ChartArcOfA e, chart::ChartArcOfB f) {
-  if (truncated_bound_ && kernels::surely_farther(scene_.a.lines().truncated(), scene_.a.edge(e).value, scene_.b.lines().truncated(),
-                                                  scene_.b.edge(f).value, *truncated_bound_)) {
-    return;
-  }
+  ++offers_;
+  if (!nearest_.empty() && kernels::surely_farther(wide_a_[e.value], wide_b_[f.value], wide_bound_)) return;
   ++counters().pairs_exact;
   if (!offer_arcs(scene_, e, f, nearest_)) return;
   // A tie comes as one more direction; only a nearer plane leaves a single one.
@@ -67,8 +64,7 @@ void LineSearch::work(std::uint64_t amount) {
 void LineSearch::tighten() {
   bound_ = nearest_.empty() ? kernels::LineBound{std::numeric_limits<double>::infinity(), 0}
                             : kernels::line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
-  const kernels::TruncatedLines& a = scene_.a.lines().truncated();
-  if (!nearest_.empty() && !a.empty()) truncated_bound_ = a.bound(nearest_.numerator(), nearest_.denominator());
+  if (!nearest_.empty()) wide_bound_ = kernels::wide_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
 }
 
 }  // namespace fathom::lines

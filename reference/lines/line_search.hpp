@@ -19,13 +19,16 @@ class LineSearch {
   void scan(std::span<const chart::ChartArcOfA> of_a, std::span<const chart::ChartArcOfB> of_b);
   /// All pairs of a run of rows and a run of columns.
   void scan(const Clearing& clearing, kernels::LineRun rows, kernels::LineRun columns);
-  /// One pair, in exact arithmetic, unless the first bits of long coordinates show already that it is farther.
+  /// One pair, in exact arithmetic, unless wide floats show already that it is farther.
   void offer(chart::ChartArcOfA e, chart::ChartArcOfB f);
 
-  /// The squared distance of the nearest planes so far, in images and exact.
+  /// The squared distance of the nearest planes so far, in images, in wide floats (if there are any planes), and exact.
   [[nodiscard]] const kernels::LineBound& bound() const { return bound_; }
+  [[nodiscard]] const kernels::WideFloat& wide_bound() const { return wide_bound_; }
   [[nodiscard]] const kernels::NearestPlanes& nearest() const { return nearest_; }
   [[nodiscard]] Counters& counters() const { return context_.counters; }
+  /// How many pairs the filter in binary64 has left.
+  [[nodiscard]] std::uint64_t offers() const { return offers_; }
   /// How often the best has become nearer.
   [[nodiscard]] std::uint64_t improvements() const { return improvements_; }
   [[nodiscard]] std::mt19937_64& random() { return random_; }
@@ -40,7 +43,9 @@ class LineSearch {
   const LineScene& scene_;
   kernels::NearestPlanes& nearest_;
   kernels::LineBound bound_;
-  std::optional<mpz_class> truncated_bound_;  // where coordinates are long
+  kernels::WideFloat wide_bound_;
+  kernels::WideLines wide_a_, wide_b_;
+  std::uint64_t offers_ = 0;
   kernels::LineImages block_;
   std::vector<std::uint32_t> unsure_;
   std::mt19937_64 random_;

@@ -30,7 +30,7 @@ class Engine {
  private:
   struct Cell {
     Lines lines, conflicts;
-    kernels::LineFrame frame;
+    kernels::LineFrame<double> frame;
   };
 
   // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the quota or by `few`.
@@ -80,7 +80,7 @@ class Engine {
   }
 
   Cell cell(GridAxis side, Lines lines, Lines conflicts) {
-    const kernels::LineFrame frame = kernels::line_frame(images(side), lines);
+    const kernels::LineFrame<double> frame = kernels::line_frame(images(side), lines);
     return {std::move(lines), std::move(conflicts), frame};
   }
 
@@ -110,7 +110,7 @@ class Engine {
       return true;
     }
     ++counters.frame_tests;
-    const kernels::LineFrame opposite = kernels::line_frame(images(other(side)), {&line, 1});
+    const kernels::LineFrame<double> opposite = kernels::line_frame(images(other(side)), {&line, 1});
     const auto [row_frame, column_frame] = rows_and_columns(side, cell.frame, opposite);
     const bool clear = kernels::frames_beyond(row_frame, column_frame, search_.bound().above);
     counters.frame_clears += clear;

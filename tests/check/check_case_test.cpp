@@ -267,8 +267,8 @@ TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
 TEST(CheckResult, BoundsAreNoDepth) {
   Certificate c = certificate("", "1 0 0", "1 1 1");
   c.claim = Claim::bounds;
-  c.low = {1, 2};
-  c.high = {16, 5};
+  c.low = {Integer::one(), c.integers.keep(2L)};
+  c.high = {c.integers.keep(16L), c.integers.keep(5L)};
   EXPECT_EQ(said(R"(, "status": "penetrating")", c), "fine");
   EXPECT_EQ(said(R"(, "depth": {"squared": "16/5"}, "bound": {"squared": "2/4"})", c), "fine");
   for (const char* fields : {R"(, "depth": {"squared": "2"})", R"(, "depth": {"squared": "16/5"})", R"(, "depth": {"squared": "1/2"})",

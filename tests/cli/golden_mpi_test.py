@@ -12,7 +12,7 @@ from golden_release import ENDS, GoldenTest
 from harness import EXECUTABLE, PATIENCE, ROOT
 
 MPIRUN = shutil.which("mpirun")
-PROGRAM = pathlib.Path(EXECUTABLE).with_name("fathom-golden-mpi")
+PROGRAM = pathlib.Path(EXECUTABLE).with_name("fathom-mpi")
 
 
 def descendants(process):
@@ -143,7 +143,7 @@ class Absent(GoldenTest):
         done = subprocess.run([lonely, "golden", "generate", "--level", "L0", "--out", self.folder / "out"], capture_output=True, text=True,
                               env={**os.environ, "OMPI_COMM_WORLD_SIZE": "2", "PATH": "/nowhere"})
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("fathom-golden-mpi is not here", done.stderr)
+        self.assertIn("fathom-mpi is not here", done.stderr)
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ struct Bundle {
 constexpr Bundle bundles[] = {
     {"crossed_fans", 1},           {"crossed_parabolas", 1},      {"crossed_random_parabolas", 1}, {"crossed_twists", 1},
     {"crossed_patch", 1},          {"crossed_prisms", 0.5},       {"crossed_random_prisms", 0.5},  {"crossed_ties", 1},
-    {"crossed_shrinking_ties", 1}, {"crossed_vanishing_ties", 1}, {"crossed_fillets", 0.25}};
+    {"crossed_shrinking_ties", 1}, {"crossed_vanishing_ties", 1}, {"crossed_noisy_ties", 1},       {"crossed_fillets", 0.25}};
 
 class Bundles : public ::testing::TestWithParam<Bundle> {};
 

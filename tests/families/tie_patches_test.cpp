@@ -70,6 +70,33 @@ TEST_P(TiePatch, CoordinatesAreBinary64UpToTheSizeStated) {
       for (const mpq_class* x : {&p.x, &p.y, &p.z}) ASSERT_EQ(mpq_class(x->get_d()), *x);
 }
 
+// The noise reaches from far above the smooth ties' spread to far below it.
+TEST(NoisyTies, AreAsNearAsTheNoiseAllows) {
+  const unsigned n = 200;
+  std::size_t above = 0, below = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const Case input = find_family("crossed_noisy_ties")->make(seed, n);
+    const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
+    Spread grid;
+    for (unsigned i = 0; i < n; i += 7)
+      for (unsigned j = 0; j < n; j += 7) grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
+    EXPECT_TRUE(grid.within(ratio(1, mpz_class(1) << 28))) << input.id;
+    // Five times a rotation by 3/5, 4/5: coordinates are multiples of the noise.
+    mpz_class unit = 1;
+    for (const Point& p : input.a.points) unit = std::max(unit, p.z.get_den());
+    const auto bits = mpz_sizeinbase(unit.get_mpz_t(), 2) - 1;
+    EXPECT_GE(bits, 46U) << input.id;
+    EXPECT_LE(bits, 90U) << input.id;
+    above += bits < 56;
+    below += bits > 80;
+    const auto p = prepare(input);
+    EXPECT_EQ(p->a.vertices.size(), n + 3) << input.id << ": every point of the chain is extreme";
+    EXPECT_EQ(p->b.vertices.size(), n + 3) << input.id;
+  }
+  EXPECT_GT(above, 0U);
+  EXPECT_GT(below, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, TiePatch, ::testing::ValuesIn(tie_families), [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t seed = UINT64_MAX;  // beyond what a JSON number may hold
 
 Manifest manifest_of_plan(const ShardPlan& shard) {
-  Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.recipes.size(), 2 * shard.recipes.size(), "1.5.4", {}};
+  Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.count(), 2 * shard.count(), "1.5.4", {}};
   for (std::size_t i = 0; i < shard_suffixes.size(); ++i)
     manifest.files[i] = {shard.name + std::string(shard_suffixes[i]), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}};
   return manifest;
@@ -80,7 +80,7 @@ TEST(Dataset, OneForm) {
   expect_one_form(text, parse_again);
   ASSERT_TRUE(parse_dataset(text));
   EXPECT_EQ(parse_dataset(text)->seed, seed);
-  EXPECT_EQ(records_in(*parse_dataset(text)), 2 * shards[0].recipes.size());
+  EXPECT_EQ(records_in(*parse_dataset(text)), 2 * shards[0].count());
 }
 
 }  // namespace

@@ -12,13 +12,15 @@ namespace {
 
 TEST(Order, IdsAreThoseOfTheRecords) {
   std::size_t rounded = 0;
-  for (const ShardPlan& shard : plan(Level::L0, 1))
-    for (std::size_t i = 0; i < shard.recipes.size(); i += 7) {
+  for (const ShardPlan& shard : plan(Level::L0, 1)) {
+    const std::vector<Recipe> recipes = shard.recipes();
+    for (std::size_t i = 0; i < recipes.size(); i += 7) {
       std::vector<std::string> ids;
-      for (const Record& record : records_of(shard.recipes[i])) ids.push_back(record.id);
-      EXPECT_EQ(ids_of(shard.recipes[i]), ids);
+      for (const Record& record : records_of(recipes[i])) ids.push_back(record.id);
+      EXPECT_EQ(ids_of(recipes[i]), ids);
       rounded += ids.size() - 1;
     }
+  }
   EXPECT_GT(rounded, 20U);
 }
 

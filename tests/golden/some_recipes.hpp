@@ -13,7 +13,7 @@ inline std::vector<Recipe> some_recipes(std::size_t step) {
   std::vector<Recipe> result;
   std::size_t i = 0;
   for (const ShardPlan& shard : plan(Level::L0, 1)) {
-    for (const Recipe& recipe : shard.recipes) {
+    for (const Recipe& recipe : shard.recipes()) {
       if (i++ % step == 0) result.push_back(recipe);
     }
   }

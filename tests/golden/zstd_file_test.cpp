@@ -60,7 +60,7 @@ class ZstdFile : public testing::Test {
   }
 
   fs::path folder_;
-  Digest of_file_, of_content_;
+  digest::Digest of_file_, of_content_;
 };
 
 TEST_F(ZstdFile, LinesComeBack) {
@@ -68,8 +68,8 @@ TEST_F(ZstdFile, LinesComeBack) {
     const std::vector<std::string> expected = {"first", std::string(size, 'x'), "", "last"};
     write({expected[0] + '\n', expected[1] + '\n', "\nla", "st\n"});
     EXPECT_EQ(lines(), expected) << size;
-    EXPECT_EQ(of_file_, digest_of(bytes()));
-    EXPECT_EQ(of_content_, digest_of("first\n" + expected[1] + "\n\nlast\n"));
+    EXPECT_EQ(of_file_, digest::digest_of(bytes()));
+    EXPECT_EQ(of_content_, digest::digest_of("first\n" + expected[1] + "\n\nlast\n"));
   }
   write({});
   EXPECT_TRUE(lines().empty());

@@ -29,7 +29,7 @@ Scene chain(Random& random, bool across, int n, long noise) {
 }
 
 struct Tally {
-  int tests = 0, clear = 0;
+  int tests = 0, clear = 0, wide = 0;  // wide: cleared in wide floats only
 };
 
 void check(const Scene& a, const Scene& b, const mpq_class& bound, Tally& tally, int mode_number) {
@@ -38,7 +38,12 @@ void check(const Scene& a, const Scene& b, const mpq_class& bound, Tally& tally,
   {
     const RoundingMode mode(rounding_modes[mode_number % 4]);
     const double above = image_bound(bound.get_num(), bound.get_den(), a.exponent);
-    beyond = frames_beyond(line_frame(images(a), rows), line_frame(images(b), columns), above);
+    const bool in_binary64 = frames_beyond(line_frame(images(a), rows), line_frame(images(b), columns), above);
+    const std::optional<WideFloat> margin = frames_margin(line_frame(wide_lines(a), rows), line_frame(wide_lines(b), columns),
+                                                          wide_bound(bound.get_num(), bound.get_den(), a.exponent));
+    beyond = margin && *margin > 0;
+    tally.wide += beyond && !in_binary64;
+    beyond |= in_binary64;
   }
   ++tally.tests;
   tally.clear += beyond;
@@ -80,6 +85,19 @@ TEST(FramesBeyond, SharpOnSmoothChains) {
   }
   EXPECT_EQ(at.clear, 0);
   EXPECT_GT(below.clear, 150) << "of " << below.tests;
+}
+
+// Where the bound is nearer than binary64 can tell: wide floats clear it, up to 2^-100, and never one at the least distance.
+TEST(FramesBeyond, WideFramesTellNearerBounds) {
+  Random random(14);
+  for (const unsigned long digits : {56UL, 70UL, 90UL, 100UL}) {
+    Tally tally;
+    for (int n = 0; n < 40; ++n) {
+      const Scene a = chain(random, false, 1, 50), b = chain(random, true, 1, 50);
+      check(a, b, least(a, b) * (1 - mpq_class(1, mpz_class(1) << digits)), tally, n);
+    }
+    EXPECT_EQ(tally.wide, tally.tests) << digits;
+  }
 }
 
 TEST(FramesBeyond, SoundOnWildLines) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/roundings.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -105,6 +106,20 @@ bool same(const Neighbours<Float>& a, const Neighbours<Float>& b) {
          std::bit_cast<Bits>(a.rn) == std::bit_cast<Bits>(b.rn);
 }
 
+template <class Float>
+Neighbours<Float> in_order(const EveryMode<Float>& rounded) {
+  return {rounded.rd, rounded.ru, rounded.rn};
+}
+
+/// All roundings at once are those one by one.
+bool at_once(const mpq_class& q) {
+  const Roundings value = roundings(q), negative = roundings(mpq_class(-q)), root = roundings_of_root(q);
+  return same(in_order(value.binary64), rounded_value<double>(q)) && same(in_order(value.binary32), rounded_value<float>(q)) &&
+         same(in_order(negative.binary64), rounded_value<double>(mpq_class(-q))) &&
+         same(in_order(negative.binary32), rounded_value<float>(mpq_class(-q))) && same(in_order(root.binary64), rounded_root<double>(q)) &&
+         same(in_order(root.binary32), rounded_root<float>(q));
+}
+
 /// The four doors on one number, against the twin.
 void expect_as_naive(const mpq_class& q) {
   const auto told = [&](const char* what) { return std::string(what) + " of " + exact_text(q).substr(0, 200); };
@@ -112,6 +127,7 @@ void expect_as_naive(const mpq_class& q) {
   EXPECT_TRUE(same(rounded_value<float>(q), naive<float>(q, side_of_value))) << told("binary32");
   EXPECT_TRUE(same(rounded_root<double>(q), naive<double>(q, side_of_root))) << told("root in binary64");
   EXPECT_TRUE(same(rounded_root<float>(q), naive<float>(q, side_of_root))) << told("root in binary32");
+  EXPECT_TRUE(at_once(q)) << told("all at once");
 }
 
 /// A finite number x >= 0 and the one after it (2^top after the largest), by any bit pattern: subnormals and the border included.
@@ -152,6 +168,7 @@ mpz_class random_integer() {
 TEST(Rounding, NumbersTiesAndHairsOfBinary64) {
   EXPECT_TRUE(rc::check([] {
     for (const mpq_class& x : hard_points(random_neighbours<double>(random_word()))) {
+      RC_ASSERT(at_once(x) && at_once(square(x)));
       RC_ASSERT(same(rounded_value<double>(x), naive<double>(x, side_of_value)));
       RC_ASSERT(same(rounded_root<double>(square(x)), naive<double>(square(x), side_of_root)));
     }
@@ -161,6 +178,7 @@ TEST(Rounding, NumbersTiesAndHairsOfBinary64) {
 TEST(Rounding, NumbersTiesAndHairsOfBinary32) {
   EXPECT_TRUE(rc::check([] {
     for (const mpq_class& x : hard_points(random_neighbours<float>(random_word()))) {
+      RC_ASSERT(at_once(x) && at_once(square(x)));
       RC_ASSERT(same(rounded_value<float>(x), naive<float>(x, side_of_value)));
       RC_ASSERT(same(rounded_root<float>(square(x)), naive<float>(square(x), side_of_root)));
     }

@@ -42,7 +42,7 @@ int main(int n, char** arguments) {
 CPP
 }
 
-mkdir -p "$tree/cmake" "$tree/cli" "$work/elsewhere"
+mkdir -p "$tree/cmake" "$tree/cli" "$tree/kernels" "$work/elsewhere"
 cp "$project/fathom" "$project/check" "$tree"
 cp "$project/cmake/launcher.sh" "$tree/cmake"
 cat >"$tree/CMakePresets.json" <<'JSON'
@@ -55,8 +55,17 @@ cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES CXX)
 execute_process(COMMAND cat OUTPUT_QUIET) # eats the standard input it gets
 option(FATHOM_TESTS "" ON)
+option(FATHOM_ONLY_DEPTH "" OFF)
+add_executable(fathom-depth kernels/depth.cpp)
+if(FATHOM_ONLY_DEPTH)
+  return()
+endif()
+if(NOT EXISTS ${CMAKE_SOURCE_DIR}/packages_of_the_rest)
+  message(FATAL_ERROR "a package is missing")
+endif()
 file(GLOB sources CONFIGURE_DEPENDS cli/*.cpp)
 add_executable(fathom ${sources})
+add_dependencies(fathom fathom-depth)
 if(FATHOM_TESTS)
   enable_testing()
   add_test(NAME runs COMMAND fathom)
@@ -68,18 +77,49 @@ if(FATHOM_TESTS)
 endif()
 CMAKE
 program one >"$tree/cli/main.cpp"
-printf '# comment\n[build]\nbash\nno-such-package\n[test]\nno-such-test-package\n' >"$tree/cmake/packages.txt"
+program small >"$tree/kernels/depth.cpp"
+packages() { printf '# comment\n[depth]\nbash\n%s\n[build]\nbash\n%s\n[test]\n%s\n[subjects]\n%s\n' "$@" >"$tree/cmake/packages.txt"; }
+packages no-such-package no-such-build-package no-such-test-package bash
 
 law='without root, missing packages give one apt line and exit code 2, even where nothing can be written'
 ordinary=()
 ((EUID)) || ordinary=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/check"
-expect_talk 'apt-get install -y --no-install-recommends no-such-package no-such-test-package'
+expect_talk 'apt-get install -y --no-install-recommends no-such-package no-such-build-package no-such-test-package'
 expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom"
-expect_talk 'apt-get install -y --no-install-recommends no-such-package'
+expect_talk 'apt-get install -y --no-install-recommends no-such-package no-such-build-package'
 [[ $talk != *bash* && $talk != *test-package* ]] || broken 'more packages are named than are needed and missing'
+expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom" depth
+expect_talk 'apt-get install -y --no-install-recommends no-such-package'
+[[ $talk != *build-package* ]] || broken 'depth asks for packages that it does not need'
 [[ ! -e $tree/build ]] || broken 'something was built'
-printf '[build]\nbash\n[test]\nno-such-test-package\n' >"$tree/cmake/packages.txt"
+
+law='the first answer of depth builds, without the packages of the rest, what depth needs, says so, and says where the log is'
+packages bash no-such-build-package no-such-test-package bash
+expect 2 'small|depth|a' "$tree/fathom" depth a
+expect_talk 'building what depth needs'
+expect_talk "the log is $tree/build/launcher.log"
+[[ ! -e $tree/build/release/fathom ]] || broken 'all was built'
+expect 2 'small|depth|a' "$tree/fathom" depth a
+expect_silence
+program tiny >"$tree/kernels/depth.cpp"
+expect 1 'tiny|depth' "$tree/fathom" depth
+expect_talk 'building what changed'
+
+law='another command builds the rest, and says so; then that answers depth too'
+packages bash bash no-such-test-package bash
+touch "$tree/packages_of_the_rest"
+expect 0 one "$tree/fathom"
+expect_talk 'building the other commands'
+expect 1 'one|depth' "$tree/fathom" depth
+expect_silence
+law='a lost program is not answered for by an older one'
+program small >"$tree/kernels/depth.cpp"
+expect 0 one "$tree/fathom"
+rm "$tree/build/release/fathom"
+expect 1 'small|depth' "$tree/fathom" depth
+expect_silence
+rm -r "$tree/build"
 
 law='the first use builds, says so on stderr, and runs'
 expect 0 one "$tree/fathom"
@@ -126,6 +166,9 @@ program four >"$tree/cli/main.cpp"
 script -qec "stty cols 40; './link'" /dev/null >"$work/terminal" </dev/null || broken 'no answer on a terminal'
 tr '\r' '\n' <"$work/terminal" | sed -n 's/^\x1b\[K//p' >"$work/shown"
 [[ $(wc -L <"$work/shown") == 39 ]] || broken "the longest line has not 39 characters: $(cat "$work/shown")"
+law='on a terminal the share that is done and the time left are shown, and no path'
+grep -qxE '100 %, 0 s left \[([0-9]+)/\1\].*' "$work/shown" || broken "no share of what is done: $(cat "$work/shown")"
+! grep -q 'launcher.log' "$work/terminal" || broken "the log is named: $(cat "$work/terminal")"
 
 law='two calls at once: one builds, the other waits, both answer'
 program five >"$tree/cli/main.cpp"
@@ -142,7 +185,7 @@ expect 0 five "$work/copy/fathom"
 cp -a "$work/copy/cli" "$tree/cli"
 
 law='check builds with tests, prints what ctest says, passes arguments on and exits with 1 when a test fails'
-printf '[build]\nbash\n[test]\nbash\n' >"$tree/cmake/packages.txt"
+packages bash bash bash bash
 "$tree/check" >"$work/out" 2>"$work/talk" && broken 'a failing test went unnoticed'
 [[ $? == 1 ]] || broken "exit code is not 1: $(cat "$work/out")"
 grep -q '67% tests passed, 1 tests failed out of 3' "$work/out" || broken "closing lines are missing: $(cat "$work/out")"
@@ -166,7 +209,7 @@ program five >"$tree/cli/main.cpp"
 expect 0 five "$tree/fathom"
 
 law='a part with packages of its own is asked for by its option alone, and before it is built'
-printf '[build]\nbash\n[test]\nbash\n[subjects]\nno-such-adapter-package\n' >"$tree/cmake/packages.txt"
+packages bash bash bash no-such-adapter-package
 expect 0 five "$tree/fathom"
 expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom" certify --adapter some
 expect_talk 'apt-get install -y --no-install-recommends no-such-adapter-package'

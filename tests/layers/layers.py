@@ -33,7 +33,7 @@ ORDER = [
     ["reference/depth"],
     ["reference/solve"],
     ["reference/approximate", "reference/certificate"],
-    ["verify/check", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
+    ["verify/check", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
     ["cli"],

@@ -117,7 +117,7 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
         kernels::NearestPlanes nearest = plane_at(distances.least() * mpq_class(1001, 1000));
         kernels::Context context;
         LineSearch search(context, grid.scene(), nearest, 1);
-        Blocks blocks(grid);
+        Blocks blocks(grid, std::uint64_t{1} << 40);
         const CuttingSize size{.r = 4, .few = 2, .base = 16};
         const std::vector<Cell> cutting = cut(blocks, side, CellTree::root, {CellTree::root}, size, search);
         const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
@@ -125,7 +125,7 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
         std::vector<std::vector<char>> kept(along, std::vector<char>(across, 0));
         for (const Cell& cell : cutting) {
           std::uint64_t lines = 0;
-          for (const CellTree::Node run : cell.conflicts) {
+          for (const CellNode run : cell.conflicts) {
             lines += blocks.tree(other(side)).size(run);
             for (const std::uint32_t x : blocks.tree(side).lines(cell.cell)) {
               for (const std::uint32_t y : blocks.tree(other(side)).lines(run)) {
@@ -160,9 +160,8 @@ TEST(Cutting, CellsHalve) {
   grids.for_each([&](const Grid& grid) {
     if (seen || grid.rows() < 20) return;
     seen = true;
-    const kernels::LineImages images = grid.row_images();
-    const CellTree tree(images);
-    for (CellTree::Node k = 1; k < 2 * grid.rows(); ++k) {
+    const CellTree tree(grid.rows());
+    for (CellNode k = 1; k < 2 * grid.rows(); ++k) {
       const kernels::LineRun whole = tree.run(k), left = tree.run(2 * k), right = tree.run(2 * k + 1);
       EXPECT_EQ(whole.first, left.first);
       EXPECT_EQ(left.last, right.first);

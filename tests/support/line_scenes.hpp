@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernels/filters/line_scan.hpp"
+#include "kernels/filters/wide_lines.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -60,6 +61,11 @@ inline kernels::LineImages images(const Scene& scene) {
   kernels::LineImages result(scene.exponent);
   for (const Line& l : scene.lines) result.push_back(l.point, l.direction);
   return result;
+}
+
+inline kernels::WideLines wide_lines(const Scene& scene) {
+  return {scene.lines.size(),
+          [scene](std::size_t i) { return kernels::wide_line(scene.lines[i].point, scene.lines[i].direction, scene.exponent); }};
 }
 
 inline std::vector<std::uint32_t> all_indices(std::size_t n) {

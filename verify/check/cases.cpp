@@ -100,7 +100,9 @@ class CaseReader {
 };
 
 bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
-bool equal(const Rational& r, const mpq_class& q) { return r.num == q.get_num() && r.den == q.get_den(); }
+bool equal(const Rational& r, const mpq_class& q) {
+  return mpz_cmp(r.num.get_mpz_t(), q.get_num_mpz_t()) == 0 && mpz_cmp(r.den.get_mpz_t(), q.get_den_mpz_t()) == 0;
+}
 
 void compare_points(const Part<std::vector<RationalPoint>>& part, const std::vector<ExactPoint>& own, const std::string& name) {
   if (part.items.size() != own.size())

@@ -9,16 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "integers.hpp"
+
 namespace fathom_check {
 
 struct Vector {
-  mpz_class x, y, z;
+  Integer x, y, z;
 };
 
 /// In lowest terms.
 struct Rational {
-  mpz_class num;
-  mpz_class den = 1;  ///< positive
+  Integer num;
+  Integer den = Integer::one();  ///< positive
 };
 
 struct RationalPoint {
@@ -55,6 +57,7 @@ struct Part {
 };
 
 struct Certificate {
+  Arena integers;  ///< where all below lie
   std::string id;  ///< percent-escaped as written; empty if none
   Part<std::vector<RationalPoint>> a, b;
   Claim claim = Claim::depth;

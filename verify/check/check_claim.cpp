@@ -8,8 +8,8 @@ namespace fathom_check {
 namespace {
 
 /// r is num / den in the user's units; its square root is a length, so in units of 1 / scale it grows by scale^2.
-Rational in_units(const Rational& r, const mpz_class& scale) {
-  Rational result{r.num * scale * scale, r.den};
+Bound in_units(const Rational& r, const mpz_class& scale) {
+  Bound result{r.num.value() * scale * scale, r.den.value()};
   const mpz_class common = gcd(result.num, result.den);
   if (common > 1) {
     result.num /= common;
@@ -19,11 +19,12 @@ Rational in_units(const Rational& r, const mpz_class& scale) {
 }
 
 void check_numbers(const Certificate& c) {
-  if (c.claim == Claim::depth && c.low.num <= 0) throw refused(c.claim_line, "a depth is positive: the claim is not");
+  if (c.claim == Claim::depth && c.low.num.sign() <= 0) throw refused(c.claim_line, "a depth is positive: the claim is not");
   if (c.claim != Claim::bounds) return;
-  if (c.low.num < 0) throw refused(c.claim_line, "the lower bound is negative");
-  if (c.high.num <= 0) throw refused(c.claim_line, "the upper bound is not positive");
-  if (c.low.num * c.high.den > c.high.num * c.low.den) throw refused(c.claim_line, "the lower bound is above the upper one");
+  if (c.low.num.sign() < 0) throw refused(c.claim_line, "the lower bound is negative");
+  if (c.high.num.sign() <= 0) throw refused(c.claim_line, "the upper bound is not positive");
+  if (c.low.num.value() * c.high.den.value() > c.high.num.value() * c.low.den.value())
+    throw refused(c.claim_line, "the lower bound is above the upper one");
 }
 
 void check_counts(const Certificate& c) {
@@ -41,9 +42,10 @@ void check_claim(const Certificate& c) {
   check_numbers(c);
   check_counts(c);
   const Scaled bodies = scaled(c);
-  check_directions(c, bodies, in_units(c.high, c.scale));
+  const Bound high = in_units(c.high, c.scale);
+  check_directions(c, bodies, high);
   switch (c.claim) {
-    case Claim::depth:
+    case Claim::depth: return check_inner(c, bodies, high);
     case Claim::bounds: return check_inner(c, bodies, in_units(c.low, c.scale));
     case Claim::touching: return check_weights(c, bodies);
     case Claim::disjoint: return;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Half-spaces that hold P, and how near their planes are to O.
-#include <algorithm>
-
 #include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
@@ -9,53 +7,76 @@
 namespace fathom_check {
 namespace {
 
-/// h(n) = max <n,b> - min <n,a>.
-mpz_class support(const Scaled& bodies, const Vector& n) {
-  mpz_class max_b = dot(n, bodies.b.front()), min_a = dot(n, bodies.a.front());
-  for (const Vector& b : bodies.b) max_b = std::max(max_b, dot(n, b));
-  for (const Vector& a : bodies.a) min_a = std::min(min_a, dot(n, a));
-  return max_b - min_a;
-}
+class Directions {
+ public:
+  Directions(const Certificate& certificate, const Scaled& bodies, const Bound& squared)
+      : c_(&certificate), bodies_(&bodies), squared_(&squared) {}
 
-/// Whether h^2 compares with squared * <n,n> as the claim demands.
-void check_distance(const Certificate& c, const mpz_class& h, const Vector& n, const Rational& squared, std::size_t line) {
-  if (h <= 0) throw refused(line, "O does not lie below the plane of this direction");
-  const mpz_class reached = h * h * squared.den, allowed = squared.num * dot(n, n);
-  if (reached > allowed) throw refused(line, "the boundary of P is farther in this direction than claimed");
-  if (c.claim == Claim::depth && reached < allowed) throw refused(line, "the boundary of P is nearer in this direction than claimed");
-}
-
-bool ascending(const Vector& u, const Vector& v) {
-  if (u.x != v.x) return u.x < v.x;
-  return u.y != v.y ? u.y < v.y : u.z < v.z;
-}
-
-void check_order(const Part<std::vector<Vector>>& part) {
-  for (std::size_t k = 0; k < part.items.size(); ++k) {
-    const Vector& n = part.items[k];
-    if (gcd(gcd(n.x, n.y), n.z) != 1) throw refused(part.lines[k], "of all directions, each must be primitive");
-    if (k > 0 && !ascending(part.items[k - 1], n)) throw refused(part.lines[k], "of all directions, each must be above the one before it");
+  void check() {
+    const Part<std::vector<Vector>>& part = c_->directions;
+    for (std::size_t k = 0; k < part.items.size(); ++k) check_direction(part.items[k], part.lines[k]);
+    if (c_->all) check_order(part);
   }
-}
+
+ private:
+  void check_direction(const Vector& n, std::size_t line) {
+    if (is_zero(n)) throw refused(line, "a direction that is zero proves nothing");
+    find_support(n);
+    if (c_->claim == Claim::touching) {
+      if (h_ != 0) throw refused(line, "O does not lie on the plane of this direction");
+    } else if (c_->claim == Claim::disjoint) {
+      if (h_ >= 0) throw refused(line, "this direction does not separate the bodies");
+    } else {
+      check_distance(n, line);
+    }
+  }
+
+  /// h(n) = max <n,b> - min <n,a>.
+  void find_support(const Vector& n) {
+    dot(h_, n, bodies_->b.front());
+    for (const Vector& b : bodies_->b) {
+      dot(height_, n, b);
+      if (height_ > h_) swap(height_, h_);
+    }
+    dot(min_a_, n, bodies_->a.front());
+    for (const Vector& a : bodies_->a) {
+      dot(height_, n, a);
+      if (height_ < min_a_) swap(height_, min_a_);
+    }
+    h_ -= min_a_;
+  }
+
+  /// Whether h^2 compares with squared * <n,n> as the claim demands.
+  void check_distance(const Vector& n, std::size_t line) const {
+    if (h_ <= 0) throw refused(line, "O does not lie below the plane of this direction");
+    mpz_class allowed;
+    dot(allowed, n, n);
+    allowed *= squared_->num;
+    const mpz_class reached = h_ * h_ * squared_->den;
+    if (reached > allowed) throw refused(line, "the boundary of P is farther in this direction than claimed");
+    if (c_->claim == Claim::depth && reached < allowed) throw refused(line, "the boundary of P is nearer in this direction than claimed");
+  }
+
+  static void check_order(const Part<std::vector<Vector>>& part) {
+    mpz_class common;
+    for (std::size_t k = 0; k < part.items.size(); ++k) {
+      find_gcd(common, part.items[k]);
+      if (common != 1) throw refused(part.lines[k], "of all directions, each must be primitive");
+      if (k > 0 && !ascending(part.items[k - 1], part.items[k]))
+        throw refused(part.lines[k], "of all directions, each must be above the one before it");
+    }
+  }
+
+  const Certificate* c_;
+  const Scaled* bodies_;
+  const Bound* squared_;
+  mpz_class h_, height_, min_a_;
+};
 
 }  // namespace
 
-void check_directions(const Certificate& c, const Scaled& bodies, const Rational& squared) {
-  const Part<std::vector<Vector>>& part = c.directions;
-  for (std::size_t k = 0; k < part.items.size(); ++k) {
-    const Vector& n = part.items[k];
-    const std::size_t line = part.lines[k];
-    if (is_zero(n)) throw refused(line, "a direction that is zero proves nothing");
-    const mpz_class h = support(bodies, n);
-    if (c.claim == Claim::touching) {
-      if (h != 0) throw refused(line, "O does not lie on the plane of this direction");
-    } else if (c.claim == Claim::disjoint) {
-      if (h >= 0) throw refused(line, "this direction does not separate the bodies");
-    } else {
-      check_distance(c, h, n, squared, line);
-    }
-  }
-  if (c.all) check_order(part);
+void check_directions(const Certificate& certificate, const Scaled& bodies, const Bound& squared) {
+  Directions(certificate, bodies, squared).check();
 }
 
 }  // namespace fathom_check

@@ -9,28 +9,31 @@ namespace {
 
 /// The sum of weight * point, over a common denominator of the weights.
 struct Combination {
-  Vector sum;
+  MutableVector sum;
   mpz_class den = 1;
 };
 
 void check_weight(const Weight& w, std::size_t points, std::size_t line) {
   if (w.index >= points) throw refused(line, "there is no point of this number");
-  if (w.weight.num <= 0) throw refused(line, "a weight is positive: this one is not");
+  if (w.weight.num.sign() <= 0) throw refused(line, "a weight is positive: this one is not");
 }
 
 Combination combine(const Part<std::vector<Weight>>& part, const std::vector<Vector>& points) {
   Combination result;
   for (std::size_t k = 0; k < part.items.size(); ++k) {
     check_weight(part.items[k], points.size(), part.lines[k]);
-    result.den = lcm(result.den, part.items[k].weight.den);
+    mpz_lcm(result.den.get_mpz_t(), result.den.get_mpz_t(), part.items[k].weight.den.get_mpz_t());
   }
-  mpz_class total = 0;
+  mpz_class total = 0, factor;
   for (std::size_t k = 0; k < part.items.size(); ++k) {
     const Weight& w = part.items[k];
-    const mpz_class factor = w.weight.num * (result.den / w.weight.den);
+    mpz_divexact(factor.get_mpz_t(), result.den.get_mpz_t(), w.weight.den.get_mpz_t());
+    mpz_mul(factor.get_mpz_t(), factor.get_mpz_t(), w.weight.num.get_mpz_t());
     const Vector& p = points[w.index];
     total += factor;
-    add(result.sum, {factor * p.x, factor * p.y, factor * p.z});
+    mpz_addmul(result.sum.x.get_mpz_t(), factor.get_mpz_t(), p.x.get_mpz_t());
+    mpz_addmul(result.sum.y.get_mpz_t(), factor.get_mpz_t(), p.y.get_mpz_t());
+    mpz_addmul(result.sum.z.get_mpz_t(), factor.get_mpz_t(), p.z.get_mpz_t());
   }
   if (total != result.den) throw refused(part.line, "these weights do not sum to 1");
   return result;

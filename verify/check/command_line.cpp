@@ -94,9 +94,10 @@ Request understand(const std::vector<std::string>& words) {
   return request;
 }
 
-int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second) {
+int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second, Workers* workers) {
   Request request = understand(words);
   request.options.second = second;
+  request.options.workers = workers;
   if (request.understood) return run(request.options, std::cin, std::cout, std::cerr);
   if (request.sentence.empty()) {
     std::cout << "Usage: " << program << help << std::flush;
@@ -108,11 +109,11 @@ int run_words(const std::vector<std::string>& words, const std::string& program,
 
 }  // namespace
 
-int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second) noexcept {
+int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second, Workers* workers) noexcept {
   mp_set_memory_functions(allocate, reallocate, release);
   std::ios::sync_with_stdio(false);
   try {
-    return run_words(words, program, second);
+    return run_words(words, program, second, workers);
   } catch (const std::exception& error) {
     std::cerr << program << ": " << error.what() << '\n';
   } catch (...) {

@@ -2,6 +2,7 @@
 #include "limits.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "budget.hpp"
 #include "vectors.hpp"
@@ -11,12 +12,12 @@ namespace {
 
 using Count = std::uint64_t;
 
-/// GMP takes a long, which may have 32 bits.
-mpz_class wide(Count n) {
-  mpz_class result = static_cast<unsigned long>(n >> 32);
-  result <<= 32;
-  return result + static_cast<unsigned long>(n & UINT32_MAX);
-}
+/// No amount of work is counted above this.
+constexpr Count too_much = most_work + 1;
+static_assert(most_work < std::numeric_limits<Count>::max() / 2);
+
+Count sum(Count s, Count t) { return std::min(too_much, std::min(too_much, s) + std::min(too_much, t)); }
+Count product(Count s, Count t) { return s != 0 && t > most_work / s ? too_much : s * t; }
 
 /// How wide numbers become over their common denominator, if `vectors` of them are kept.
 class Width {
@@ -26,7 +27,7 @@ class Width {
   void take(const Rational& r) {
     numerator_ = std::max(numerator_, bits(r.num));
     if (mpz_divisible_p(denominator_.get_mpz_t(), r.den.get_mpz_t())) return;
-    denominator_ = lcm(denominator_, r.den);
+    mpz_lcm(denominator_.get_mpz_t(), denominator_.get_mpz_t(), r.den.get_mpz_t());
     if (vectors_ * bits(denominator_) > largest_size) throw too_large(line_);
   }
   [[nodiscard]] Count value() const { return bits(denominator_) + numerator_; }
@@ -43,9 +44,9 @@ class Width {
 };
 
 /// What a product of numbers of these sizes takes.
-mpz_class cost(Count s, Count t) {
+Count cost(Count s, Count t) {
   constexpr Count fixed = 256, linear_from = 4'000;
-  return wide(fixed + std::max(s, t)) * wide(fixed + std::min({s, t, linear_from}));
+  return product(fixed + std::max(s, t), fixed + std::min({s, t, linear_from}));
 }
 
 Count widest_direction(const Certificate& c) {
@@ -81,10 +82,11 @@ void require_limits(Certificate& c, std::size_t line) {
     for (const Weight& weight : part->items) of_weights.take(weight.weight);
   const Count w = of_points.value(), x = of_weights.value();
   if (vectors * w + weights * x > largest_size) throw Width::too_large(line);
-  const mpz_class work = wide(points) * wide(directions) * cost(w, widest_direction(c)) +
-                         (wide(points) + 4 * wide(squared_corners(c.facets.items))) * cost(w, w) +
-                         4 * wide(directions + facets) * cost(w, widest_of_claim(c)) + 4 * wide(weights) * cost(w + x, w + x);
-  if (work > wide(most_work)) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
+  const Count of_directions = product(product(points, directions), cost(w, widest_direction(c)));
+  const Count of_facets = product(points + 4 * squared_corners(c.facets.items), cost(w, w));
+  const Count of_distances = product(4 * (directions + facets), cost(w, widest_of_claim(c)));
+  const Count work = sum(sum(of_directions, of_facets), sum(of_distances, product(4 * weights, cost(w + x, w + x))));
+  if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
   c.scale = of_points.denominator();
 }
 

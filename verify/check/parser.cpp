@@ -2,6 +2,7 @@
 #include "parser.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "limits.hpp"
 #include "text.hpp"
@@ -110,26 +111,36 @@ void Parser::require_natural(std::string_view token, const char* expected) const
   if (token.size() > longest_number) throw malformed(lines_->number(), "a number of more digits than the limit, 100000");
 }
 
-mpz_class Parser::integer(std::string_view token, const char* expected) const {
+mpz_class Parser::long_integer(std::string_view token, const char* expected) const {
   require_natural(token.substr(!token.empty() && token[0] == '-' ? 1 : 0), expected);
   return to_integer(token);
+}
+
+Integer Parser::integer(std::string_view token, const char* expected) const {
+  if (const std::optional<long> value = short_integer<long>(token)) return integers_->keep(*value);
+  return integers_->keep(long_integer(token, expected));
 }
 
 Rational Parser::rational(std::string_view token) const {
   constexpr const char* expected = "rational numbers";
   const std::size_t slash = token.find('/');
-  Rational result;
-  result.num = integer(token.substr(0, slash), expected);
-  if (slash == std::string_view::npos) return result;
-  const std::string_view denominator = token.substr(slash + 1);
+  if (slash == std::string_view::npos) return {integer(token, expected)};
+  const std::string_view numerator = token.substr(0, slash), denominator = token.substr(slash + 1);
+  const std::optional<long> p = short_integer<long>(numerator), q = short_integer<long>(denominator);
+  if (p && q && *q > 0) {
+    const long common = std::gcd(*p, *q);  // both are far from the ends of their range
+    return {integers_->keep(*p / common), integers_->keep(*q / common)};
+  }
+  mpz_class num = long_integer(numerator, expected);
   require_natural(denominator, expected);
-  result.den = to_integer(denominator);
-  if (result.den == 0) throw wrong("a denominator other than zero");
-  const mpz_class common = gcd(result.num, result.den);
-  if (common == 1) return result;
-  result.num /= common;
-  result.den /= common;
-  return result;
+  mpz_class den = to_integer(denominator);
+  if (den == 0) throw wrong("a denominator other than zero");
+  const mpz_class common = gcd(num, den);
+  if (common != 1) {
+    num /= common;
+    den /= common;
+  }
+  return {integers_->keep(num), integers_->keep(den)};
 }
 
 std::size_t Parser::count(std::size_t index, const char* expected) const {
@@ -146,6 +157,7 @@ std::uint32_t Parser::index_number(std::string_view token) const {
 
 void Parser::read(Certificate& result) {
   bytes_ = numbers_ = 0;
+  integers_ = &result.integers;
   if (lines_->kind() != Lines::Kind::whole || lines_->text() != "fathom-certificate 1") {
     const Fault fault = wrong("'fathom-certificate 1'");
     if (at_header()) lines_->advance();  // it is this certificate's own

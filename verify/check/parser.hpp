@@ -34,7 +34,8 @@ class Parser {
   void row(std::size_t numbers, const char* expected);
   void count_numbers(std::size_t numbers);
   void require_natural(std::string_view token, const char* expected) const;
-  mpz_class integer(std::string_view token, const char* expected) const;
+  mpz_class long_integer(std::string_view token, const char* expected) const;
+  Integer integer(std::string_view token, const char* expected) const;
   Rational rational(std::string_view token) const;
   std::size_t count(std::size_t index, const char* expected) const;
   std::uint32_t index_number(std::string_view token) const;
@@ -50,6 +51,7 @@ class Parser {
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;
+  Arena* integers_ = nullptr;            ///< of the certificate at hand
   std::size_t bytes_ = 0, numbers_ = 0;  ///< of this certificate so far
   std::vector<std::string_view> fields_;
   bool fresh_ = false;  ///< the line at hand is the first of a certificate that has not been read yet

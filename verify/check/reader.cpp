@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <new>
+#include <utility>
 
 #include "budget.hpp"
 #include "checks.hpp"
@@ -19,7 +20,7 @@ Verdict fault(Outcome outcome, std::size_t line, const std::string& reason) {
   return verdict;
 }
 
-std::string text(const Rational& r) { return ratio_text(r.num, r.den); }
+std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.value()); }
 
 /// For a certificate that has passed every check.
 Verdict verified(const Certificate& c) {
@@ -50,30 +51,43 @@ Verdict caught(const std::function<Verdict()>& action, std::size_t line) {
   }
 }
 
-std::optional<Verdict> Reader::next(const Inspect& inspect) {
+std::optional<Reader::Found> Reader::read() {
+  const auto fault_of = [](const auto& action) {
+    bool whole = false;
+    Verdict fault = caught(
+        [&] {
+          action();
+          whole = true;
+          return Verdict();
+        },
+        0);
+    return whole ? std::nullopt : std::optional(std::move(fault));
+  };
   bool found = false;
-  Verdict verdict = caught(
-      [&] {
-        found = parser_.find_next() || !any_;
-        return Verdict();
-      },
-      0);
+  fault_of([&] { found = parser_.find_next() || !any_; });
   if (!found) return std::nullopt;
   any_ = true;
-  Certificate certificate;
-  verdict = caught(
-      [&] {
-        parser_.read(certificate);
-        if (inspect) inspect(certificate);
-        check_claim(certificate);
-        return verified(certificate);
-      },
-      0);
-  if (!verdict.accepted() && verdict.line == 0) verdict.line = lines_->number();
-  if (verdict.outcome == Outcome::malformed) {
-    caught([&] { return parser_.skip_to_next() ? Verdict() : Verdict(); }, 0);
-  }
-  verdict.id = certificate.id;
+  Found result;
+  result.fault = fault_of([&] { parser_.read(result.certificate); });
+  result.last_line = lines_->number();
+  if (result.fault) fault_of([&] { parser_.skip_to_next(); });
+  return result;
+}
+
+std::optional<Verdict> Reader::next(const Inspect& inspect) {
+  const std::optional<Found> found = read();
+  return found ? std::optional(judged(*found, inspect)) : std::nullopt;
+}
+
+Verdict judged(const Reader::Found& found, const Inspect& inspect) {
+  const auto check = [&] {
+    if (inspect) inspect(found.certificate);
+    check_claim(found.certificate);
+    return verified(found.certificate);
+  };
+  Verdict verdict = found.fault ? *found.fault : caught(check, 0);
+  if (!verdict.accepted() && verdict.line == 0) verdict.line = found.last_line;
+  verdict.id = found.certificate.id;
   return verdict;
 }
 

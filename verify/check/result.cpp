@@ -55,7 +55,7 @@ class Fields {
   std::size_t line_;
 };
 
-mpq_class value(const Rational& r) { return {r.num, r.den}; }
+mpq_class value(const Rational& r) { return {r.num.value(), r.den.value()}; }
 
 }  // namespace
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <fstream>
 #include <istream>
-#include <iterator>
+#include <memory>
 #include <ostream>
+#include <sstream>
+#include <utility>
 
 #include "limits.hpp"
 #include "reader.hpp"
@@ -15,22 +17,44 @@
 namespace fathom_check {
 namespace {
 
+constexpr std::size_t long_text = std::size_t{1} << 20;  // bytes; of longer ones there shall not be many in the memory at once
+constexpr std::size_t many_lines = 20'000;               // the same, of a certificate
+
+/// What comes of a piece.
+struct Finding {
+  Verdict verdict;
+  std::string name, echo;
+};
+
 class Run {
  public:
-  Run(const Options& options, const CaseFile* cases, std::ostream& out) : options_(&options), cases_(cases), out_(&out) {}
+  Run(const Options& options, const CaseFile* cases, std::istream& standard_input, std::ostream& out)
+      : options_(&options), cases_(cases), standard_input_(&standard_input), out_(&out) {}
 
-  void read(const Input& input, std::istream& stream) {
-    const std::string name = input.path == "-" ? "<stdin>" : input.path;
-    if (!stream) return report(unreadable("cannot be opened"), name);
-    if (input.is_results) {
-      read_results(stream, name);
-    } else {
-      read_certificates(stream, name);
+  void run() {
+    const auto next_piece = [this] { return next(); };
+    if (options_->workers && !options_->second) {
+      standard_input_->tie(nullptr);  // else to read would flush what another thread is printing
+      return options_->workers->run(next_piece);
+    }
+    while (std::optional<Piece> piece = next()) {
+      piece->work();
+      piece->report();
     }
   }
   [[nodiscard]] int exit_code() const { return static_cast<int>(worst_); }
 
  private:
+  /// What is open of the inputs.
+  struct Source {
+    Source(std::istream& stream, std::string input_name, std::size_t longest)
+        : name(std::move(input_name)), lines(stream, longest), reader(lines) {}
+    std::string name;
+    Lines lines;
+    Reader reader;                   ///< of certificates
+    bool any = false, told = false;  ///< of results: whether there was one; whether the end was told of
+  };
+
   static Verdict unreadable(const char* reason) {
     Verdict verdict;
     verdict.outcome = Outcome::malformed;
@@ -38,46 +62,88 @@ class Run {
     return verdict;
   }
 
-  void report(const Verdict& verdict, const std::string& name) {
-    SecondChecker::Opinion said{verdict.outcome, verdict_line(verdict, name)};
-    if (verdict.accepted() && options_->second) said = options_->second->opinion(verdict.id.empty() ? escaped(name) : verdict.id);
-    worst_ = std::max(worst_, said.outcome);
-    *out_ << said.line << '\n' << std::flush;
-  }
-
-  void read_certificates(std::istream& stream, const std::string& name) {
-    Lines lines(stream, longest_line);
-    Reader reader(lines);
-    const Inspect inspect = [this](const Certificate& certificate) { look_at(certificate); };
-    while (std::optional<Verdict> verdict = reader.next(inspect)) {
-      if (lines.broken()) verdict = unreadable("cannot be read");
-      report(*verdict, name);
+  std::optional<Piece> next() {
+    for (; source_ || next_input_ < options_->inputs.size(); source_.reset(), ++next_input_) {
+      const Input& input = options_->inputs[next_input_];
+      const std::string name = input.path == "-" ? "<stdin>" : input.path;
+      if (!source_) {
+        std::istream& stream = open(input);
+        if (!stream) return ++next_input_, known(unreadable("cannot be opened"), name);
+        source_.emplace(stream, name, input.is_results ? longest_json : longest_line);
+      }
+      if (std::optional<Piece> piece = input.is_results ? next_result() : next_certificate()) return piece;
     }
+    return std::nullopt;
   }
 
-  void read_results(std::istream& stream, const std::string& name) {
-    Lines lines(stream, longest_json);
-    bool any = false;
+  std::istream& open(const Input& input) {
+    if (input.path == "-") return *standard_input_;
+    file_ = std::ifstream(input.path, std::ios::binary);
+    return file_;
+  }
+
+  /// A piece that is done by `work`, which sets the finding; at once if it holds much memory.
+  Piece piece(std::string name, bool large, std::function<void(Finding&)> work) {
+    auto finding = std::make_shared<Finding>();
+    finding->name = std::move(name);
+    const std::function<void()> report = [this, finding] { this->report(*finding); };
+    if (!large) return {[finding, work = std::move(work)] { work(*finding); }, report};
+    work(*finding);
+    return {[] {}, report};
+  }
+  Piece known(const Verdict& verdict, const std::string& name) {
+    return piece(name, false, [verdict](Finding& finding) { finding.verdict = verdict; });
+  }
+
+  void report(const Finding& finding) {
+    SecondChecker::Opinion said{finding.verdict.outcome, verdict_line(finding.verdict, finding.name)};
+    if (finding.verdict.accepted() && options_->second)
+      said = options_->second->opinion(finding.verdict.id.empty() ? escaped(finding.name) : finding.verdict.id);
+    worst_ = std::max(worst_, said.outcome);
+    *out_ << finding.echo << said.line << '\n' << std::flush;
+  }
+
+  std::optional<Piece> next_certificate() {
+    const std::size_t before = source_->lines.number();
+    auto found = std::make_shared<std::optional<Reader::Found>>(source_->reader.read());
+    if (!*found) return std::nullopt;
+    if (source_->lines.broken()) return known(unreadable("cannot be read"), source_->name);
+    return piece(source_->name, (*found)->last_line - before > many_lines, [this, found](Finding& finding) {
+      finding.verdict = judged(**found, [&](const Certificate& certificate) { look_at(certificate, finding); });
+      found->reset();
+    });
+  }
+
+  std::optional<Piece> next_result() {
+    Lines& lines = source_->lines;
     while (lines.advance() != Lines::Kind::none) {
       if (lines.kind() != Lines::Kind::too_long && lines.text().find_first_not_of(" \t\r") == std::string_view::npos) continue;
-      any = true;
-      Result result;
-      Verdict verdict = caught([&] { return judge(lines, result); }, lines.number());
-      if (result.id) verdict.id = escaped(*result.id);
-      report(verdict, name + ":" + std::to_string(lines.number()));
+      source_->any = true;
+      auto text = std::make_shared<std::string>(lines.text());
+      const bool too_long = lines.kind() == Lines::Kind::too_long;
+      const std::size_t number = lines.number();
+      return piece(source_->name + ":" + std::to_string(number), text->size() > long_text,
+                   [this, text, too_long, number](Finding& finding) {
+                     Result result;
+                     finding.verdict = caught([&] { return judge(*text, too_long, number, result, finding); }, number);
+                     if (result.id) finding.verdict.id = escaped(*result.id);
+                     std::string().swap(*text);
+                   });
     }
-    if (lines.broken()) return report(unreadable("cannot be read"), name);
-    if (!any) report(unreadable("expected results, one JSON object a line, found none"), name);
+    if (std::exchange(source_->told, true)) return std::nullopt;
+    if (lines.broken()) return known(unreadable("cannot be read"), source_->name);
+    if (!source_->any) return known(unreadable("expected results, one JSON object a line, found none"), source_->name);
+    return std::nullopt;
   }
 
-  Verdict judge(const Lines& lines, Result& result) {
-    if (lines.kind() == Lines::Kind::too_long) throw malformed(lines.number(), "a line of more than 256 MiB, this checker's limit");
-    read_result(lines.text(), lines.number(), result);
+  Verdict judge(const std::string& line, bool too_long, std::size_t number, Result& result, Finding& finding) const {
+    if (too_long) throw malformed(number, "a line of more than 256 MiB, this checker's limit");
+    read_result(line, number, result);
     Lines text(result.certificate, longest_line);
     Reader reader(text);
     const Verdict verdict = *reader.next([&](const Certificate& certificate) {
       compare(result, certificate);
-      look_at(certificate, result.id);
+      look_at(certificate, finding, result.id);
     });
     const std::size_t end = text.number();
     if (verdict.outcome != Outcome::malformed && reader.next())
@@ -86,32 +152,38 @@ class Run {
   }
 
   // What the user asked for besides the proof.
-  void look_at(const Certificate& certificate, const std::optional<std::string>& result_id = {}) {
-    if (options_->echo) echo(certificate);
+  void look_at(const Certificate& certificate, Finding& finding, const std::optional<std::string>& result_id = {}) const {
+    if (options_->echo) finding.echo = echo(certificate);
     if (options_->second) options_->second->hand_over(certificate);
     if (options_->width) require_width(certificate);
     if (cases_) cases_->compare(certificate, options_->width, result_id);
   }
 
-  void echo(const Certificate& c) {
-    const auto text = [](const Rational& r) { return ratio_text(r.num, r.den); };
-    if (!c.id.empty()) *out_ << "c id " << c.id << '\n';
+  static std::string echo(const Certificate& c) {
+    std::ostringstream out;
+    const auto text = [](const Rational& r) { return ratio_text(r.num.value(), r.den.value()); };
+    if (!c.id.empty()) out << "c id " << c.id << '\n';
     for (const auto& [name, part] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
-      *out_ << "c " << name << ' ' << part->items.size() << '\n';
-      for (const RationalPoint& p : part->items) *out_ << "c " << text(p.x) << ' ' << text(p.y) << ' ' << text(p.z) << '\n';
+      out << "c " << name << ' ' << part->items.size() << '\n';
+      for (const RationalPoint& p : part->items) out << "c " << text(p.x) << ' ' << text(p.y) << ' ' << text(p.z) << '\n';
     }
-    *out_ << "c claim ";
+    out << "c claim ";
     switch (c.claim) {
-      case Claim::depth: *out_ << "depth " << text(c.low) << '\n'; break;
-      case Claim::bounds: *out_ << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
-      case Claim::touching: *out_ << "touching\n"; break;
-      case Claim::disjoint: *out_ << "disjoint\n"; break;
+      case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
+      case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+      case Claim::touching: out << "touching\n"; break;
+      case Claim::disjoint: out << "disjoint\n"; break;
     }
+    return out.str();
   }
 
   const Options* options_;
   const CaseFile* cases_;
+  std::istream* standard_input_;
   std::ostream* out_;
+  std::size_t next_input_ = 0;
+  std::ifstream file_;
+  std::optional<Source> source_;
   Outcome worst_ = Outcome::verified;
 };
 
@@ -145,15 +217,8 @@ int run(const Options& options, std::istream& standard_input, std::ostream& out,
   constexpr int bad_input = 2;
   std::optional<CaseFile> cases;
   if (options.cases && !(cases = load_cases(*options.cases, standard_input, err))) return bad_input;
-  Run all(options, cases ? &*cases : nullptr, out);
-  for (const Input& input : options.inputs) {
-    if (input.path == "-") {
-      all.read(input, standard_input);
-    } else {
-      std::ifstream file(input.path, std::ios::binary);
-      all.read(input, file);
-    }
-  }
+  Run all(options, cases ? &*cases : nullptr, standard_input, out);
+  all.run();
   if (!out) {
     err << "fathom-check: cannot write to standard output\n";
     return bad_input;

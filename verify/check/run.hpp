@@ -2,6 +2,7 @@
 // The program behind its command line: all inputs one after another, one line per certificate.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -28,6 +29,21 @@ class SecondChecker {
   virtual Opinion opinion(const std::string& name) = 0;
 };
 
+/// One certificate, or one result, on its way through a run.
+struct Piece {
+  std::function<void()> work;    ///< may be called on any thread, while other pieces are worked on
+  std::function<void()> report;  ///< after the work, in the order of the input
+};
+
+/// Does the pieces of a run, several at once.
+class Workers {
+ public:
+  virtual ~Workers() = default;
+  /// Calls `next` until it returns nothing, one call at a time; calls `work` and then `report` of each piece. `next` may wait for input:
+  /// meanwhile every piece that it has returned is reported.
+  virtual void run(const std::function<std::optional<Piece>()>& next) = 0;
+};
+
 struct Input {
   std::string path;         ///< "-" for standard input
   bool is_results = false;  ///< JSON Lines, each with a certificate
@@ -39,6 +55,7 @@ struct Options {
   bool width = false;                ///< the certificates are about the width of a body: b repeats a
   bool echo = false;
   SecondChecker* second = nullptr;  ///< may be absent
+  Workers* workers = nullptr;       ///< if absent, one piece is done after the other; so they are if there is a second checker
 };
 
 /// Prints verdicts to `out`, complaints about the case file to `err`. Returns the exit code.

@@ -8,8 +8,9 @@
 
 namespace fathom_check {
 
-/// The points of A and B, in units of 1 / certificate.scale.
+/// The points of A and B, in units of 1 / certificate.scale. They may share digits with the certificate, which must outlive them.
 struct Scaled {
+  Arena integers;
   std::vector<Vector> a, b;
 };
 

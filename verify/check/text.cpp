@@ -86,9 +86,7 @@ mpz_class to_integer(std::string_view token) {
 }
 
 std::string ratio_text(const mpz_class& num, const mpz_class& den) {
-  mpq_class ratio(num, den);
-  ratio.canonicalize();
-  return ratio.get_str();
+  return den == 1 ? num.get_str() : num.get_str() + '/' + den.get_str();
 }
 
 }  // namespace fathom_check

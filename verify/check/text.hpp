@@ -28,18 +28,21 @@ bool is_natural(std::string_view token);
 /// -?[0-9]+, which the caller has made sure of.
 mpz_class to_integer(std::string_view token);
 
-/// Likewise, if it has so few digits that an Int holds every number of as many.
+/// -?[0-9]+ of so few digits that an Int holds every number of as many. Returns nullopt for other text.
 template <class Int>
 std::optional<Int> short_integer(std::string_view token) {
-  const bool negative = token[0] == '-';
-  const std::string_view digits = token.substr(negative ? 1 : 0);
-  if (digits.size() > std::size_t{std::numeric_limits<Int>::digits10}) return std::nullopt;
+  const bool negative = !token.empty() && token[0] == '-';
+  if (negative) token.remove_prefix(1);
+  if (token.empty() || token.size() > std::size_t{std::numeric_limits<Int>::digits10}) return std::nullopt;
   Int value = 0;
-  for (const char c : digits) value = static_cast<Int>(value * 10 + (c - '0'));
+  for (const char c : token) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = static_cast<Int>(value * 10 + (c - '0'));
+  }
   return negative ? static_cast<Int>(-value) : value;
 }
 
-/// "p/q" in lowest terms, without a denominator of 1. The denominator is positive.
+/// "p/q" for a fraction in lowest terms, without a denominator of 1. The denominator is positive.
 std::string ratio_text(const mpz_class& num, const mpz_class& den);
 
 }  // namespace fathom_check

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer vectors. All of the checks are made of these five.
+// Integer vectors. All of the checks are made of these. Each function writes its result over the one that it is given, whose memory is used
+// again: so the loops of the checks allocate nothing.
 #pragma once
 
 #include <gmpxx.h>
@@ -10,32 +11,64 @@
 
 namespace fathom_check {
 
-inline mpz_class dot(const Vector& u, const Vector& v) {
-  mpz_class result = u.x * v.x;
+/// A vector that is computed, and then compared or kept.
+struct MutableVector {
+  mpz_class x, y, z;
+};
+
+template <class U, class V>
+void dot(mpz_class& result, const U& u, const V& v) {
+  mpz_mul(result.get_mpz_t(), u.x.get_mpz_t(), v.x.get_mpz_t());
   mpz_addmul(result.get_mpz_t(), u.y.get_mpz_t(), v.y.get_mpz_t());
   mpz_addmul(result.get_mpz_t(), u.z.get_mpz_t(), v.z.get_mpz_t());
-  return result;
 }
 
-inline Vector cross(const Vector& u, const Vector& v) {
-  Vector result{u.y * v.z, u.z * v.x, u.x * v.y};
-  mpz_submul(result.x.get_mpz_t(), u.z.get_mpz_t(), v.y.get_mpz_t());
-  mpz_submul(result.y.get_mpz_t(), u.x.get_mpz_t(), v.z.get_mpz_t());
-  mpz_submul(result.z.get_mpz_t(), u.y.get_mpz_t(), v.x.get_mpz_t());
-  return result;
+/// Neither operand may be the result.
+template <class U, class V>
+void cross(MutableVector& result, const U& u, const V& v) {
+  const auto minor = [](mpz_class& r, const auto& a, const auto& b, const auto& c, const auto& d) {
+    mpz_mul(r.get_mpz_t(), a.get_mpz_t(), d.get_mpz_t());
+    mpz_submul(r.get_mpz_t(), b.get_mpz_t(), c.get_mpz_t());
+  };
+  minor(result.x, u.y, u.z, v.y, v.z);
+  minor(result.y, u.z, u.x, v.z, v.x);
+  minor(result.z, u.x, u.y, v.x, v.y);
 }
 
-inline Vector difference(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
+inline void subtract(MutableVector& result, const Vector& u, const Vector& v) {
+  mpz_sub(result.x.get_mpz_t(), u.x.get_mpz_t(), v.x.get_mpz_t());
+  mpz_sub(result.y.get_mpz_t(), u.y.get_mpz_t(), v.y.get_mpz_t());
+  mpz_sub(result.z.get_mpz_t(), u.z.get_mpz_t(), v.z.get_mpz_t());
+}
 
-inline void add(Vector& sum, const Vector& v) {
+inline void add(MutableVector& sum, const MutableVector& v) {
   sum.x += v.x;
   sum.y += v.y;
   sum.z += v.z;
 }
 
-inline bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+inline Vector kept(Arena& arena, const MutableVector& v) { return {arena.keep(v.x), arena.keep(v.y), arena.keep(v.z)}; }
+
+/// Of the three entries.
+template <class V>
+void find_gcd(mpz_class& result, const V& v) {
+  mpz_gcd(result.get_mpz_t(), v.x.get_mpz_t(), v.y.get_mpz_t());
+  mpz_gcd(result.get_mpz_t(), result.get_mpz_t(), v.z.get_mpz_t());
+}
+
+/// In lexicographic order, strictly.
+template <class U, class V>
+bool ascending(const U& u, const V& v) {
+  if (const int x = mpz_cmp(u.x.get_mpz_t(), v.x.get_mpz_t())) return x < 0;
+  if (const int y = mpz_cmp(u.y.get_mpz_t(), v.y.get_mpz_t())) return y < 0;
+  return mpz_cmp(u.z.get_mpz_t(), v.z.get_mpz_t()) < 0;
+}
+
+inline bool is_zero(const Vector& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
 
 /// Binary digits of the absolute value; 0 has none.
-inline std::uint64_t bits(const mpz_class& value) { return value == 0 ? 0 : mpz_sizeinbase(value.get_mpz_t(), 2); }
+inline std::uint64_t bits(mpz_srcptr value) { return mpz_sgn(value) == 0 ? 0 : mpz_sizeinbase(value, 2); }
+inline std::uint64_t bits(const mpz_class& value) { return bits(value.get_mpz_t()); }
+inline std::uint64_t bits(const Integer& value) { return bits(value.get_mpz_t()); }
 
 }  // namespace fathom_check

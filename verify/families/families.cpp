@@ -80,6 +80,8 @@ constexpr Family table[] = {
      crossed_shrinking_ties},
     {"crossed_vanishing_ties", "crossed fans over a patch of width 1/n: n^2 distances that agree to about 1/(8 n^4)", 50,
      crossed_vanishing_ties},
+    {"crossed_noisy_ties", "the same with corners rounded to multiples of 2^-k, k between 50 and 90: noise on near ties", 50,
+     crossed_noisy_ties},
     {"crossed_fillets", "bent bars with rounded edges across each other: two regions compete, and tie within about 2^-16", 50,
      crossed_fillets},
     // Ties.

@@ -24,10 +24,10 @@ mpq_class on_grid(const mpz_class& numerator, const mpz_class& denominator, long
 
 /// Neighbouring slopes differ by width / count at least, and edges are as long as that: rounded edges turn in the right direction if the
 /// grid is a few times finer than the square of it.
-long grid_bits(std::size_t count, const mpq_class& width) {
+long grid_bits(std::size_t count, const mpq_class& width, long least) {
   const mpq_class steps = mpq_class(count) / width;
   const mpz_class square = rounded(mpq_class(steps * steps));
-  return std::max<long>(50, static_cast<long>(mpz_sizeinbase(square.get_mpz_t(), 2)) + 2);
+  return std::max<long>(least, static_cast<long>(mpz_sizeinbase(square.get_mpz_t(), 2)) + 2);
 }
 
 }  // namespace
@@ -65,7 +65,8 @@ std::vector<mpz_class> spread_slopes(Random& random, unsigned count, const mpq_c
   return slopes;
 }
 
-Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach) {
+Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach,
+                    long least_bits) {
   // Support values at the slopes, as multiples of 2^-scale; the outline's coefficients are rounded to 2^-slope_bits.
   constexpr long scale = 5 * slope_bits;
   const mpz_class quadratic = rounded(times_power_of_two(outline.quadratic, slope_bits - 1));
@@ -74,7 +75,7 @@ Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes
     const mpz_class square = x * x;
     return mpz_class(((quadratic * square) << (2 * slope_bits)) + quartic * square * square);
   };
-  const long bits = grid_bits(slopes.size(), width);
+  const long bits = grid_bits(slopes.size(), width, least_bits);
   const auto cut_off = [&](const mpz_class& x, const mpq_class& at) {
     const mpq_class height = support(x) - times_power_of_two(mpq_class(x * at), scale - slope_bits);
     return ChainPoint{at, on_grid(height.get_num(), height.get_den(), scale, bits)};

@@ -38,7 +38,9 @@ inline constexpr long slope_bits = 60;
 
 /// Returns the chain of the outline's tangents with the negatives of these slopes, cut off at the abscissae -reach and reach. `slopes` has
 /// at least two elements, made by spread_slopes for this width. There is one edge for each slope. Corners are rounded to a grid that keeps
-/// the chain strictly convex if the outline bends about as a unit circle does: multiples of 2^-50 if (count / width)^2 < 2^48.
-Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach);
+/// the chain strictly convex if the outline bends about as a unit circle does: multiples of 2^-least_bits if (count / width)^2 is less than
+/// 2^(least_bits - 2). least_bits is at most 180.
+Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach,
+                    long least_bits = 50);
 
 }  // namespace fathom::families

@@ -19,10 +19,10 @@ Body askew(const Body& body) {
 }
 
 /// The chains reach out to 2 along their tangents, where P is farther from O than 1 in every direction but the patch's.
-Bodies tie_patch(Random& random, unsigned n, const mpq_class& width) {
+Bodies tie_patch(Random& random, unsigned n, const mpq_class& width, long least_bits = 50) {
   const Outline outline{mpq_class(1 - width * width / 4), ratio(-1, 8)};
-  const Chain a = tangent_chain(outline, spread_slopes(random, n, width), width, 2);
-  const Chain b = tangent_chain(outline, spread_slopes(random, n, width), width, 2);
+  const Chain a = tangent_chain(outline, spread_slopes(random, n, width), width, 2, least_bits);
+  const Chain b = tangent_chain(outline, spread_slopes(random, n, width), width, 2, least_bits);
   const Bodies bodies = crossed(a, b, 2, 4, {0, 0, 1});
   return {askew(bodies.a), askew(bodies.b)};
 }
@@ -42,6 +42,12 @@ Bodies crossed_shrinking_ties(Random& random, unsigned n) {
 Bodies crossed_vanishing_ties(Random& random, unsigned n) {
   const unsigned edges = edges_of(n);
   return tie_patch(random, edges, ratio(1, edges));
+}
+
+Bodies crossed_noisy_ties(Random& random, unsigned n) {
+  const unsigned edges = edges_of(n);
+  const long bits = random.between(50, 90);
+  return tie_patch(random, edges, ratio(1, edges), bits);
 }
 
 }  // namespace fathom::families

@@ -26,4 +26,8 @@ Bodies crossed_shrinking_ties(Random& random, unsigned n);
 /// square of the gap between neighbouring slopes. Coordinates are binary64 numbers up to n = 2^11, and multiples of 2^-83 at n = 10^6.
 Bodies crossed_vanishing_ties(Random& random, unsigned n);
 
+/// The same with corners rounded to multiples of 2^-k, for a random k between 50 and 90: smooth ties with noise at 2^-k, above or below
+/// them. Where that would not keep a chain convex it is rounded less, as crossed_vanishing_ties is.
+Bodies crossed_noisy_ties(Random& random, unsigned n);
+
 }  // namespace fathom::families

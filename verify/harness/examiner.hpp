@@ -9,10 +9,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/process.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 
@@ -25,6 +27,7 @@ struct Settings {
   double time_out = 10;                                   ///< seconds that a case may take
   double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};                               ///< of the verdicts
+  std::vector<Solver> second;                             ///< ways to find every truth and judgement again
   std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
   std::function<void(const Unattributed&)> unattributed;  ///< hears of failures that no case caused; called from any thread
 };
@@ -48,7 +51,7 @@ class Examiner {
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, rounded to the subject's precision, and judges the answer. Throws Interrupted, and SubjectError if a subject that
+  /// Puts the case, rounded to the subject's precision, and judges the answer. Throws Interrupted, Disagreement, and SubjectError if a subject that
   /// ended cannot be started again, ends each time before it reads the case, or sends a different hello.
   Outcome examine(const Case& pair);
 

@@ -21,7 +21,8 @@ std::optional<Outcome> read_outcome(std::string_view line);
 std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
 
-/// The first line: whose outcomes they are, by which tolerance they were judged, and by which fathom and command.
+/// The first line: whose outcomes they are, by which tolerance they were judged, by which fathom and command, and which methods found the
+/// truth again.
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
 /// Whether two headers say the same except for the command.
 bool same_run(std::string_view header, std::string_view other);

@@ -92,6 +92,7 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
   json["subject"] = Json::parse(hello_text(info));
   json["tolerance"] = {
       {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
+  for (const Method method : from.second) json["methods"].push_back(name(method));
   return dumped(json);
 }
 

@@ -11,6 +11,7 @@
 #include "fathom/files.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 
@@ -30,8 +31,9 @@ class Replay {
   /// A sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case; several replies to one case are garbage. Throws NoReply and Interrupted. Any thread may call it.
-  [[nodiscard]] Outcome examine(const Case& pair, const Tolerance& tolerance, const std::function<bool()>& stop = {}) const;
+  /// Judges the reply to the case; several replies to one case are garbage. Throws NoReply, Disagreement and Interrupted. Any thread may
+  /// call it.
+  [[nodiscard]] Outcome examine(const Case& pair, const Judging& judging) const;
 
   /// The ids of replies to none of these cases, sorted.
   [[nodiscard]] std::vector<std::string> unasked(const std::set<std::string>& ids) const;

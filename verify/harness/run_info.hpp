@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
+
+#include "fathom/depth.hpp"
 
 namespace fathom::harness {
 
@@ -23,6 +26,7 @@ struct RunInfo {
   std::string command;    ///< the command line, ready for a shell
   std::string cut_short;  ///< why the run ended before every case was judged; empty if it did not
   UnattributedCounts unattributed = {};
+  std::vector<Method> second = {};  ///< methods that found every truth again, and agreed
 };
 
 }  // namespace fathom::harness

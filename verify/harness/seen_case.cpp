@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "reference/solve/disagreement.hpp"
+#include "verify/harness/judgement_difference.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -95,8 +97,7 @@ Outcome overflowed(const Case& pair, Precision precision) {
   return outcome;
 }
 
-void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Tolerance& tolerance,
-                  const std::function<bool()>& stop) {
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
     outcome.verdict = Verdict::unsupported;
     outcome.detail = unsupported->why;
@@ -107,12 +108,21 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
     outcome.detail = failed->why;
     return;
   }
-  StopWhen stopping(stop);
+  StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
   outcome.reply = std::get<Reply>(answer.said);
+  const auto judged = [&](const Truth& truth) { return judge(truth, *outcome.reply, info.conventions, info.precision, judging.tolerance); };
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);
-  outcome.judgement = judge(truth, *outcome.reply, info.conventions, info.precision, tolerance);
+  outcome.judgement = judged(truth);
+  for (const Solver& solver : judging.second) {
+    const Truth again{truth.a, truth.b, solver.depth(seen, &stopping)};
+    const auto refuse = [&](const std::string& where) {
+      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
+    };
+    if (const auto where = solve::disagreement(truth.depth, again.depth)) refuse(*where);
+    if (const auto where = difference(*outcome.judgement, judged(again))) refuse(*where);
+  }
   hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;

@@ -2,11 +2,14 @@
 // A case on its way through the harness: as the subject sees it, and as it is judged.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 
@@ -21,8 +24,15 @@ Outcome outcome_for(const Case& seen);
 /// The outcome of a case that the subject's precision cannot hold.
 Outcome overflowed(const Case& pair, Precision precision);
 
-/// Solves the case exactly and fills in verdict, detail, reply and judgement. `stop` ends it with Interrupted.
-void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Tolerance& tolerance,
-                  const std::function<bool()>& stop);
+/// How answers are judged.
+struct Judging {
+  Tolerance tolerance = {};
+  std::vector<Solver> second = {};       ///< ways to find the truth and the judgement again
+  std::function<bool()> stop = nullptr;  ///< ends the work with Interrupted; may be empty
+};
+
+/// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement if one of the second ways leads to
+/// another truth, or to another judgement in any field.
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging);
 
 }  // namespace fathom::harness

@@ -14,7 +14,6 @@
 namespace fathom::harness {
 namespace {
 
-constexpr std::string_view known_names[] = {"swap", "translate", "permute", "scale"};
 constexpr long exponents[] = {10, -10, 3, -3, 1, -1};  // of scale, in the order in which they are tried
 constexpr long bulky = 20;                             // coordinates from 2^bulky on are made smaller rather than larger
 constexpr std::uint64_t seed = 7;                      // of all permutations
@@ -107,12 +106,10 @@ std::optional<Variant> made(std::string_view name, const Case& as_seen, Precisio
 
 }  // namespace
 
-std::span<const std::string_view> variant_names() { return known_names; }
-
 std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
                               std::vector<std::string>* left_out) {
   std::vector<Variant> result;
-  for (const std::string_view name : known_names) {
+  for (const std::string_view name : variant_names) {
     if (std::ranges::find(names, name) == names.end()) continue;
     if (std::optional<Variant> variant = made(name, as_seen, precision)) result.push_back(*std::move(variant));
     else if (left_out)

@@ -25,7 +25,7 @@ struct Variant {
 };
 
 /// All names, in the order in which `variants` makes them.
-std::span<const std::string_view> variant_names();
+inline constexpr std::string_view variant_names[] = {"swap", "translate", "permute", "scale"};
 
 /// The variants of `as_seen` that are exact in `precision`, for those of the names that are known:
 ///   swap       B for A and A for B

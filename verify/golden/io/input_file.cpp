@@ -46,4 +46,11 @@ std::string read_small_file(const std::filesystem::path& path, std::size_t most)
   return text;
 }
 
+digest::Digest digest_of_file(const std::filesystem::path& path) {
+  InputFile file(path);
+  digest::Sha256 sum;
+  for (std::string_view block = file.read(); !block.empty(); block = file.read()) sum.add(block);
+  return sum.digest();
+}
+
 }  // namespace fathom::golden

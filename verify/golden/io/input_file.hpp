@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "verify/digest/sha256.hpp"
+
 namespace fathom::golden {
 
 class InputFile {
@@ -27,5 +29,8 @@ class InputFile {
 
 /// Returns the content of a small file. Throws FileError, also if it is larger than `most` bytes.
 std::string read_small_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
+
+/// Returns the digest of a file. Throws FileError if it cannot be read.
+digest::Digest digest_of_file(const std::filesystem::path& path);
 
 }  // namespace fathom::golden

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/new_file.hpp"
-#include "verify/golden/io/sha256.hpp"
 
 namespace fathom::golden {
 
@@ -32,15 +32,15 @@ class ZstdWriter {
 
   [[nodiscard]] const std::string& name() const { return file_.name(); }
   /// Digests of the file and of its content. Call each once, after finish().
-  Digest of_file() { return file_sum_.digest(); }
-  Digest of_content() { return content_sum_.digest(); }
+  digest::Digest of_file() { return file_sum_.digest(); }
+  digest::Digest of_content() { return content_sum_.digest(); }
 
  private:
   struct Frame;
   void compress(std::string_view content, bool last);
   NewFile file_;
   std::unique_ptr<Frame> frame_;
-  Sha256 file_sum_, content_sum_;
+  digest::Sha256 file_sum_, content_sum_;
 };
 
 /// Reads the content line by line. Memory is bounded by the longest line, and its length by a limit.
@@ -56,14 +56,14 @@ class ZstdReader {
   /// The number of the line that was returned last, from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
   /// The digest of all content. Call it after the end.
-  Digest of_content() { return content_sum_.digest(); }
+  digest::Digest of_content() { return content_sum_.digest(); }
 
  private:
   struct Frame;
   bool more();
   InputFile file_;
   std::unique_ptr<Frame> frame_;
-  Sha256 content_sum_;
+  digest::Sha256 content_sum_;
   std::string text_;
   std::size_t begin_ = 0, number_ = 0;
   bool ended_ = false;

@@ -7,7 +7,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
@@ -27,10 +27,12 @@ struct Proved {
   Point common;  ///< touching
 };
 
-mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num, q.den); }
+mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num.value(), q.den.value()); }
 
 bool same(const Point& p, const fathom_check::RationalPoint& q) {
-  const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) { return x.get_num() * y.den == y.num * x.get_den(); };
+  const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) {
+    return x.get_num() * y.den.value() == y.num.value() * x.get_den();
+  };
   return equal(p.x, q.x) && equal(p.y, q.y) && equal(p.z, q.z);
 }
 
@@ -42,7 +44,7 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
   if (certificate.id != claimed.points.id) throw Refusal("the certificate is that of another record, '" + certificate.id + "'");
   if (!same(claimed.points.a.points, certificate.a.items) || !same(claimed.points.b.points, certificate.b.items))
     throw Refusal("the certificate is about other points");
-  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x, n.y, n.z});
+  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x.value(), n.y.value(), n.z.value()});
   switch (certificate.claim) {
     case fathom_check::Claim::depth:
       if (!certificate.all) throw Refusal("the certificate does not claim to list all optima");
@@ -161,7 +163,7 @@ Facts facts_from(const Claimed& claimed, const Proved& proved) {
 std::optional<std::string> faults(std::string_view line, std::string_view certificate) {
   const Claimed claimed = read_record(line);
   Facts facts = facts_from(claimed, accepted(certificate, claimed));
-  facts.certificate_sha256 = digest_of(certificate).sha256;
+  facts.certificate_sha256 = digest::digest_of(certificate).sha256;
   const std::string expected = line_of(facts);
   if (expected == line) return std::nullopt;
   return first_difference(expected, line);

@@ -10,7 +10,7 @@
 #include "kernels/context.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "verify/check/check.hpp"
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/names.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
@@ -36,7 +36,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   Record record{points.id, {}, certificate_text(points.a.points, points.b.points, answer, points.id, monitor)};
   insist_on(record.id, record.certificate, answer);
   Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor);
-  facts.certificate_sha256 = digest_of(record.certificate).sha256;
+  facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
   record.line = line_of(facts);
   record.in_binary64 = facts.in_binary64;
   record.in_binary32 = facts.in_binary32;

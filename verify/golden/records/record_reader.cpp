@@ -96,6 +96,7 @@ Claimed read_record(std::string_view line) {
     read_source(record.at("source"), claimed);
     claimed.points = {text(record.at("id"), "an id"), body(record.at("a")), body(record.at("b"))};
     claimed.witness = read_witness(record.at("expected"));
+    claimed.certificate_sha256 = text(record.at("certificate").at("sha256"), "a sum");
     return claimed;
   } catch (const Json::exception& error) {
     throw NotARecord(std::string("expected a record, found a fault: ") + error.what());

@@ -21,6 +21,7 @@ struct Claimed {
   Form form = Form::given;
   Case points;
   std::optional<Witness> witness;  ///< of the answer, or of the distance
+  std::string certificate_sha256;
 };
 
 /// Throws NotARecord.

@@ -3,13 +3,17 @@
 
 #include <utility>
 
-#include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
+#include "kernels/number/roundings.hpp"
 
 namespace fathom::golden {
 namespace {
 
-constexpr std::array modes{Rounding::rn, Rounding::rd, Rounding::ru};
+Rounded in_order(const kernels::Roundings& roundings) {
+  const auto& [rn, rd, ru] = roundings.binary64;
+  const auto& [rn32, rd32, ru32] = roundings.binary32;
+  return {{rn, rd, ru}, {rn32, rd32, ru32}};
+}
 
 Rounded mirrored(Rounded rounded) {
   for (std::array<double, 3>* values : {&rounded.binary64, &rounded.binary32}) {
@@ -27,23 +31,9 @@ Rounded signed_root(const mpz_class& component, const mpz_class& norm) {
 
 }  // namespace
 
-Rounded rounded_value(const mpq_class& value) {
-  Rounded result{};
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    result.binary64[i] = round_binary64(value, modes[i]);
-    result.binary32[i] = round_binary32(value, modes[i]);
-  }
-  return result;
-}
+Rounded rounded_value(const mpq_class& value) { return in_order(kernels::roundings(value)); }
 
-Rounded rounded_root(const mpq_class& squared) {
-  Rounded result{};
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    result.binary64[i] = root_binary64(squared, modes[i]);
-    result.binary32[i] = root_binary32(squared, modes[i]);
-  }
-  return result;
-}
+Rounded rounded_root(const mpq_class& squared) { return in_order(kernels::roundings_of_root(squared)); }
 
 RoundedVector rounded_unit(const Vector& n) {
   const mpz_class norm = dot(n, n);

@@ -24,7 +24,7 @@ class Assembly {
  public:
   Assembly(const GenerateOptions& options, const std::vector<ShardPlan>& shards, std::span<const std::size_t> numbers)
       : options_(&options), shards_(&shards), numbers_(numbers) {
-    for (const std::size_t number : numbers) done_.of += shards[number].recipes.size();
+    for (const std::size_t number : numbers) done_.of += shards[number].count();
   }
 
   void run(unsigned threads) {
@@ -32,26 +32,26 @@ class Assembly {
     tbb::parallel_pipeline(
         threads * recipes_in_flight,
         tbb::make_filter<void, Given>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
-            tbb::make_filter<Given, Entries>(filter_mode::parallel, [this](Given given) { return made(*given.recipe); }) &
+            tbb::make_filter<Given, Entries>(filter_mode::parallel, [this](Given given) { return made(*given); }) &
             tbb::make_filter<Entries, void>(filter_mode::serial_in_order, [this](const Entries& entries) { write(*entries); }));
   }
 
  private:
-  struct Given {
-    const Recipe* recipe;
-  };
+  using Given = std::shared_ptr<Recipe>;
   using Entries = std::shared_ptr<std::vector<Entry>>;
 
   const ShardPlan& shard(std::size_t place) const { return (*shards_)[numbers_[place]]; }
 
   Given next(tbb::flow_control& control) {
-    while (given_shard_ < numbers_.size() && given_recipe_ == shard(given_shard_).recipes.size()) {
-      ++given_shard_;
+    while (given_recipe_ == recipes_.size()) {
+      if (given_shard_ == numbers_.size()) {
+        control.stop();
+        return nullptr;
+      }
+      recipes_ = shard(given_shard_++).recipes();
       given_recipe_ = 0;
     }
-    if (given_shard_ < numbers_.size()) return {&shard(given_shard_).recipes[given_recipe_++]};
-    control.stop();
-    return {};
+    return std::make_shared<Recipe>(std::move(recipes_[given_recipe_++]));
   }
 
   Entries made(const Recipe& recipe) const { return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->monitor)); }
@@ -60,7 +60,7 @@ class Assembly {
     const ShardPlan& now = shard(written_shard_);
     if (!writer_) writer_.emplace(options_->folder, now, options_->seed);
     for (const Entry& entry : entries) writer_->add(entry);
-    if (++written_recipe_ == now.recipes.size()) {
+    if (++written_recipe_ == now.count()) {
       writer_->finish();
       writer_.reset();
       written_recipe_ = 0;
@@ -74,7 +74,8 @@ class Assembly {
   const GenerateOptions* options_;
   const std::vector<ShardPlan>* shards_;
   std::span<const std::size_t> numbers_;
-  std::size_t given_shard_ = 0, given_recipe_ = 0;      // of the first stage
+  std::vector<Recipe> recipes_;  // of the shard that is given out; for the first stage, as the next line
+  std::size_t given_shard_ = 0, given_recipe_ = 0;
   std::size_t written_shard_ = 0, written_recipe_ = 0;  // of the last one
   std::optional<ShardWriter> writer_;
   Done done_;

@@ -4,9 +4,11 @@
 #include <system_error>
 
 #include "kernels/printable.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/new_file.hpp"
+#include "verify/golden/release/agreement.hpp"
 #include "verify/golden/release/dataset.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 #include "verify/golden/release/sums.hpp"
@@ -14,17 +16,35 @@
 namespace fathom::golden {
 namespace fs = std::filesystem;
 
-std::vector<std::pair<std::string, std::string_view>> fixed_pages() {
-  return {{"LICENSE", licence()},
-          {"NOTES.md", notes()},
-          {"dataset.schema.json", dataset_schema()},
-          {"golden.schema.json", record_schema()},
-          {"shard.schema.json", shard_schema()}};
+namespace {
+
+void replace_all(std::string& text, std::string_view before, std::string_view after) {
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + after.size()))
+    text.replace(at, before.size(), after);
+}
+
+/// The schemas name the levels up to L2, which have been released: their pages stay as they are. Those of L3 name it too.
+std::string with_levels(std::string_view schema, Level level) {
+  std::string text(schema);
+  if (level != Level::L3) return text;
+  replace_all(text, "L[0-2]", "L[0-3]");
+  replace_all(text, R"("L1", "L2"])", R"("L1", "L2", "L3"])");
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> fixed_pages(Level level) {
+  return {{"LICENSE", std::string(licence())},
+          {"NOTES.md", std::string(notes())},
+          {"dataset.schema.json", with_levels(dataset_schema(), level)},
+          {"golden.schema.json", std::string(record_schema())},
+          {"shard.schema.json", with_levels(shard_schema(), level)}};
 }
 
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards) {
   std::set<std::string> names = {std::string(dataset_name), std::string(sums_name)};
-  for (const auto& [name, text] : fixed_pages()) names.insert(name);
+  for (const auto& [name, text] : fixed_pages(Level::L0)) names.insert(name);
   for (const ShardPlan& shard : shards) {
     names.insert(shard.name + std::string(manifest_suffix));
     for (const std::string_view suffix : shard_suffixes) names.insert(shard.name + std::string(suffix));
@@ -39,7 +59,8 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
     if (!error) error = std::make_error_code(std::errc::not_a_directory);
     throw FileError("make the folder", folder, error.value());
   }
-  const std::set<std::string> names = release_names(shards);
+  std::set<std::string> names = release_names(shards);
+  names.insert(std::string(agreement_name));
   fs::directory_iterator entries(folder, error);
   if (error) throw FileError("read the folder", folder, error.value());
   for (const fs::directory_entry& entry : entries) {
@@ -51,7 +72,7 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
 }
 
 void open_release(const fs::path& folder) {
-  for (const std::string_view name : {sums_name, dataset_name}) {
+  for (const std::string_view name : {agreement_name, sums_name, dataset_name}) {
     std::error_code error;
     fs::remove(folder / name, error);
     if (error) throw FileError("remove", folder / name, error.value());
@@ -63,15 +84,15 @@ void close_release(const fs::path& folder, Level level, std::uint64_t seed, cons
   std::vector<Sum> sums;
   const auto put = [&](const std::string& name, std::string_view text) {
     put_file(folder, name, text);
-    sums.push_back({name, digest_of(text).sha256});
+    sums.push_back({name, digest::digest_of(text).sha256});
   };
   for (const ShardPlan& shard : shards) {
     const std::string page = shard.name + std::string(manifest_suffix), text = read_small_file(folder / page);
     dataset.shards.push_back(parse_manifest(text).value());
-    sums.push_back({page, digest_of(text).sha256});
+    sums.push_back({page, digest::digest_of(text).sha256});
     for (const ShardFile& file : dataset.shards.back().files) sums.push_back({file.name, file.file.sha256});
   }
-  for (const auto& [name, text] : fixed_pages()) put(name, text);
+  for (const auto& [name, text] : fixed_pages(level)) put(name, text);
   put(std::string(dataset_name), dataset_text(dataset));
   put_file(folder, std::string(sums_name), sums_text(sums));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))  // of processes that were killed

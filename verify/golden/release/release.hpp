@@ -14,16 +14,16 @@
 
 namespace fathom::golden {
 
-/// The pages that are the same in every release of this version: name and content.
-std::vector<std::pair<std::string, std::string_view>> fixed_pages();
+/// The pages that are the same in every release of this version and level: name and content.
+std::vector<std::pair<std::string, std::string>> fixed_pages(Level level);
 
-/// The names of all files of a complete release with these shards, SHA256SUMS too.
+/// The names of all files of a complete release with these shards, SHA256SUMS too; agreement.json may come on top.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 
 /// Makes the folder if it is missing. Throws FolderError if it holds anything but files of this release, finished or not; FileError.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<ShardPlan>& shards);
 
-/// Removes dataset.json and SHA256SUMS, so that an unfinished folder does not look complete. Throws FileError.
+/// Removes the pages that only a complete release has: dataset.json, SHA256SUMS, agreement.json. Throws FileError.
 void open_release(const std::filesystem::path& folder);
 
 /// Writes the fixed pages, dataset.json and, last, SHA256SUMS. All shards must be there. Throws FileError.

@@ -11,11 +11,12 @@
 #include <system_error>
 #include <utility>
 
-#include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/printable.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
+#include "verify/golden/io/new_file.hpp"
+#include "verify/golden/release/agreement.hpp"
 #include "verify/golden/release/dataset.hpp"
 #include "verify/golden/release/release.hpp"
 #include "verify/golden/release/sums.hpp"
@@ -84,6 +85,7 @@ class Verifier {
 
   bool check_names() {
     const std::set<std::string> expected = release_names(shards_);
+    stated_ = names_.erase(std::string(agreement_name)) > 0;
     for (const std::string& name : names_)
       if (expected.count(name) == 0) refuse(kernels::printable(name, 200), "no file of this release");
     for (const std::string& name : expected)
@@ -120,7 +122,7 @@ class Verifier {
   }
 
   bool check_pages() {
-    for (const auto& [name, expected] : fixed_pages()) {
+    for (const auto& [name, expected] : fixed_pages(dataset_.level)) {
       const std::optional<std::string> text = text_of(name);
       if (text && *text != expected) refuse(name, "the page is not the one that goes with this version of the data");
     }
@@ -130,7 +132,20 @@ class Verifier {
       if (text && *text != manifest_text(shard)) refuse(page, "the page differs from the shard's entry in " + std::string(dataset_name));
       for (const ShardFile& file : shard.files) check_listed(file);
     }
+    if (stated_) check_agreement();
     return accepted();
+  }
+
+  void check_agreement() {
+    const std::string name(agreement_name);
+    const std::optional<std::string> text = text_of(name);
+    if (!text) return;
+    const std::optional<Agreement> agreement = parse_agreement(*text);
+    if (!agreement) {
+      refuse(name, "this is not a page as agreement.schema.json says and this program writes it");
+    } else if (agreement->sums_sha256 != digest_of_file(folder_ / sums_name).sha256 || agreement->records != records_in(dataset_)) {
+      refuse(name, "the page is about another release");
+    }
   }
 
   /// The shard's page against the sums, which are right by now.
@@ -143,12 +158,21 @@ class Verifier {
 
   bool check_shards() {
     const std::size_t all = records_in(dataset_);
-    const auto proved = [&] {
-      ++result_.records;
-      if (options_->report) options_->report(result_.records, all);
-    };
+    if (options_->elsewhere) {
+      options_->elsewhere(shards_, [&](std::size_t, ShardResult result) {
+        result_.records += result.records;
+        if (options_->report) options_->report(result_.records, all);
+        if (result.refusal) result_.refusals.push_back(*std::move(result.refusal));
+        return accepted();
+      });
+      return accepted();
+    }
+    const ShardOptions options{options_->methods, options_->monitor, [&] {
+                                 ++result_.records;
+                                 if (options_->report) options_->report(result_.records, all);
+                               }};
     for (std::size_t i = 0; i < shards_.size() && accepted(); ++i)
-      if (auto refusal = refusal_of_shard(folder_, shards_[i], dataset_.shards[i], options_->monitor, proved))
+      if (auto refusal = refusal_of_shard(folder_, shards_[i], dataset_.shards[i], options))
         result_.refusals.push_back(std::move(*refusal));
     return accepted();
   }
@@ -156,6 +180,7 @@ class Verifier {
   fs::path folder_;
   const VerifyOptions* options_;
   std::set<std::string> names_;
+  bool stated_ = false;  // whether there is a page on agreement
   Dataset dataset_;
   std::vector<ShardPlan> shards_;
   std::vector<Sum> sums_;
@@ -164,11 +189,41 @@ class Verifier {
 
 }  // namespace
 
-Verified verify(const fs::path& folder, const VerifyOptions& options) {
+namespace {
+
+/// Runs `work` in an arena of as many threads as the options say, and returns its result.
+template <class Work>
+auto on_threads(const VerifyOptions& options, Work work) {
   const unsigned threads = options.jobs > 0 ? options.jobs : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
-  return arena.execute([&] { return Verifier(folder, options).run(); });
+  return arena.execute(work);
+}
+
+}  // namespace
+
+Verified verify(const fs::path& folder, const VerifyOptions& options) {
+  return on_threads(options, [&] { return Verifier(folder, options).run(); });
+}
+
+ShardVerifier::ShardVerifier(fs::path folder, VerifyOptions options) : folder_(std::move(folder)), options_(std::move(options)) {
+  std::optional<Dataset> dataset = parse_dataset(read_small_file(folder_ / dataset_name));
+  if (!dataset) throw FileError((folder_ / dataset_name).string() + ": this is not the page of a release");
+  dataset_ = *std::move(dataset);
+  shards_ = plan(dataset_.level, dataset_.seed);
+}
+
+ShardResult ShardVerifier::verify(std::size_t shard) const {
+  return on_threads(options_, [&] {
+    ShardResult result;
+    const ShardOptions options{options_.methods, options_.monitor, [&] { ++result.records; }};
+    result.refusal = refusal_of_shard(folder_, shards_.at(shard), dataset_.shards.at(shard), options);
+    return result;
+  });
+}
+
+void state_agreement(const fs::path& folder, const Verified& verified, const std::vector<Method>& methods) {
+  put_file(folder, std::string(agreement_name), agreement_text({digest_of_file(folder / sums_name).sha256, verified.records, methods}));
 }
 
 }  // namespace fathom::golden

@@ -72,7 +72,7 @@ std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan
   if (manifest.version != data_version)
     return fmt::format("is of data version {}, and this program makes {}", manifest.version, data_version);
   if (manifest.seed != seed) return fmt::format("was made from seed {} instead of {}", manifest.seed, seed);
-  bool same = manifest.name == shard.name && manifest.level == shard.level && manifest.recipes == shard.recipes.size();
+  bool same = manifest.name == shard.name && manifest.level == shard.level && manifest.recipes == shard.count();
   for (std::size_t i = 0; i < shard_suffixes.size(); ++i)
     same = same && manifest.files[i].name == shard.name + std::string(shard_suffixes[i]);
   if (!same) return fmt::format("is not about {} as this version plans it", shard.name);

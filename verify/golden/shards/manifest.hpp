@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {
@@ -21,8 +21,8 @@ inline constexpr std::string_view manifest_suffix = ".json";
 
 struct ShardFile {
   std::string name;
-  Digest file;     ///< as stored
-  Digest content;  ///< decompressed: the same for every version of libzstd
+  digest::Digest file;     ///< as stored
+  digest::Digest content;  ///< decompressed: the same for every version of libzstd
   friend bool operator==(const ShardFile&, const ShardFile&) = default;
 };
 

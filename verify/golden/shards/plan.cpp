@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <memory>
+#include <utility>
 
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
@@ -16,8 +17,11 @@ namespace {
 
 using families::Family;
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2};
-constexpr std::size_t recipes_in_a_shard = 150;  // about 250 records
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3};
+
+// About 250 records; in L3 about 3000, so that one folder can hold all files.
+constexpr std::size_t recipes_in_a_shard(Level level) { return level == Level::L3 ? 1500 : 150; }
+
 constexpr unsigned least_size = 4;
 
 /// What a level adds to those below it.
@@ -31,14 +35,18 @@ constexpr Share share_of(Level level) {
   switch (level) {
     case Level::L0: return {3, 12, 0};
     case Level::L1: return {55, 30, 0};
-    case Level::L2: break;
+    case Level::L2: return {780, 40, 10};
+    case Level::L3: break;
   }
-  return {780, 40, 10};
+  return {45'000, 40, 10};
 }
 
 // Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows with the square of the size.
 constexpr std::array<std::string_view, 4> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties", "crossed_vanishing_ties"};
 constexpr unsigned most_if_costly = 60;
+
+// Families that the data does not draw on before its next version.
+constexpr std::array<std::string_view, 1> not_yet{"crossed_noisy_ties"};
 
 // A few very large cases, in L2.
 constexpr std::array<std::string_view, 7> giants{"random_ball", "random_sphere", "prisms_posed",  "needles",
@@ -65,12 +73,22 @@ Habit habit_of(const Family& family) {
   return habit;
 }
 
-std::vector<Habit> habits() {
-  std::vector<Habit> result;
+using Habits = std::vector<Habit>;
+
+Habits habits() {
+  Habits result;
   for (const Family& family : families::families()) {
-    if (family.name != "catalogue") result.push_back(habit_of(family));  // its entries are all there by name
+    const bool by_name = family.name == "catalogue";  // its entries are all there by name
+    if (!by_name && std::ranges::find(not_yet, family.name) == not_yet.end()) result.push_back(habit_of(family));
   }
   return result;
+}
+
+/// Whether there is a case number `index` of a family, counted through all levels, or its share is used up. Without a seed there is one of
+/// each size, or of the usual one.
+bool has_case(const Habit& habit, const Share& share, unsigned index) {
+  if (habit.seeded) return true;
+  return habit.sized ? least_size + index <= share.most : index == 0 && habit.family->usual_size <= share.most;
 }
 
 unsigned size_of(const Share& share, std::uint64_t seed) {
@@ -80,14 +98,12 @@ unsigned size_of(const Share& share, std::uint64_t seed) {
   return static_cast<unsigned>(random.between(least_size, most));
 }
 
-/// Returns case number `index` of a family, counted through all levels, or nullopt if its share is used up.
-std::optional<Recipe> recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsigned index) {
+/// Case number `index` of a family that has one.
+Recipe recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsigned index) {
   Recipe result{Source::family, std::string(habit.family->name), habit.family->usual_size, seed * seeds_of_a_release + index};
   if (!habit.seeded) {
-    // One case of each size, whatever the seed.
-    result.seed = 0;
+    result.seed = 0;  // whatever the seed of the release
     if (habit.sized) result.size = least_size + index;
-    if (result.size > share.most || (!habit.sized && index > 0)) return std::nullopt;
   } else if (habit.sized) {
     result.size = size_of(share, result.seed);
     if (std::ranges::find(costly, result.name) != costly.end()) result.size = std::min(result.size, most_if_costly);
@@ -95,33 +111,69 @@ std::optional<Recipe> recipe(const Habit& habit, const Share& share, std::uint64
   return result;
 }
 
-/// What a level adds, in order.
-std::vector<Recipe> additions(Level level, std::uint64_t seed, std::span<const Habit> families) {
-  std::vector<Recipe> result;
-  if (level == Level::L0) {
-    for (const Case& real : real_cases()) result.push_back({Source::real, real.id});
-    for (const families::CatalogueEntry& entry : families::catalogue()) result.push_back({Source::catalogue, std::string(entry.name)});
-  }
-  unsigned first = 0;
-  for (const Level below : levels) {
-    if (below == level) break;
-    first += share_of(below).each;
-  }
-  const Share share = share_of(level);
-  for (unsigned index = first; index < first + share.each; ++index) {
-    for (const Habit& habit : families) {
-      if (auto next = recipe(habit, share, seed, index)) result.push_back(*std::move(next));
+}  // namespace
+
+/// What a level adds, in order: what has a name, then case after case of all families, then the giants.
+class Additions {
+ public:
+  Additions(Level level, std::uint64_t seed, std::shared_ptr<const Habits> families)
+      : share_(share_of(level)), seed_(seed), families_(std::move(families)) {
+    for (const Level below : levels) {
+      if (below == level) break;
+      first_ += share_of(below).each;
     }
+    if (level == Level::L0) add_named();
+    starts_.push_back(head_.size());
+    for (unsigned i = 0; i < share_.each; ++i) starts_.push_back(starts_.back() + cases_of(i));
+    if (level == Level::L2) add_giants();
   }
-  if (level == Level::L2) {
+
+  [[nodiscard]] std::size_t size() const { return starts_.back() + tail_.size(); }
+
+  [[nodiscard]] std::vector<Recipe> part(std::size_t begin, std::size_t end) const {
+    std::vector<Recipe> result;
+    for (std::size_t i = begin; i < std::min(end, head_.size()); ++i) result.push_back(head_[i]);
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), std::max(begin, head_.size()));
+    for (auto start = after - 1; start + 1 != starts_.end() && *start < end; ++start)
+      add_round(static_cast<unsigned>(start - starts_.begin()), begin, end, result);
+    for (std::size_t i = std::max(begin, starts_.back()); i < end; ++i) result.push_back(tail_[i - starts_.back()]);
+    return result;
+  }
+
+ private:
+  void add_named() {
+    for (const Case& real : real_cases()) head_.push_back({Source::real, real.id});
+    for (const families::CatalogueEntry& entry : families::catalogue()) head_.push_back({Source::catalogue, std::string(entry.name)});
+  }
+  void add_giants() {
     for (const unsigned size : giant_sizes) {
-      for (const std::string_view name : giants) {
-        result.push_back({Source::family, std::string(name), size, seed * seeds_of_a_release + first + share.each});
-      }
+      for (const std::string_view name : giants)
+        tail_.push_back({Source::family, std::string(name), size, seed_ * seeds_of_a_release + first_ + share_.each});
     }
   }
-  return result;
-}
+  [[nodiscard]] std::size_t cases_of(unsigned round) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(*families_, [&](const Habit& habit) { return has_case(habit, share_, first_ + round); }));
+  }
+  /// The cases of one round, in which each family takes its turn, as far as they are in [begin, end).
+  void add_round(unsigned round, std::size_t begin, std::size_t end, std::vector<Recipe>& result) const {
+    std::size_t place = starts_[round];
+    for (const Habit& habit : *families_) {
+      if (!has_case(habit, share_, first_ + round)) continue;
+      if (place >= begin && place < end) result.push_back(recipe(habit, share_, seed_, first_ + round));
+      ++place;
+    }
+  }
+
+  Share share_;
+  std::uint64_t seed_;
+  std::shared_ptr<const Habits> families_;
+  unsigned first_ = 0;               // cases of each family in the levels below
+  std::vector<Recipe> head_, tail_;  // before and after the rounds
+  std::vector<std::size_t> starts_;  // the place of the first case of each round; at last that of the tail
+};
+
+namespace {
 
 std::string shard_name(Level level, std::size_t number) {
   const std::string digits = std::to_string(number);
@@ -131,7 +183,7 @@ std::string shard_name(Level level, std::size_t number) {
 }  // namespace
 
 std::string_view name_of(Level level) {
-  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2"};
+  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3"};
   return names[static_cast<std::size_t>(level)];
 }
 
@@ -140,18 +192,16 @@ std::optional<Level> find_level(std::string_view name) {
   return found == levels.end() ? std::nullopt : std::optional(*found);
 }
 
+std::vector<Recipe> ShardPlan::recipes() const { return additions->part(begin, end); }
+
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed) {
-  const std::vector<Habit> families = habits();
+  const auto families = std::make_shared<const Habits>(habits());
   std::vector<ShardPlan> shards;
   for (const Level part : levels) {
-    std::vector<Recipe> recipes = additions(part, seed, families);
-    const std::size_t count = (recipes.size() + recipes_in_a_shard - 1) / recipes_in_a_shard;
-    for (std::size_t i = 0; i < count; ++i) {
-      // Shards of one level differ by one recipe at most.
-      const auto begin = recipes.begin() + static_cast<std::ptrdiff_t>(recipes.size() * i / count);
-      const auto end = recipes.begin() + static_cast<std::ptrdiff_t>(recipes.size() * (i + 1) / count);
-      shards.push_back({shard_name(part, i), part, {std::make_move_iterator(begin), std::make_move_iterator(end)}});
-    }
+    const auto additions = std::make_shared<const Additions>(part, seed, families);
+    const std::size_t all = additions->size(), most = recipes_in_a_shard(part), count = (all + most - 1) / most;
+    for (std::size_t i = 0; i < count; ++i)  // shards of one level differ by one recipe at most
+      shards.push_back({shard_name(part, i), part, additions, all * i / count, all * (i + 1) / count});
     if (part == level) break;
   }
   return shards;

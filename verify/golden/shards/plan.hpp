@@ -2,7 +2,9 @@
 // Which cases a release holds: a function of the level and the seed alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,22 +15,30 @@
 namespace fathom::golden {
 
 /// Nested: a level's cases are among those of the next. Judging a fast library takes about a second for L0, ten seconds for L1, minutes for
-/// L2.
+/// L2, two hours for L3.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
-  L2   ///< about a hundred and fifty thousand, to 200 points, a few to 1000
+  L2,  ///< about a hundred and fifty thousand, to 200 points, a few to 1000
+  L3   ///< about ten million, to 200 points: for clusters
 };
 
-/// "L0", "L1", "L2".
+/// "L0", "L1", "L2", "L3".
 std::string_view name_of(Level level);
 std::optional<Level> find_level(std::string_view name);
 
-/// The recipes of one file of records, in their order.
+class Additions;
+
+/// One file of records. Its recipes are made when they are asked for: those of all files may be millions.
 struct ShardPlan {
   std::string name;  ///< "golden-L1-0007": the level that the shard is new in, and its number there
   Level level = Level::L0;
-  std::vector<Recipe> recipes;
+  std::shared_ptr<const Additions> additions;  ///< of that level
+  std::size_t begin = 0, end = 0;              ///< its part of them
+
+  [[nodiscard]] std::size_t count() const { return end - begin; }
+  /// In their order; at least one.
+  [[nodiscard]] std::vector<Recipe> recipes() const;
 };
 
 /// Must change whenever the same level and seed yield other records than before.

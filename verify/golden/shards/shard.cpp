@@ -23,7 +23,7 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   manifest_.level = shard.level;
   manifest_.version = data_version;
   manifest_.seed = seed;
-  manifest_.recipes = shard.recipes.size();
+  manifest_.recipes = shard.count();
   manifest_.zstd = zstd_version();
   for (const std::string_view suffix : shard_suffixes)
     writers_.push_back(std::make_unique<ZstdWriter>(folder_, shard.name + std::string(suffix)));

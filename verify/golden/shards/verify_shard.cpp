@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/exports.hpp"
 #include "verify/golden/records/prove.hpp"
+#include "verify/golden/records/recompute.hpp"
 #include "verify/golden/records/record_order.hpp"
 
 namespace fathom::golden {
@@ -77,17 +77,16 @@ struct Item {
 
 class Verification {
  public:
-  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, Monitor* monitor,
-               const std::function<void()>& proved)
+  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, const ShardOptions& options)
       : manifest_(&manifest),
-        monitor_(monitor),
-        proved_(&proved),
-        order_(shard.recipes),
+        options_(&options),
+        planned_(shard.recipes()),
+        order_(planned_),
         records_(folder, manifest.files[0]),
         certificates_(folder, manifest.files[1]),
         csv_(folder, manifest.files[2]),
         include_(folder, manifest.files[3]) {
-    for (const Recipe& recipe : shard.recipes) recipes_.emplace(id_of(recipe), &recipe);
+    for (const Recipe& recipe : planned_) recipes_.emplace(id_of(recipe), &recipe);
   }
 
   std::optional<Refusal> run() {
@@ -137,9 +136,9 @@ class Verification {
   }
 
   Shared prove(const Shared& item) const {
-    kernels::Context(monitor_).check();
+    kernels::Context(options_->monitor).check();
     if (item->refusal || stopped_) return item;
-    if (auto fault = faults_of(item->line, item->certificate)) {
+    if (auto fault = fault_in(*item)) {
       item->refusal = {item->record_place, std::move(*fault)};
     } else {
       item->id = id_in(item->line);
@@ -151,6 +150,13 @@ class Verification {
     return item;
   }
 
+  std::optional<std::string> fault_in(const Item& item) const {
+    std::optional<std::string> fault = faults_of(item.line, item.certificate);
+    for (const Method method : options_->methods)
+      if (!fault) fault = disagreement_with(method, item.line, options_->monitor);
+    return fault;
+  }
+
   void accept(Item& item) {
     if (refusal_) return;
     try {
@@ -159,7 +165,7 @@ class Verification {
       csv_.expect(item.csv, "the row of this record");
       include_.expect(item.include, "the entry of this record");
       ++count_;
-      if (*proved_) (*proved_)();
+      if (options_->proved) options_->proved();
     } catch (Refusal& refusal) {
       refusal_ = std::move(refusal);
       stopped_ = true;
@@ -167,9 +173,9 @@ class Verification {
   }
 
   const Manifest* manifest_;
-  Monitor* monitor_;
-  const std::function<void()>* proved_;
+  const ShardOptions* options_;
   std::map<std::string, const Recipe*> recipes_;  // by the ids of their first records
+  const std::vector<Recipe> planned_;
   RecordOrder order_;
   Stream records_, certificates_, csv_, include_;
   std::optional<Refusal> refusal_;  // of the last stage
@@ -180,9 +186,9 @@ class Verification {
 }  // namespace
 
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-                                        Monitor* monitor, const std::function<void()>& proved) {
+                                        const ShardOptions& options) {
   try {
-    return Verification(folder, shard, manifest, monitor, proved).run();
+    return Verification(folder, shard, manifest, options).run();
   } catch (Refusal& refusal) {
     return std::move(refusal);
   }

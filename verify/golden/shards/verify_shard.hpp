@@ -6,8 +6,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "fathom/monitor.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/shards/manifest.hpp"
 
 namespace fathom::golden {
@@ -18,11 +19,16 @@ struct Refusal {
   std::string reason;
 };
 
-/// Returns the first fault, in the order of the records, or nullopt if every record is proved and stands where the plan says, the
-/// certificates and both exports belong to exactly these records, and counts and sums are those of the page. Memory is bounded by a few
-/// dozen records for each thread. `monitor`, which may be null, stops all threads; `proved`, which may be empty, is called after each
-/// record from one thread at a time. Throws Interrupted.
+struct ShardOptions {
+  std::vector<Method> methods;   ///< that have to give every record again, beside its proof
+  Monitor* monitor = nullptr;    ///< stops all threads
+  std::function<void()> proved;  ///< called after each record from one thread at a time; may be empty
+};
+
+/// Returns the first fault, in the order of the records, or nullopt if every record is proved, given again by each of the methods, and
+/// stands where the plan says, the certificates and both exports belong to exactly these records, and counts and sums are those of the
+/// page. Memory is bounded by a few dozen records for each thread. Throws Interrupted.
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-                                        Monitor* monitor, const std::function<void()>& proved);
+                                        const ShardOptions& options);
 
 }  // namespace fathom::golden

@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
-#include "fathom/numbers.hpp"
-#include "reference/certificate/certificate.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/proof.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -38,11 +36,7 @@ bool is_solid(const Body& body) {
 /// The text of a certificate of the truth, which the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
-  Certificate certificate = make_certificate(pair.a.points, pair.b.points, depth);
-  certificate.id = pair.id;
-  std::string text = certificate_text(certificate);
-  const fathom_check::Verdict checked = fathom_check::verify(text);
-  if (!checked.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, checked.reason));
+  std::string text = accepted_certificate(pair, depth);
   // The truth of a variant is that of the case up to a power of 4; the harness judged it by a solution of its own.
   const bool same = !outcome.judgement || !outcome.variant.empty() ||
                     (outcome.judgement->status == depth.status() && outcome.judgement->depth_squared == depth.squared());
@@ -62,7 +56,8 @@ Search::Search(Verdict verdict, const Examine& examine, const std::function<void
       tries_(settings.tries != 0            ? settings.tries
              : verdict == Verdict::time_out ? slow_tries
                                             : usual_tries),
-      keep_solid_(settings.keep_solid) {}
+      keep_solid_(settings.keep_solid),
+      certify_(settings.certify) {}
 
 bool Search::begin(Case pair) {
   solid_a_ = keep_solid_ && is_solid(pair.a);
@@ -71,7 +66,7 @@ bool Search::begin(Case pair) {
   examined_.insert(key_of(pair));
   Outcome outcome = examine_(pair);
   result_.reproduced = outcome.verdict == verdict_;
-  if (result_.reproduced) return certify(std::move(pair), std::move(outcome));
+  if (result_.reproduced) return keep(std::move(pair), std::move(outcome));
   result_.pair = std::move(pair);
   result_.outcome = std::move(outcome);
   return false;
@@ -87,11 +82,11 @@ bool Search::offer(Case candidate) {
   Outcome outcome = examine_(candidate);
   if (outcome.verdict != verdict_) return false;
   ++result_.kept;
-  return certify(std::move(candidate), std::move(outcome));
+  return keep(std::move(candidate), std::move(outcome));
 }
 
-bool Search::certify(Case pair, Outcome outcome) {
-  result_.certificate = proved(pair, outcome);
+bool Search::keep(Case pair, Outcome outcome) {
+  if (certify_) result_.certificate = proved(pair, outcome);
   size_ = size_of(pair);
   result_.pair = std::move(pair);
   result_.outcome = std::move(outcome);

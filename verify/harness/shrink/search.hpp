@@ -30,7 +30,7 @@ class Search {
   [[nodiscard]] const Shrunk& result() const { return result_; }
 
  private:
-  bool certify(Case pair, Outcome outcome);
+  bool keep(Case pair, Outcome outcome);
 
   Verdict verdict_;
   const Examine& examine_;
@@ -38,7 +38,7 @@ class Search {
   const std::function<bool()>& stop_;
   Precision precision_;
   std::size_t tries_;
-  bool keep_solid_, solid_a_ = false, solid_b_ = false;  ///< whether the bodies have to keep an interior
+  bool keep_solid_, certify_, solid_a_ = false, solid_b_ = false;  ///< whether the bodies have to keep an interior
   bool over_ = false;
   Shrunk result_;
   Size size_;

@@ -39,6 +39,12 @@ void write_whole(const std::filesystem::path& path, const std::string& text) {
   if (!out || error) throw InputError(path.string(), 0, "cannot be written" + (error ? ": " + error.message() : ""));
 }
 
+void make_folder(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw InputError(directory, 0, "cannot be made a directory: " + error.message());
+}
+
 }  // namespace
 
 std::string case_line(const Case& pair, const std::string& comment) {
@@ -48,18 +54,22 @@ std::string case_line(const Case& pair, const std::string& comment) {
   return text + "}\n";
 }
 
+std::string write_case(const std::string& directory, const std::string& stem, const Case& pair, const std::string& comment) {
+  make_folder(directory);
+  const std::string path = (std::filesystem::path(directory) / (stem + ".case.json")).string();
+  write_whole(path, case_line(pair, comment));
+  return path;
+}
+
 std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw InputError(directory, 0, "cannot be made a directory: " + error.message());
+  make_folder(directory);
   const Outcome& outcome = shrunk.outcome;
   std::string stem(name(outcome.verdict));
   if (!outcome.variant.empty()) stem += '~' + outcome.variant;
   const std::string comment = fmt::format("{} of {} {}", stem, info.name, info.version);
   const std::filesystem::path base = std::filesystem::path(directory) / stem;
-  const std::pair<const char*, std::string> files[] = {
-      {".case.json", case_line(shrunk.pair, comment)}, {".cert", shrunk.certificate}, {".cpp", snippet(info, shrunk.pair, outcome)}};
-  std::vector<std::string> paths;
+  const std::pair<const char*, std::string> files[] = {{".cert", shrunk.certificate}, {".cpp", snippet(info, shrunk.pair, outcome)}};
+  std::vector<std::string> paths = {write_case(directory, stem, shrunk.pair, comment)};
   for (const auto& [ending, text] : files) {
     paths.push_back(base.string() + ending);
     write_whole(paths.back(), text);

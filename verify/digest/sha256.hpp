@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
-namespace fathom::golden {
+namespace fathom::digest {
 
 /// How many bytes there were, and their SHA-256 in 64 lower-case hexadecimal digits.
 struct Digest {
@@ -33,10 +32,7 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-/// Returns the digest of a file. Throws FileError if it cannot be read.
-Digest digest_of_file(const std::filesystem::path& path);
-
 /// Returns the digest of a text.
 Digest digest_of(std::string_view text);
 
-}  // namespace fathom::golden
+}  // namespace fathom::digest

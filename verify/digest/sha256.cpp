@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/io/sha256.hpp"
+#include "verify/digest/sha256.hpp"
 
 #include <openssl/evp.h>
 
 #include <array>
 #include <stdexcept>
 
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/input_file.hpp"
-
-namespace fathom::golden {
+namespace fathom::digest {
 
 struct Sha256::Context {
   EVP_MD_CTX* state = EVP_MD_CTX_new();
@@ -41,17 +38,10 @@ Digest Sha256::digest() {
   return digest;
 }
 
-Digest digest_of_file(const std::filesystem::path& path) {
-  InputFile file(path);
-  Sha256 sum;
-  for (std::string_view block = file.read(); !block.empty(); block = file.read()) sum.add(block);
-  return sum.digest();
-}
-
 Digest digest_of(std::string_view text) {
   Sha256 sum;
   sum.add(text);
   return sum.digest();
 }
 
-}  // namespace fathom::golden
+}  // namespace fathom::digest

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program fathom runs: every command.
+#include "cli/commands/command.hpp"
+
+namespace fathom::cli {
+
+ExitCode run_command(const Request& request) {
+  switch (request.command) {
+    case Command::depth: return run_depth(request);
+    case Command::width: return run_width(request);
+    case Command::approx: return run_approx(request);
+    case Command::ray: return run_ray(request);
+    case Command::metric: return run_metric(request);
+    case Command::study: return run_study(request);
+    case Command::cases: return run_cases(request);
+    case Command::certify: return run_certify(request);
+  }
+  return internal_error;
+}
+
+ExitCode run_command(std::string_view name, const std::vector<std::string>& words) {
+  return name == "check" ? run_check(words) : run_golden(words);
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A stream's items, worked on by many threads and handed on in order.
+#pragma once
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace fathom::cli {
+
+/// The number of threads for a stream unless the user says it: one for each core that this process may use. One where the address space is
+/// limited, for every thread takes some of it.
+unsigned usual_threads();
+
+/// Items that are under way at once, for each thread: behind an item that takes long, the others go on with so many.
+inline constexpr std::size_t items_in_flight = 16;
+
+/// Calls `next` until it returns null, `work` for each item and then `deliver`. `next` and `deliver` are called for one item at a time, in
+/// order; `work` for several at once, on as many threads. `next` may wait: meanwhile other threads go on, and every item that is before the
+/// one awaited gets delivered. With one thread, each item is delivered before the next is asked for. The first exception that any of the
+/// three throws ends the run, once those under way return, and is rethrown.
+template <class Item, class Next, class Work, class Deliver>
+void in_order(unsigned threads, Next next, Work work, Deliver deliver) {
+  using Shared = std::shared_ptr<Item>;
+  if (threads == 1) {
+    while (const Shared item = next()) {
+      work(*item);
+      deliver(*item);
+    }
+    return;
+  }
+  const auto first = [&](tbb::flow_control& control) {
+    Shared item = next();
+    if (!item) control.stop();
+    return item;
+  };
+  const auto second = [&](const Shared& item) {
+    work(*item);
+    return item;
+  };
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_pipeline(threads * items_in_flight, tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, first) &
+                                                          tbb::make_filter<Shared, Shared>(tbb::filter_mode::parallel, second) &
+                                                          tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
+                                                                                         [&](const Shared& item) { deliver(*item); }));
+  });
+}
+
+}  // namespace fathom::cli

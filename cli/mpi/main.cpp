@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify, certify,
+// and depth on a stream. What they do not share rank 0 does alone. It is a program of its own so that fathom itself starts without MPI.
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "cli/args/arguments.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/replies.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/memory.hpp"
+#include "cli/io/output.hpp"
+#include "cli/mpi/verbs.hpp"
+#include "fathom/files.hpp"
+#include "kernels/float_environment.hpp"
+
+namespace {
+
+using namespace fathom::cli;
+
+ExitCode run(const Processes& world, int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "golden") return golden_by_ranks(world, {argv + 2, argv + argc});
+  const Arguments arguments = parse_arguments(argc, argv);
+  const bool leads = world.rank() == 0;
+  if (!arguments.request) {
+    if (leads) arguments.code == fine ? print(arguments.text) : talk(arguments.text);
+    return arguments.code;
+  }
+  const Request& request = *arguments.request;
+  if (request.command == Command::certify && request.certify.replay.empty() && !request.certify.list_adapters)
+    return certify_by_ranks(world, request);
+  if (!leads) return fine;
+  return request.command == Command::certify ? run_certify(request) : run_depth(request);
+}
+
+/// Errors become one sentence, as in fathom itself.
+ExitCode guarded(const Processes& world, int argc, char** argv) {
+  try {
+    return run(world, argc, argv);
+  } catch (const fathom::InputError& error) {
+    talk(error.what());
+    return bad_input;
+  } catch (const fathom::Interrupted&) {
+    talk("interrupted");
+    return interrupted;
+  } catch (const std::exception& error) {
+    talk(fault_text(error));
+    return internal_error;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  guard_memory();
+  const fathom::kernels::DefaultFloatEnvironment environment;
+  hold_standard_streams();
+  const Processes processes(argc, argv);
+  unsetenv("OMPI_COMM_WORLD_SIZE");  // programs that we start are no part of the job
+  return guarded(processes, argc, argv);
+}

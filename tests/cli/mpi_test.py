@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""mpirun -np N fathom: golden verify and certify print the same on any number of processes; a dead one is named, and the next run goes on.
+golden generate: golden_mpi_test.py."""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from certify_harness import boxes, liar
+from golden_mpi_test import MPIRUN, descendants
+from golden_release import COMMITTED, ENDS, GoldenTest, packed, repair, unpacked
+from harness import EXECUTABLE, PATIENCE
+
+PROGRAM = pathlib.Path(EXECUTABLE).with_name("fathom-mpi")
+STREAM = "".join(boxes(i, marked=i % 10 == 3) for i in range(60))
+
+
+def command(ranks, *words):
+    start = [MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    return [*start, EXECUTABLE, *map(str, words)]
+
+
+def ours(text):
+    """Without what mpirun adds when a process exits with another code than 0."""
+    return "".join(line for line in text.splitlines(keepends=True) if line.startswith("fathom: "))
+
+
+@unittest.skipUnless(MPIRUN and PROGRAM.exists(), "Open MPI or Boost.MPI is not here (openmpi-bin, libopenmpi-dev, libboost-mpi-dev)")
+class Mpi(GoldenTest):
+    def on_ranks(self, ranks, *words, stdin=""):
+        """(exit code, stdout, our part of stderr)"""
+        done = subprocess.run(command(ranks, *words), input=stdin, capture_output=True, text=True, timeout=PATIENCE)
+        return done.returncode, done.stdout, ours(done.stderr)
+
+    def same_on_all(self, *words, stdin=""):
+        one, two, three = (self.on_ranks(ranks, *words, stdin=stdin) for ranks in (1, 2, 3))
+        self.assertEqual(one, two)
+        self.assertEqual(one, three)
+        return one
+
+    def test_verify(self):
+        self.assertRegex(self.same_on_all("golden", "verify", "--method", "exact", COMMITTED)[1], "^s VERIFIED L0 .* agreed=exact ")
+        self.assertEqual(self.same_on_all("golden", "verify", self.folder / "nothing")[0], 2)
+        self.assertEqual(self.same_on_all("golden", "verify")[0], 2)
+        self.assertIn("Examples", self.same_on_all("golden", "verify", "--help")[1])
+
+    def test_verify_refuses_the_same(self):
+        """The first fault in the order of the records, though another rank may meet another one sooner."""
+        folder = self.folder / "forged"
+        shutil.copytree(self.release, folder)
+        for shard in self.shards[1:]:
+            path = folder / (shard + ENDS[0])
+            lines = unpacked(path).splitlines(keepends=True)
+            lines[2] = lines[2].replace(b'"status":"', b'"status":"x')
+            path.write_bytes(packed(b"".join(lines)))
+        repair(folder)
+        code, out, _ = self.same_on_all("golden", "verify", folder)
+        self.assertEqual(code, 1)
+        self.assertRegex(out, rf"^s REFUSED {self.shards[1]}.jsonl.zst:3: expected.status: .*\n$")
+        (folder / "NOTES.md").write_text("x")
+        self.assertEqual(self.same_on_all("golden", "verify", folder)[0], 1)
+
+    def test_certify(self):
+        """Verdicts, table and exit code; the lines of a report come in the order in which answers do."""
+        for way in ("honest", "too-deep", "nan", "crash", "garbage"):
+            code, table, _ = self.same_on_all("certify", "--method", "exact", "--subject", liar(way), "-", stdin=STREAM)
+            self.assertEqual(code, 0 if way == "honest" else 1)
+            self.assertIn("60 cases", table)
+        reports = []
+        for ranks in (1, 3):
+            report = self.folder / f"{ranks}.jsonl"
+            self.on_ranks(ranks, "certify", "--metamorphic", "--subject", liar("too-deep"), "--report", report, "-", stdin=STREAM)
+            lines = [json.loads(line) for line in report.read_text().splitlines()]
+            for line in lines:
+                line.pop("seconds", None)
+                line.pop("command", None)
+            reports.append(sorted(map(json.dumps, lines)))
+        self.assertEqual(*reports)
+
+    def test_certify_without_a_subject(self):
+        code, out, err = self.same_on_all("certify", "--subject", "exec false", "-", stdin=STREAM)
+        self.assertEqual((code, out), (4, ""))
+        self.assertIn("nothing was judged", err)
+        self.assertEqual(self.same_on_all("certify", "--subject", "x", "nothing.jsonl")[0], 2)
+        self.assertEqual(self.same_on_all("certify", "--list-adapters")[0], 0)
+
+    def killed(self, *words):
+        """Kills one of three ranks under way. Returns (exit code, all of stderr)."""
+        with subprocess.Popen(command(3, *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            ranks = []
+            while process.poll() is None and len(ranks) < 3:
+                ranks = [number for number, name in descendants(process.pid) if name.startswith("fathom-mpi")]
+            time.sleep(0.7)
+            os.kill(max(ranks), signal.SIGKILL)
+            _, err = process.communicate(timeout=PATIENCE)
+            return process.returncode, err
+
+    def test_a_killed_rank(self):
+        """mpirun names it; rank 0 says what each was at; the report holds what was judged, and the next run does the rest."""
+        cases, report = self.file("cases.jsonl", STREAM), self.folder / "report.jsonl"
+        words = ["certify", "--subject", liar("too-deep", 0.1), "--report", report, cases]
+        code, err = self.killed(*words)
+        self.assertNotEqual(code, 0)
+        self.assertRegex(err, r"rank \d with PID \d+ on node \S+ exited on signal 9")
+        self.assertRegex(err, r"fathom: rank \d was at case box::\d+")
+        before = [line for line in report.read_text().splitlines() if '"type":"case"' in line]
+        self.assertTrue(0 < len(before) < 60)
+        self.assertEqual(self.on_ranks(2, *words[:-1], "--resume", cases)[0], 1)
+        lines = [json.loads(line) for line in report.read_text().splitlines()]
+        self.assertEqual({line["id"]: line["verdict"] for line in lines if line["type"] == "case"},
+                         {f"box::{i}": "too-deep" if i % 10 == 3 else "pass" for i in range(60)})
+        self.assertEqual(sum(line["type"] == "case" for line in lines), 60)
+        self.assertEqual(lines[-1]["type"], "summary")
+
+    def test_a_subject_that_is_fathom(self):
+        """A program that a rank starts is no part of the job."""
+        wrapper = self.file("wrapper.py", f"""
+import json, subprocess, sys
+print(json.dumps({{"type": "hello", "protocol": "fathom/subject/1", "name": "self", "version": "1", "precision": "binary64",
+                  "conventions": {{"touching": "either", "depth": "positive", "moves": "a", "unit": True}}}}), flush=True)
+for line in sys.stdin:
+    run = json.loads(line)
+    if run["type"] == "run":
+        case = json.dumps({{"a": run["a"], "b": run["b"]}})
+        out = subprocess.run([{EXECUTABLE!r}, "depth", "--json", "-"], input=case, capture_output=True, text=True, check=True).stdout
+        overlap = json.loads(out)["status"] == "penetrating"
+        print(json.dumps({{"type": "reply", "id": run["id"], "overlap": overlap, "depth": 0.5}}), flush=True)
+    elif run["type"] == "stop":
+        break
+""")
+        code, out, err = self.on_ranks(2, "certify", "--subject", f"{sys.executable} -B {wrapper}", "-", stdin=boxes(0))
+        self.assertEqual(code, 0, err)
+        self.assertIn("1 case: 1 pass, 0 fail", out)
+
+
+if __name__ == "__main__":
+    unittest.main()

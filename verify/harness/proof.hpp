@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The truth about a case, proved.
+#pragma once
+
+#include <string>
+
+#include "fathom/depth.hpp"
+#include "fathom/files.hpp"
+
+namespace fathom::harness {
+
+/// Returns the text of the certificate of an answer, which the independent checker has accepted as a proof of that very answer: of its
+/// status, its depth, and how many optima it has. Throws std::logic_error if the checker refuses it or finds another answer proved, and
+/// Interrupted.
+std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
+
+}  // namespace fathom::harness

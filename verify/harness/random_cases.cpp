@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/random_cases.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "verify/families/families.hpp"
+#include "verify/families/random.hpp"
+#include "verify/harness/seen_case.hpp"
+
+namespace fathom::harness {
+
+Case random_case(std::uint64_t seed, std::uint64_t number) {
+  const auto families = families::families();
+  families::Random random(families::Random(seed).next() + number);
+  const auto size = static_cast<unsigned>(random.between(least_random_size, most_random_size));
+  const std::uint64_t of_family = random.next();
+  Case pair = families[number % families.size()].make(of_family, size);
+  const std::int64_t form = random.between(0, 2);
+  if (form == 0) return pair;
+  const Precision precision = form == 1 ? Precision::binary64 : Precision::binary32;
+  std::optional<Case> rounded = as_seen(pair, precision);
+  if (!rounded) return pair;
+  rounded->id += precision == Precision::binary64 ? ".b64" : ".b32";
+  return *std::move(rounded);
+}
+
+}  // namespace fathom::harness
