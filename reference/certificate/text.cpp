@@ -161,7 +161,7 @@ void write_claim(Writer& out, const Certificate& certificate) {
     case ClaimKind::touching: out.word("touching").end(); break;
     case ClaimKind::disjoint: out.word("disjoint").end(); break;
   }
-  const bool complete = certificate.claim == ClaimKind::depth;
+  const bool complete = certificate.claim == ClaimKind::depth && certificate.complete;
   out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
   for (const Vector& n : certificate.directions) out.words(n).end();
 }
@@ -201,7 +201,7 @@ std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<c
   Writer out(likely_size(a.size() + b.size(), &inner));
   write_head(out, id, a, b);
   out.word("claim").word("depth").word(answer.squared()).end();
-  out.word("directions").word(answer.optima.size()).word("all").end();
+  out.word("directions").word(answer.optima.size()).word(answer.unlisted == 0 ? "all" : "some").end();
   for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
   write_inner(out, inner);
   write_end(out, {a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});
