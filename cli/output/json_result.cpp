@@ -62,6 +62,7 @@ std::string json_result(const Answer& answer, const Request& request) {
   const std::optional<Witness> witness = depth.witness();
   result["witness"] = witness ? witness_object(*witness) : Json();
   result["optima"] = optima_array(depth, direction, translation);
+  if (request.optima) result["optima_count"] = depth.optima_count();
   if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);
