@@ -15,7 +15,7 @@ constexpr std::uint64_t worth_a_frame = 1024;
 constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 400, offer_cost = 256;
 
 // Smaller margins are near the end of binary64's digits. Where they are larger, it is cheaper to cut blocks than to compute long numbers.
-constexpr double small_margin = 0x1p-43;
+constexpr double small_margin = 0x1p-40;
 
 // The offset test may leave this many pairs for each line of a block.
 constexpr std::size_t left_for_each = 4;
@@ -54,12 +54,12 @@ bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search)
   if (pairs < worth_a_frame || !frames_promise(search)) return false;
   const auto [row, column] = rows_and_columns(side, cell, opposite);
   if (!frames_clear(row, column, search)) return false;
-  ++frames_held_;
   test_account_.saved += pairs;
   return true;
 }
 
-// Where one in 16 clears they are tried on all blocks, or where pairs cost so much that they may as well be; else on one in 16.
+// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where pairs cost so much that they may as well
+// be; else on one in 16.
 bool Blocks::frames_promise(const LineSearch& search) const {
   return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 || frame_cost * frames_tried_ <= credit(search);
 }
@@ -74,10 +74,12 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   if (kernels::frames_beyond(frames_.rows.sketch(row), frames_.columns.sketch(column), bound) &&
       kernels::frames_beyond(frames_.rows.whole(row), frames_.columns.whole(column), bound)) {
     ++counters.frame_clears;
+    ++frames_held_;
     return true;
   }
-  if (!nearly_tied(row, column, bound) || !wide_account_.worth_trying(credit(search))) return false;
-  if (!wide_clears(row, column, search)) return false;
+  if (!nearly_tied(row, column, bound)) return false;
+  ++frames_held_;
+  if (!wide_account_.worth_trying(credit(search)) || !wide_clears(row, column, search)) return false;
   // Most of these pairs would have come through the filter in binary64.
   wide_account_.saved += tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) * (offer_cost / 4);
   return true;
