@@ -1,0 +1,275 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/measurements.md, measured and printed as Markdown.
+
+    tables.py NAME... [--build DIR] [--before DIR] [--repeat N]
+
+NAME is one of the tables below, or `all`. DIR is a build folder of the preset `bench`; build/bench unless given.
+With --before both builds are measured in turns, N times each, the least time of either counts, and each cell
+that holds a time reads "now (before)". Times are for reading: nothing passes or fails here.
+"""
+import argparse
+import json
+import os
+import re
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def run(command, **options):
+    print("+", " ".join(map(str, command)), file=sys.stderr, flush=True)
+    return subprocess.run(list(map(str, command)), check=True, stdout=subprocess.PIPE, text=True, **options).stdout
+
+
+def google_benchmark(build, program, pattern=None):
+    """{name: processor time in seconds} of a program by Google Benchmark, with its counters under (name, counter)."""
+    unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+    with tempfile.NamedTemporaryFile(suffix=".json") as out:
+        chosen = [f"--benchmark_filter={pattern}"] if pattern else []
+        run([build / "tests/benchmark" / program, f"--benchmark_out={out.name}", "--benchmark_out_format=json", *chosen])
+        measured = json.load(open(out.name))["benchmarks"]
+    figures = {}
+    for entry in measured:
+        figures[entry["name"]] = entry["cpu_time"] * unit[entry["time_unit"]]
+        for counter in ("facets", "facets visited", "records/s"):
+            if counter in entry:
+                figures[entry["name"], counter] = entry[counter]
+    return figures
+
+
+def seconds(value):
+    """A time in two digits, in the unit that suits it.
+
+    >>> [seconds(x) for x in (1.64e-5, 0.00996, 0.0994, 0.123, 15.3, 123.4)]
+    ['16 µs', '10 ms', '99 ms', '0.12 s', '15 s', '123 s']
+    """
+    unit, size = ("s", 1.0) if value >= 0.0995 else ("ms", 1e-3) if value >= 0.995e-3 else ("µs", 1e-6)
+    return f"{two_digits(value / size)} {unit}"
+
+
+def two_digits(value):
+    """
+    >>> [two_digits(x) for x in (0.0123, 1.26, 28.4, 1234.5)]
+    ['0.012', '1.3', '28', '1234']
+    """
+    return f"{value:.0f}" if value >= 99.5 else f"{float(f'{value:.2g}'):g}"
+
+
+def count(value):
+    """
+    >>> [count(x) for x in (7, 7100, 4.29e9)]
+    ['7', '7100', '4.3e9']
+    """
+    return f"{value:.1e}".replace("e+0", "e").replace("e+", "e") if value >= 10000 else f"{value:.0f}"
+
+
+class Pair:
+    """What was measured of today's build and, where asked for, of the one before.
+
+    >>> p = Pair(lambda build: {"a": build * 1e-3, "b": 2e-3}, 3, 6, 2)
+    >>> p.cell("a"), p.ratio("a", "b"), p.cell("c")
+    ('3 ms (6 ms)', '1.5 (3)', '')
+    """
+
+    def __init__(self, measure, now, before, repeat):
+        runs = {"now": [], "before": []}
+        for _ in range(repeat if before else 1):
+            if before:
+                runs["before"].append(measure(before))
+            runs["now"].append(measure(now))
+        self.now = self.least(runs["now"])
+        self.before = self.least(runs["before"]) if before else {}
+
+    @staticmethod
+    def least(runs):
+        keys = set().union(*runs)
+        return {key: min(r[key] for r in runs if key in r) for key in keys}
+
+    def cell(self, key, form=seconds):
+        if key not in self.now:
+            return ""
+        text = form(self.now[key])
+        return f"{text} ({form(self.before[key])})" if key in self.before else text
+
+    def ratio(self, key, base, form=two_digits):
+        """The value of `key` as a multiple of that of `base`. Nothing where one of them was not measured."""
+        if key not in self.now or base not in self.now:
+            return ""
+        text = form(self.now[key] / self.now[base])
+        if key in self.before and base in self.before:
+            text += f" ({form(self.before[key] / self.before[base])})"
+        return text
+
+
+def table(head, rows):
+    for row in (head, ["---"] * len(head), *rows):
+        print("| " + " | ".join(row) + " |" if row[0] != "---" else "|" + "|".join(row) + "|")
+    print(flush=True)
+
+
+def certificates(pair):
+    rows = [("random_sphere", 20), ("random_sphere", 64), ("random_sphere", 200), ("random_sphere", 1000), ("random_sphere", 100000),
+            ("needles", 1000), ("crossed_fans", 1000)]
+    pattern = "^(" + "|".join(f"{name}/{size}" for name, size in rows) + ")/(answer|answer_and_text|check|pipeline|bullet_epa)$"
+    p = pair(lambda build: google_benchmark(build, "certificate_benchmark", pattern))
+    contenders = ("answer", "answer_and_text", "check", "pipeline", "bullet_epa")
+    table(["pairs, vertices a side", "facets", "answer", "with text", "check", "`exact`", "Bullet's EPA"],
+          [[f"{name}, {size:,}", count(p.now.get((f"{name}/{size}/answer", "facets"), 0)),
+            *(p.cell(f"{name}/{size}/{c}") for c in contenders)] for name, size in rows])
+    base = "random_sphere/20/bullet_epa"
+    table(["20 vertices, as a multiple of Bullet's EPA", "answer", "with text", "check"],
+          [["random_sphere", *(p.ratio(f"random_sphere/20/{c}", base) for c in contenders[:3])]])
+
+
+def exact(pair):
+    p = pair(lambda build: google_benchmark(build, "depth_benchmark"))
+    instances = [f"{family}/{size}" for family, sizes in (("random_sphere", (20, 100, 400, 1000, 4000)),
+                                                          ("crossed_fans", (20, 100, 400, 1000, 4000))) for size in sizes]
+    others = ("hull_of_differences", "gaussian_map_overlay", "filtered_scan")
+    table(["family, vertices a side", "hull of differences", "CGAL's overlay", "edge scan", "exact method"],
+          [[i.replace("/", ", "), *(p.ratio(f"{i}/{c}", f"{i}/pipeline") for c in others), p.cell(f"{i}/pipeline")] for i in instances])
+
+
+LINES = [("crossed_fans", (1024, 4096, 16384, 65536)), ("crossed_parabolas", (16384,)), ("crossed_random_parabolas", (16384,)),
+         ("crossed_ties", (16384,)), ("crossed_shrinking_ties", (16384, 65536)), ("crossed_twists", (16384,)),
+         ("crossed_fillets", (16384,)), ("crossed_random_prisms", (16384,)), ("crossed_vanishing_ties", (1024, 16384, 65536))]
+SLOW_SAMPLED = {"crossed_vanishing_ties": 2000, "crossed_shrinking_ties": 20000}  # the engine without frames compares these pair by pair
+
+
+def lines_growth(build):
+    """Figures of lines_growth_benchmark under (family, edges of a bundle, column)."""
+    figures = {}
+    for family, sizes in LINES:
+        limits = ["--naive-up-to", "3e8", "--sampled-up-to", str(SLOW_SAMPLED.get(family, 70000))]
+        if family == "crossed_vanishing_ties":
+            limits[1] = "2e6"
+        text = run([build / "tests/benchmark/lines_growth_benchmark", *limits, family, *sizes])
+        for line in text.splitlines():
+            parts = [part.split() for part in line.split("|")]
+            if len(parts) < 6 or not parts[0] or not parts[0][0].isdigit():
+                continue
+            size = int(parts[0][0])
+            figures[family, size, "crossings"], figures[family, size, "bound"] = float(parts[0][3]), float(parts[0][6])
+            for engine, part in zip(("cutting", "sampled", "naive"), parts[2:5]):
+                if part[0] != "-":
+                    figures[family, size, engine] = float(part[0]) * 1e-3
+                    figures[family, size, engine, "work"] = float(part[1])
+    return figures
+
+
+def lines(pair):
+    p = pair(lines_growth)
+    table(["family", "n", "crossings", "work", "bound", "time", "sampled", "naive"],
+          [[family, f"{size:,}", p.cell((family, size, "crossings"), count).split(" (")[0], p.cell((family, size, "cutting", "work"), count),
+            p.cell((family, size, "bound"), count).split(" (")[0], p.cell((family, size, "cutting")),
+            p.ratio((family, size, "sampled"), (family, size, "cutting")), p.ratio((family, size, "naive"), (family, size, "cutting"))]
+           for family, sizes in LINES for size in sizes])
+
+
+def rays(pair):
+    def measure(build):
+        text = run([build / "tests/ray_test", "--gtest_filter=Ray.QueriesGrow*"])
+        return {(family, int(n)): float(queries)
+                for family, n, queries in re.findall(r"^(\w+) vertices (\d+) queries (\d+)", text, re.MULTILINE)}
+    p = pair(measure)
+    table(["family", "vertices", "most support queries of 300 rays"],
+          [[family, f"{n:,}", p.cell((family, n), count)] for family, n in sorted(p.now)])
+
+
+def shallow(pair):
+    p = pair(lambda build: google_benchmark(build, "shallow_benchmark", "pipeline|shallow|delta 1/4"))
+    table(["vertices a side", "exact method", "first query", "one more query", "facets visited"],
+          [[f"{size:,}", p.cell(f"spheres/{size}/pipeline"), p.cell(f"spheres/{size}/shallow"), p.cell(f"spheres/{size}/query, delta 1/4"),
+            p.cell((f"spheres/{size}/query, delta 1/4", "facets visited"), two_digits)] for size in (1000, 10000, 100000)])
+
+
+def golden_levels(build):
+    """Seconds and bytes of making and verifying L0 and L1."""
+    figures = {}
+    for level in ("L0", "L1"):
+        folder = Path(tempfile.mkdtemp(prefix="fathom-"))
+        try:
+            for what, command in (("made", ["generate", "--level", level, "--out", folder]), ("verified", ["verify", folder])):
+                before = os.times().elapsed
+                run([build / "fathom", "golden", *command], stderr=subprocess.DEVNULL)
+                figures[level, what] = os.times().elapsed - before
+            figures[level, "bytes"] = float(sum(f.stat().st_size for f in folder.rglob("*") if f.is_file()))
+        finally:
+            shutil.rmtree(folder)
+    return figures
+
+
+def golden(pair):
+    p = pair(golden_levels)
+    table(["level", "bytes", "made in", "verified in"],
+          [[level, f"{p.now[level, 'bytes'] / 1e6:.1f} MB", p.cell((level, "made")), p.cell((level, "verified"))] for level in ("L0", "L1")])
+    families(pair)
+
+
+def families(pair):
+    def rates(build):  # seconds a record, so that less is better here too
+        figures = google_benchmark(build, "golden_benchmark", "/make$")
+        return {name: 1 / figures[name, "records/s"] for name in figures if not isinstance(name, tuple)}
+    p = pair(rates)
+    rate = lambda value: f"{1 / value:.0f}"
+    chosen = ("random_ball", "boxes_posed", "needles", "inverse_edge_edge", "crossed_fans")
+    rows = [[f, *(p.cell(f"{f}/{size}/make", rate) for size in (10, 20))] for f in chosen]
+    for label, pick in (("median of all families", statistics.median), ("slowest", max)):
+        row = [label]
+        for size in (10, 20):
+            both = [[v for k, v in side.items() if k.endswith(f"/{size}/make")] for side in (p.now, p.before)]
+            row.append(rate(pick(both[0])) + (f" ({rate(pick(both[1]))})" if both[1] else ""))
+        rows.append(row)
+    table(["family, records a second and core, by points a body", "10", "20"], rows)
+
+
+def stream(pair):
+    def measure(build):
+        with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as cases:
+            cases.write(run([build / "fathom", "cases", "--family", "random_sphere", "--count", "10000", "--size", "20"]))
+            cases.flush()
+            begin, used = os.times().elapsed, resource.getrusage(resource.RUSAGE_CHILDREN)
+            run([build / "fathom", "depth", "--json", cases.name])
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return {"wall": (os.times().elapsed - begin) / 10000,
+                    "processor": (after.ru_utime + after.ru_stime - used.ru_utime - used.ru_stime) / 10000}
+    p = pair(measure)
+    rate = lambda value: f"{1 / value:,.0f}"
+    table(["`fathom depth --json`, 10,000 pairs of 20 vertices", "processor time a pair", "pairs a second"],
+          [["random_sphere", p.cell("processor"), p.cell("wall", rate)]])
+
+
+def worst(pair):
+    p = pair(lambda build: google_benchmark(build, "worst_cases_benchmark"))
+    inputs = list(dict.fromkeys(name.rsplit("/", 1)[0] for name in p.now if isinstance(name, str)))
+    table(["input", "`certificate`", "`exact`", "`approx`, 1/100", "`study`"],
+          [[i, *(p.cell(f"{i}/{c}") for c in ("automatic", "exact", "approx", "study"))] for i in sorted(inputs)])
+
+
+TABLES = {f.__name__: f for f in (certificates, stream, exact, lines, rays, shallow, golden, families, worst)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="+", metavar="NAME", choices=[*TABLES, "all"], help=", ".join(TABLES))
+    parser.add_argument("--build", type=Path, default=ROOT / "build/bench")
+    parser.add_argument("--before", type=Path)
+    parser.add_argument("--repeat", type=int, default=3)
+    arguments = parser.parse_args()
+    for build in filter(None, (arguments.build, arguments.before)):
+        if not (build / "tests/benchmark/depth_benchmark").exists():
+            parser.error(f"expected a build with benchmarks in {build}: cmake --preset bench && cmake --build --preset bench")
+    names = [name for name in TABLES if name != "families"] if "all" in arguments.names else arguments.names
+    for name in names:
+        TABLES[name](lambda measure: Pair(measure, arguments.build.resolve(), arguments.before and arguments.before.resolve(), arguments.repeat))
+
+
+if __name__ == "__main__":
+    main()
