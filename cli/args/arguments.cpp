@@ -48,6 +48,11 @@ std::optional<std::uint64_t> seed_of(const std::string& value) {
 
 std::string check_threads(const std::string& value) { return threads_of(value) ? "" : expected_threads(value); }
 
+std::string check_optima(const std::string& value) {
+  const std::optional<std::uint64_t> number = seed_of(value);
+  return number && *number > 0 ? "" : fmt::format("expected an integer from 1 on, found {}", kernels::shown(value));
+}
+
 std::string check_seed(const std::string& value) {
   if (seed_of(value)) return "";
   return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
@@ -112,6 +117,14 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/1");
+}
+
+void add_optima(CLI::App& app, Request& request) {
+  app.add_option_function<std::string>(
+         "--optima", [&request](const std::string& text) { request.optima = *seed_of(text); },
+         "count all ties, and list the first N; without it all are listed")
+      ->check(check_optima)
+      ->type_name("N");
 }
 
 CLI::App& add_command(CLI::App& app, std::string name, std::string description, std::string_view examples, std::string_view synopsis) {
@@ -221,6 +234,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       add_command(app, "depth", "Exact penetration depth of two bodies.", depth_examples, "fathom depth [OPTIONS] A B | CASES.jsonl | -");
   CLI::App& width = add_command(app, "width", "Exact width of one body.", width_examples, "fathom width [OPTIONS] A | CASES.jsonl | -");
   add_options(depth, request, texts);
+  add_optima(depth, request);
   add_options(width, request, texts);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);

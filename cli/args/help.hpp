@@ -31,6 +31,8 @@ inline constexpr std::string_view depth_examples =
     "  fathom depth --digits 50 a.off b.stl     with the depth enclosed to 50 digits\n"
     "  fathom depth --json --counters a.off b.off\n"
     "                                           one JSON object, with what the run did\n"
+    "  fathom depth --json --optima 10 a.off b.off\n"
+    "                                           with ten of the ties listed, and all of them counted\n"
     "  fathom depth --exact-decimals a.obj b.obj\n"
     "                                           0.1 means 1/10, not the nearest binary64\n"
     "  fathom depth --certificate proof.cert a.off b.off\n"

@@ -23,7 +23,8 @@ struct Request {
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
   std::uint64_t seed = 1;
-  std::optional<unsigned> digits;  ///< of the enclosure of the depth, if one is wanted
+  std::optional<std::size_t> optima;  ///< depth: how many optima are listed; all if not set
+  std::optional<unsigned> digits;     ///< of the enclosure of the depth, if one is wanted
   bool json = false;
   bool csv = false;  ///< study: rows of counts
   bool all = false;  ///< study: list every coincidence, not the first few of each kind

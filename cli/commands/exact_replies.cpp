@@ -19,6 +19,7 @@ Depth solve(const Case& single, const Body& b, const Request& request, Monitor& 
   options.method = request.method;
   options.closest_lines = request.closest_lines;
   options.seed = request.seed;
+  options.optima = request.optima;
   options.monitor = &monitor;
   options.workspace = &workspace;
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);

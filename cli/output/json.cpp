@@ -36,6 +36,13 @@ Json::Json(std::initializer_list<Field> fields) : text_("{}") {
   for (const Field& field : fields) add(field.key, field.value);
 }
 
+Json Json::plain(std::string_view string) {
+  Json result;
+  result.text_.reserve(string.size() + 2);
+  ((result.text_ = '"') += string) += '"';
+  return result;
+}
+
 Json Json::array(std::initializer_list<Json> values) {
   Json result;
   result.text_ = "[]";

@@ -35,6 +35,8 @@ class Json {
   /// An object.
   Json(std::initializer_list<Field> fields);
 
+  /// A string of characters that need no escapes: what numbers are written with.
+  static Json plain(std::string_view string);
   static Json array(std::initializer_list<Json> values = {});
   static Json object();
 

@@ -9,11 +9,13 @@
 namespace fathom::cli {
 namespace {
 
-Json optima_array(const Depth& depth) {
+/// The first optimum's direction and translation are those of the depth.
+Json optima_array(const Depth& depth, const Json& direction, const Json& translation) {
   Json result = Json::array();
   for (const Optimum& optimum : depth.optima()) {
-    result.push_back({{"direction", exact(optimum.direction)},
-                      {"translation", exact(optimum.translation())},
+    const bool first = &optimum == &depth.optima().front();
+    result.push_back({{"direction", first ? direction : exact(optimum.direction)},
+                      {"translation", first ? translation : exact(optimum.translation())},
                       {"contact", contact_object(optimum.contact)}});
   }
   return result;
@@ -53,11 +55,14 @@ std::string json_result(const Answer& answer, const Request& request) {
   Json result = {{"schema", result_schema}, {"id", answer.id}, {"status", name(depth.status())}};
   const Json size = length(depth.squared(), request.digits);
   result["depth"] = size;
-  result["translation"] = exact(depth.translation());
-  result["direction"] = exact(depth.direction());
+  const Json translation = exact(depth.translation()), direction = exact(depth.direction());
+  result["translation"] = translation;
+  result["direction"] = direction;
   result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
-  result["witness"] = depth.witness() ? witness_object(*depth.witness()) : Json();
-  result["optima"] = optima_array(depth);
+  const std::optional<Witness> witness = depth.witness();
+  result["witness"] = witness ? witness_object(*witness) : Json();
+  result["optima"] = optima_array(depth, direction, translation);
+  if (request.optima) result["optima_count"] = depth.optima_count();
   if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);

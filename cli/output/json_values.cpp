@@ -17,21 +17,23 @@ Json nearest_binary64(double value, int sign) {
 
 template <class Float>
 Json in_every_direction(const kernels::EveryMode<Float>& rounded) {
-  return {{"rn", hex_text(rounded.rn)}, {"rd", hex_text(rounded.rd)}, {"ru", hex_text(rounded.ru)}};
+  return {{"rn", Json::plain(hex_text(rounded.rn))}, {"rd", Json::plain(hex_text(rounded.rd))}, {"ru", Json::plain(hex_text(rounded.ru))}};
 }
 
 /// The fields of a number that is printed exactly as `key`.
 Json rounded_number(std::string_view key, const mpq_class& exactly, const kernels::Roundings& rounded) {
-  return {{key, exact_text(exactly)},
+  return {{key, Json::plain(exact_text(exactly))},
           {"value", nearest_binary64(rounded.binary64.rn, sgn(exactly))},
           {"rounded", {{"f64", in_every_direction(rounded.binary64)}, {"f32", in_every_direction(rounded.binary32)}}}};
 }
 
 }  // namespace
 
-Json exact(const Point& p) { return Json::array({exact_text(p.x), exact_text(p.y), exact_text(p.z)}); }
+Json exact(const Point& p) {
+  return Json::array({Json::plain(exact_text(p.x)), Json::plain(exact_text(p.y)), Json::plain(exact_text(p.z))});
+}
 
-Json exact(const Vector& v) { return Json::array({v.x.get_str(), v.y.get_str(), v.z.get_str()}); }
+Json exact(const Vector& v) { return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())}); }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
   Json result = rounded_number("squared", squared, kernels::roundings_of_root(squared));

@@ -19,7 +19,7 @@ namespace {
 
 /// A pair of planes is found from both of its sides.
 std::size_t ties(const Depth& depth, const Request& request) {
-  return has_one_body(request) ? depth.optima().size() / 2 : depth.optima().size();
+  return has_one_body(request) ? depth.optima_count() / 2 : depth.optima_count();
 }
 
 std::string ties_text(const Depth& depth, const Request& request) {

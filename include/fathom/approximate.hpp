@@ -132,7 +132,7 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
 
 /// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of
 /// O. The result is that of penetration_depth for every delta, except that Depth::method is nullopt and the counters differ. Of the options
-/// it reads `monitor` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2.
+/// it reads `monitor`, `optima` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2, or if options.optima is 0.
 ///                                                                         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));

@@ -28,10 +28,11 @@ struct Certificate {
   std::string id;           ///< of the case; may be empty
   std::vector<Point> a, b;  ///< all points of the bodies
   ClaimKind claim = ClaimKind::disjoint;
-  mpq_class low, high;             ///< depth and bounds
-  std::vector<Vector> directions;  ///< depth: all optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
-                                   ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.
-  InnerPolytope inner;             ///< depth and bounds: inside P, and holds the ball of squared radius low around O
+  mpq_class low, high;                       ///< depth and bounds
+  std::vector<Vector> directions;            ///< depth: optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
+                                             ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.
+  bool complete = true;                      ///< depth: the directions are all optimal ones
+  InnerPolytope inner;                       ///< depth and bounds: inside P, and holds the ball of squared radius low around O
   std::vector<Weight> weights_a, weights_b;  ///< touching: convex weights of one common point of A and B
 };
 

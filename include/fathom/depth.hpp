@@ -85,7 +85,8 @@ struct InnerPolytope {
 
 /// What is known of bodies that penetrate.
 struct Penetration {
-  std::vector<Optimum> optima;  ///< one per direction, sorted lexicographically on it; at least one
+  std::vector<Optimum> optima;  ///< one per direction, sorted lexicographically on it; at least one, at most Options::optima
+  std::size_t unlisted = 0;     ///< further optima, whose directions follow those of `optima`
   /// What the witness follows from: the faces of the first optimum's contact where they are simple, else the witness itself.
   std::variant<CornerOfA, CornerOfB, CrossingEdges, Witness> meeting;
   std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
@@ -155,6 +156,8 @@ struct Options {
   std::optional<std::size_t> expansion_budget = std::nullopt;
   /// The engine of the exact method, cutting if not set. If set, automatic is exact.
   std::optional<ClosestLines> closest_lines = std::nullopt;
+  /// How many optima are listed at most, the first in lexicographic order; all are counted. At least 1; not set: all.
+  std::optional<std::size_t> optima = std::nullopt;
   /// Of the random order in which closest lines are searched. Results do not depend on it, only counters do.
   std::uint64_t seed = 1;
   /// Hears of progress and may stop the work; may be null.
@@ -198,8 +201,10 @@ struct Depth : BodyFacts {
 
   /// depth^2: 0 unless penetrating.
   [[nodiscard]] mpq_class squared() const;
-  /// Empty unless penetrating.
+  /// Empty unless penetrating. Those that are listed.
   [[nodiscard]] const std::vector<Optimum>& optima() const;
+  /// How many there are, listed or not: 0 unless penetrating.
+  [[nodiscard]] std::size_t optima_count() const;
   /// The least h(u) / |u| is reached at u = direction: that of the first optimum, of the touch, of the distance.
   [[nodiscard]] const Vector& direction() const;
   /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0 unless penetrating.
@@ -212,7 +217,8 @@ struct Depth : BodyFacts {
 
 /// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, for bodies of every rank:
 /// degenerate input needs no special care. Time is near-linear in the size of the bodies, except where very many edges of A and B cross at
-/// nearly the same distance. Throws std::invalid_argument if a body is empty or a coordinate is not in lowest terms, and Interrupted.
+/// nearly the same distance. Throws std::invalid_argument if a body is empty, a coordinate is not in lowest terms or options.optima is 0, and
+/// Interrupted.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
 
 /// The same for coordinates in binary64, which stand for their exact values. The fast way for small bodies: no rational is made before one
@@ -224,7 +230,8 @@ Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<cons
 mpq_class signed_square(const Depth& depth);
 
 /// How clear an answer is: the least squared distance from O of a facet plane of P that is larger than depth^2. Returns nullopt if all
-/// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method.
+/// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method. Throws
+/// std::invalid_argument if it leaves optima unlisted.
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
                                                 Monitor* monitor = nullptr);
 

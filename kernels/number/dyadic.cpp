@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/number/dyadic.hpp"
 
+#include <bit>
+#include <cstddef>
 #include <limits>
 
 namespace fathom::kernels {
@@ -11,10 +13,14 @@ std::optional<Dyadic> dyadic(const mpq_class& value) {
   const mp_limb_t magnitude = mpz_getlimbn(n, 0);
   if (magnitude > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
   const auto mantissa = mpz_sgn(n) < 0 ? -static_cast<std::int64_t>(magnitude) : static_cast<std::int64_t>(magnitude);
-  const auto shift = static_cast<long>(mpz_scan1(d, 0));
-  if (shift == 0) return mpz_cmp_ui(d, 1) == 0 ? std::optional(normalised(mantissa, 0)) : std::nullopt;
-  if (static_cast<long>(mpz_sizeinbase(d, 2)) != shift + 1 || magnitude % 2 == 0) return std::nullopt;
-  return Dyadic{mantissa, -shift};
+  const std::size_t highest = mpz_size(d) - 1;
+  const mp_limb_t top = mpz_getlimbn(d, static_cast<mp_size_t>(highest));
+  if (!std::has_single_bit(top)) return std::nullopt;
+  for (std::size_t i = 0; i < highest; ++i)
+    if (mpz_getlimbn(d, static_cast<mp_size_t>(i)) != 0) return std::nullopt;
+  const auto shift = static_cast<long>(64 * highest) + std::countr_zero(top);
+  if (shift == 0) return normalised(mantissa, 0);
+  return magnitude % 2 != 0 ? std::optional(Dyadic{mantissa, -shift}) : std::nullopt;
 }
 
 }  // namespace fathom::kernels

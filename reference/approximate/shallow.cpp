@@ -89,6 +89,7 @@ namespace fathom {
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
   const kernels::DefaultFloatEnvironment environment;
   approximate::checked(delta);
+  depth::require_listed(options.optima);
   kernels::Context context(options.monitor);
   const polytope::PlacedPair pair = polytope::place(a, b);
   Depth depth{depth::facts_of(pair), {}, std::nullopt, {}};
@@ -102,7 +103,7 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
     if (options.validate) kernels::insist(approximate::validate(found, hierarchy_a, hierarchy_b));
     context.counters.rays = found.rays;
     context.counters.facets_visited = found.facets;
-    depth.outcome = depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()});
+    depth.outcome = depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()}, options.optima);
   }
   depth.counters = context.counters;
   return depth;

@@ -32,11 +32,13 @@ InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b,
   Options search;
   search.method = Method::certificate;
   search.monitor = monitor;
+  search.optima = answer.optima.size();
   Depth found = penetration_depth(a, b, search);
   if (!found.penetration()) contradiction("O is not in the interior of P");
   if (found.squared() != answer.squared()) contradiction("another depth");
   const auto same = [](const Optimum& one, const Optimum& other) { return one.direction == other.direction; };
-  if (!std::ranges::equal(found.optima(), answer.optima, same)) contradiction("other optima");
+  if (found.optima_count() != answer.optima.size() + answer.unlisted || !std::ranges::equal(found.optima(), answer.optima, same))
+    contradiction("other optima");
   return std::move(*std::get<Penetration>(found.outcome).inner);
 }
 
@@ -79,6 +81,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
   Certificate certificate = certificate::of_bodies(a, b, ClaimKind::depth);
   certificate.low = certificate.high = answer.squared();
   for (const Optimum& optimum : answer.optima()) certificate.directions.push_back(optimum.direction);
+  certificate.complete = answer.penetration()->unlisted == 0;
   certificate.inner = certificate::proof_of_depth(a, b, *answer.penetration(), monitor);
   return certificate;
 }

@@ -111,6 +111,7 @@ class Check {
       report_.expect(std::any_of(tight_.begin(), tight_.end(), [&](const Point& m) { return parallel(n, m); }),
                      "a direction without a facet");
     }
+    if (!c_.complete) return;
     for (const Point& m : tight_)
       report_.expect(std::any_of(c_.directions.begin(), c_.directions.end(), [&](const Vector& n) { return parallel(n, m); }),
                      "an optimum is missing");

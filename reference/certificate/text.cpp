@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate as text. Every number is exact and in lowest terms.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -18,24 +19,61 @@
 namespace fathom::certificate {
 namespace {
 
-// A text that grows; numbers of one or two limbs are written without GMP.
-class Text {
- public:
-  explicit Text(std::size_t likely_size) : text_(likely_size, '\0') {}
+// 2^k in decimal digits, for k from 0 to 63: nearly all denominators.
+struct PowerOfTwo {
+  char digits[20] = {};
+  unsigned size = 0;
+};
 
-  void append(char c) { *room(1) = c, ++size_; }
-  void append(std::string_view text) {
-    text.copy(room(text.size()), text.size());
-    size_ += text.size();
+constexpr std::array<PowerOfTwo, 64> powers_of_two = [] {
+  std::array<PowerOfTwo, 64> powers;
+  for (unsigned k = 0; k < 64; ++k) {
+    PowerOfTwo& power = powers[k];
+    for (std::uint64_t n = std::uint64_t{1} << k; n > 0; n /= 10) ++power.size;
+    std::uint64_t n = std::uint64_t{1} << k;
+    for (unsigned i = power.size; i > 0; n /= 10) power.digits[--i] = static_cast<char>('0' + n % 10);
   }
-  void append(std::uint64_t n) {
-    char* const begin = room(20);
-    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + 20, n).ptr - begin);
+  return powers;
+}();
+
+// Writes words and lines to a text that grows; numbers of one or two limbs without GMP.
+class Writer {
+ public:
+  explicit Writer(std::size_t likely_size) : text_(likely_size, '\0') {}
+
+  Writer& word(std::string_view text) {
+    char* const at = begin_word(text.size());
+    return done(at + text.copy(at, text.size()));
   }
-  void append(mpz_srcptr n) {
-    if (mpz_size(n) > 2) return append_long(n);
-    if (mpz_sgn(n) < 0) append('-');
-    append_two(static_cast<Double>(mpz_getlimbn(n, 1)) << 64 | mpz_getlimbn(n, 0));
+  Writer& word(std::size_t n) { return done(put(begin_word(20), std::uint64_t{n})); }
+  Writer& word(const mpz_class& n) { return done(put(begin_word(size_of(n)), n)); }
+  Writer& word(const mpq_class& q) {
+    char* at = put(begin_word(size_of(q.get_num()) + size_of(q.get_den())), q.get_num());
+    if (mpz_cmp_ui(q.get_den_mpz_t(), 1) == 0) return done(at);
+    *at++ = '/';
+    return done(put(at, q.get_den()));
+  }
+  Writer& word(double value) {
+    const kernels::Dyadic n = kernels::dyadic(value);
+    if (n.exponent > 0 || n.exponent < -63) return word(exact_value(value));
+    char* at = begin_word(48);
+    if (n.mantissa < 0) *at++ = '-';
+    at = put(at, static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
+    if (n.exponent == 0) return done(at);
+    *at++ = '/';
+    const PowerOfTwo& power = powers_of_two[static_cast<std::size_t>(-n.exponent)];
+    return done(std::copy(std::begin(power.digits), std::end(power.digits), at) - (20 - power.size));
+  }
+  template <class NT>
+  Writer& words(const Vec3<NT>& v) {
+    return word(v.x).word(v.y).word(v.z);
+  }
+  Writer& words(const Point& p) { return word(p.x).word(p.y).word(p.z); }
+  Writer& words(const std::array<double, 3>& p) { return word(p[0]).word(p[1]).word(p[2]); }
+  void end() {
+    *room(1) = '\n';
+    ++size_;
+    line_start_ = true;
   }
   std::string take() {
     text_.resize(size_);
@@ -51,69 +89,41 @@ class Text {
     if (text_.size() - size_ < most) text_.resize(2 * text_.size() + most);
     return text_.data() + size_;
   }
-  void append_two(Double n) {
-    if (n < ten_to_19) return append(static_cast<std::uint64_t>(n));
-    append_two(n / ten_to_19);
-    char digits[20];
-    const char* const end = std::to_chars(digits, std::end(digits), static_cast<std::uint64_t>(n % ten_to_19)).ptr;
-    for (std::ptrdiff_t zeros = 19 - (end - digits); zeros > 0; --zeros) append('0');
-    append(std::string_view(digits, end));
+  // A blank, if one is due, and where the word goes, which has at most so many characters.
+  char* begin_word(std::size_t most) {
+    char* at = room(most + 1);
+    if (!line_start_) *at++ = ' ';
+    line_start_ = false;
+    return at;
   }
-  void append_long(mpz_srcptr n) {
-    char* const begin = room(mpz_sizeinbase(n, 10) + 2);
-    mpz_get_str(begin, 10, n);
-    size_ += std::strlen(begin);
+  Writer& done(const char* end) {
+    size_ = static_cast<std::size_t>(end - text_.data());
+    return *this;
+  }
+
+  // With the sign, and what mpz_get_str needs; 2^128 has 39 digits.
+  static std::size_t size_of(const mpz_class& n) { return mpz_size(n.get_mpz_t()) <= 2 ? 42 : mpz_sizeinbase(n.get_mpz_t(), 10) + 2; }
+  static char* put(char* at, std::uint64_t n) { return std::to_chars(at, at + 20, n).ptr; }
+  static char* put(char* at, const mpz_class& number) {
+    const mpz_srcptr n = number.get_mpz_t();
+    if (mpz_size(n) > 2) {
+      mpz_get_str(at, 10, n);
+      return at + std::strlen(at);
+    }
+    if (mpz_sgn(n) < 0) *at++ = '-';
+    return put_two(at, static_cast<Double>(mpz_getlimbn(n, 1)) << 64 | mpz_getlimbn(n, 0));
+  }
+  static char* put_two(char* at, Double n) {
+    if (n < ten_to_19) return put(at, static_cast<std::uint64_t>(n));
+    at = put_two(at, n / ten_to_19);
+    char digits[20];
+    const char* const end = put(digits, static_cast<std::uint64_t>(n % ten_to_19));
+    at = std::fill_n(at, 19 - (end - digits), '0');
+    return std::copy(static_cast<const char*>(digits), end, at);
   }
 
   std::string text_;
   std::size_t size_ = 0;
-};
-
-class Writer {
- public:
-  explicit Writer(std::size_t likely_size) : text_(likely_size) {}
-
-  Writer& word(std::string_view text) { return separated().append(text), *this; }
-  Writer& word(std::size_t n) { return separated().append(std::uint64_t{n}), *this; }
-  Writer& word(const mpz_class& n) { return separated().append(n.get_mpz_t()), *this; }
-  Writer& word(const mpq_class& q) {
-    separated().append(q.get_num_mpz_t());
-    if (mpz_cmp_ui(q.get_den_mpz_t(), 1) == 0) return *this;
-    text_.append('/');
-    text_.append(q.get_den_mpz_t());
-    return *this;
-  }
-  Writer& word(double value) {
-    const kernels::Dyadic n = kernels::dyadic(value);
-    if (n.exponent > 0 || n.exponent < -63) return word(exact_value(value));
-    separated();
-    if (n.mantissa < 0) text_.append('-');
-    text_.append(static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
-    if (n.exponent == 0) return *this;
-    text_.append('/');
-    text_.append(std::uint64_t{1} << -n.exponent);
-    return *this;
-  }
-  template <class NT>
-  Writer& words(const Vec3<NT>& v) {
-    return word(v.x).word(v.y).word(v.z);
-  }
-  Writer& words(const Point& p) { return word(p.x).word(p.y).word(p.z); }
-  Writer& words(const std::array<double, 3>& p) { return word(p[0]).word(p[1]).word(p[2]); }
-  void end() {
-    text_.append('\n');
-    line_start_ = true;
-  }
-  std::string take() { return text_.take(); }
-
- private:
-  Text& separated() {
-    if (!line_start_) text_.append(' ');
-    line_start_ = false;
-    return text_;
-  }
-
-  Text text_;
   bool line_start_ = true;
 };
 
@@ -151,7 +161,7 @@ void write_claim(Writer& out, const Certificate& certificate) {
     case ClaimKind::touching: out.word("touching").end(); break;
     case ClaimKind::disjoint: out.word("disjoint").end(); break;
   }
-  const bool complete = certificate.claim == ClaimKind::depth;
+  const bool complete = certificate.claim == ClaimKind::depth && certificate.complete;
   out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
   for (const Vector& n : certificate.directions) out.words(n).end();
 }
@@ -191,7 +201,7 @@ std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<c
   Writer out(likely_size(a.size() + b.size(), &inner));
   write_head(out, id, a, b);
   out.word("claim").word("depth").word(answer.squared()).end();
-  out.word("directions").word(answer.optima.size()).word("all").end();
+  out.word("directions").word(answer.optima.size()).word(answer.unlisted == 0 ? "all" : "some").end();
   for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
   write_inner(out, inner);
   write_end(out, {a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});

@@ -2,6 +2,7 @@
 // A face of a body is the hull of the body's extreme points in a direction: the hull of the whole body is not needed.
 #include "reference/depth/contact.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "kernels/number/ratio.hpp"
@@ -80,9 +81,21 @@ FaceMeeting meeting(const polytope::PlacedPair& pair, const Vector& n, const Fac
   return simple ? std::move(*simple) : overlap(pair, n, faces);
 }
 
-Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest) {
+void require_listed(const std::optional<std::size_t>& listed) {
+  if (listed == 0U) throw std::invalid_argument("at least one optimum must be listed");
+}
+
+void list_first(Penetration& penetration, const std::optional<std::size_t>& listed) {
+  const std::size_t all = penetration.optima.size();
+  if (!listed || all <= *listed) return;
+  penetration.optima.resize(*listed);
+  penetration.unlisted += all - *listed;
+}
+
+Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest, std::optional<std::size_t> listed) {
   Penetration result;
-  for (const Vector& n : nearest) {
+  result.unlisted = nearest.size() - std::min(nearest.size(), listed.value_or(nearest.size()));
+  for (const Vector& n : std::span(nearest).first(nearest.size() - result.unlisted)) {
     const FacingFaces faces = facing_faces(pair, n);
     result.optima.push_back(optimum(pair, n, faces));
     if (result.optima.size() == 1) result.meeting = meeting(pair, n, faces);

@@ -61,7 +61,14 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
 /// Returns the rational position of a convex combination of lattice points.
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
-/// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order.
-Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest);
+/// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order. It lists the
+/// first `listed` optima, at least one.
+Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest,
+                              std::optional<std::size_t> listed = std::nullopt);
+
+/// Throws std::invalid_argument unless at least one optimum is asked for.
+void require_listed(const std::optional<std::size_t>& listed);
+/// Leaves the first `listed` optima.
+void list_first(Penetration& penetration, const std::optional<std::size_t>& listed);
 
 }  // namespace fathom::depth

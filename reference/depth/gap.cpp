@@ -98,6 +98,8 @@ namespace fathom {
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
                                                 Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
+  if (penetration.unlisted > 0)
+    throw std::invalid_argument("the second nearest facet is looked for from all optima, and some are not listed");
   kernels::Context context(monitor);
   const polytope::PlacedPair pair = polytope::place(a, b);
   const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared() * unit;

@@ -125,8 +125,8 @@ Depth penetration_depth(kernels::Context& context, const polytope::PlacedPair& p
     kernels::NearestPlanes nearest;
     offer_vertex_facet_pairs(run, hulls, charts, nearest);  // step 1
     const PerHemisphere<canonical::CanonicalSubsets> subsets = canonical_subsets(run, charts);
-    offer_closest_lines(run, {hulls, pair.exponent()}, charts, subsets, nearest);                         // step 2
-    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()});  // step 3
+    offer_closest_lines(run, {hulls, pair.exponent()}, charts, subsets, nearest);                                         // step 2
+    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()}, options.optima);  // step 3
   }
   depth.counters = context.counters;
   return depth;

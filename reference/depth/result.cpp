@@ -76,6 +76,8 @@ const std::vector<Optimum>& Depth::optima() const {
   return penetration() ? penetration()->optima : none;
 }
 
+std::size_t Depth::optima_count() const { return penetration() ? penetration()->optima.size() + penetration()->unlisted : 0; }
+
 const Vector& Depth::direction() const {
   if (touch()) return touch()->direction;
   return distance() ? distance()->direction : optima().front().direction;

@@ -6,7 +6,6 @@
 #include <bit>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -64,56 +63,83 @@ void put(const P& p, long low, Vec3<NarrowCoordinate>& q) {
   q = {at(x), at(y), at(z)};
 }
 
-bool is_zero(std::int64_t c) { return c == 0; }
-bool is_zero(const NarrowCoordinate& c) { return sgn(c) == 0; }
+// Of coordinates: the least number of trailing zeros, and the least e >= 0 with |c| <= 2^e.
+template <class Lattice>
+class Extent;
 
-unsigned trailing_zeros(std::int64_t c) { return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(c))); }
-unsigned trailing_zeros(const NarrowCoordinate& c) { return c.trailing_zeros(); }
+template <>
+class Extent<Vec3<std::int64_t>> {
+ public:
+  void cover(std::int64_t c) {
+    all_ |= static_cast<std::uint64_t>(c);
+    largest_ = std::max(largest_, c < 0 ? -static_cast<std::uint64_t>(c) : static_cast<std::uint64_t>(c));
+  }
+  [[nodiscard]] unsigned trailing_zeros() const { return static_cast<unsigned>(std::countr_zero(all_)); }
+  [[nodiscard]] long exponent() const { return largest_ == 0 ? 0 : std::bit_width(largest_ - 1); }
+
+ private:
+  std::uint64_t all_ = 0, largest_ = 0;
+};
+
+template <>
+class Extent<Vec3<NarrowCoordinate>> {
+ public:
+  void cover(const NarrowCoordinate& c) {
+    if (sgn(c) == 0) return;
+    zeros_ = std::min(zeros_, c.trailing_zeros());
+    if (c.bit_length() > exponent_) exponent_ = std::max(exponent_, kernels::binary_exponent(c));
+  }
+  [[nodiscard]] unsigned trailing_zeros() const { return zeros_; }
+  [[nodiscard]] long exponent() const { return exponent_; }
+
+ private:
+  unsigned zeros_ = std::numeric_limits<unsigned>::max();
+  long exponent_ = 0;
+};
 
 void divide_by_power(std::int64_t& c, unsigned shift) { c >>= shift; }
 void divide_by_power(NarrowCoordinate& c, unsigned shift) { c.divide_by_power(shift); }
 
-// The least e >= 0 with |c| <= 2^e.
-long binary_exponent(std::int64_t c) {
-  const std::uint64_t magnitude = c < 0 ? -static_cast<std::uint64_t>(c) : static_cast<std::uint64_t>(c);
-  return magnitude == 0 ? 0 : std::bit_width(magnitude - 1);
+template <class Lattice>
+void make_images(const std::vector<Lattice>& points, long exponent, NarrowCloud& cloud) {
+  for (std::vector<double>* images : {&cloud.x, &cloud.y, &cloud.z}) images->resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cloud.x[i] = kernels::image(points[i].x, exponent);
+    cloud.y[i] = kernels::image(points[i].y, exponent);
+    cloud.z[i] = kernels::image(points[i].z, exponent);
+  }
 }
-long binary_exponent(const NarrowCoordinate& c) { return kernels::binary_exponent(c); }
 
-// The same in words or in wider integers: `of` returns one of a cloud's two lists.
-template <class P, class Of>
-void fill(std::span<const P> a, std::span<const P> b, long low, NarrowPair& pair, Of of) {
-  auto &of_a = of(pair.a), &of_b = of(pair.b);
-  using Lattice = typename std::remove_reference_t<decltype(of_a)>::value_type;
-  Lattice origin, q;
+// The same in words or in wider integers: `list` is one of a cloud's two lists.
+template <class P, class Lattice>
+void fill(std::span<const P> a, std::span<const P> b, long low, NarrowPair& pair, std::vector<Lattice> NarrowCloud::*list) {
+  Lattice origin;
   put(b.front(), low, origin);
-  const auto for_each_coordinate = [&](auto f) {
-    for (auto* points : {&of_a, &of_b})
-      for (Lattice& p : *points) f(p.x), f(p.y), f(p.z);
-  };
-  for (auto [body, points] : {std::pair(a, &of_a), std::pair(b, &of_b)}) {
-    for (const P& p : body) {
-      put(p, low, q);
-      points->push_back(q - origin);
+  Extent<Lattice> extent;
+  for (auto [body, points] : {std::pair(a, &(pair.a.*list)), std::pair(b, &(pair.b.*list))}) {
+    points->resize(body.size());
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      Lattice& q = (*points)[i];
+      put(body[i], low, q);
+      q = q - origin;
+      extent.cover(q.x);
+      extent.cover(q.y);
+      extent.cover(q.z);
     }
   }
-  // The powers of two that all coordinates and the denominator share, which `place` divides out too.
-  auto shared = static_cast<unsigned>(-low);
-  for_each_coordinate([&](const auto& c) {
-    if (shared > 0 && !is_zero(c)) shared = std::min(shared, trailing_zeros(c));
-  });
+  // The powers of two that all coordinates and the denominator share, which `place` divides out too. All coordinates may be 0.
+  const unsigned shared = std::min(static_cast<unsigned>(-low), extent.trailing_zeros());
   pair.shift = static_cast<unsigned>(-low) - shared;
-  pair.exponent = 0;
-  for_each_coordinate([&](auto& c) {
-    if (shared > 0) divide_by_power(c, shared);
-    pair.exponent = std::max(pair.exponent, binary_exponent(c));
-  });
+  pair.exponent = std::max(extent.exponent() - static_cast<long>(shared), 0L);
   for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
-    for (const Lattice& p : of(*cloud)) {
-      cloud->x.push_back(kernels::image(p.x, pair.exponent));
-      cloud->y.push_back(kernels::image(p.y, pair.exponent));
-      cloud->z.push_back(kernels::image(p.z, pair.exponent));
+    std::vector<Lattice>& points = cloud->*list;
+    for (Lattice& p : points) {
+      if (shared == 0) break;
+      divide_by_power(p.x, shared);
+      divide_by_power(p.y, shared);
+      divide_by_power(p.z, shared);
     }
+    make_images(points, pair.exponent, *cloud);
   }
 }
 
@@ -126,14 +152,9 @@ bool place(std::span<const P> a, std::span<const P> b, NarrowPair& pair) {
   for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
     cloud->words.clear();
     cloud->points.clear();
-    for (std::vector<double>* images : {&cloud->x, &cloud->y, &cloud->z}) images->clear();
   }
-  if (bits <= most_word_bits)
-    fill(
-        a, b, range.low, pair, [](NarrowCloud & cloud) -> auto& { return cloud.words; });
-  else
-    fill(
-        a, b, range.low, pair, [](NarrowCloud & cloud) -> auto& { return cloud.points; });
+  if (bits <= most_word_bits) fill(a, b, range.low, pair, &NarrowCloud::words);
+  else fill(a, b, range.low, pair, &NarrowCloud::points);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "kernels/filters/greatest.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/solve/methods.hpp"
@@ -123,9 +124,14 @@ class Deciding {
 
   std::optional<Depth> run(kernels::Context& context, const Options& options) {
     guess(context);
+    // All optima are needed: each must be one of all points, too.
+    Options whole = options;
+    whole.optima.reset();
     for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size(); ++round) {
-      Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points()), options);
-      if (!add_extremes(depth)) return of_all(std::move(depth));
+      Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points()), whole);
+      if (add_extremes(depth)) continue;
+      if (auto* penetration = std::get_if<Penetration>(&depth.outcome)) depth::list_first(*penetration, options.optima);
+      return of_all(std::move(depth));
     }
     return std::nullopt;
   }

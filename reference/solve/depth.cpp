@@ -5,6 +5,7 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/polytope/narrow_pair.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/solve/deciding_points.hpp"
@@ -29,6 +30,7 @@ Depth depth_on_any_lattice(kernels::Context& context, std::span<const Point> a, 
 
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
   const kernels::DefaultFloatEnvironment environment;
+  depth::require_listed(options.optima);
   kernels::Context context(options.monitor);
   solve::NarrowResult narrow = solve::depth_on_narrow_lattice(context, a, b, options);
   if (narrow.depth) return std::move(*narrow.depth);
@@ -37,6 +39,7 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
 
 Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Options& options) {
   const kernels::DefaultFloatEnvironment environment;
+  depth::require_listed(options.optima);
   kernels::Context context(options.monitor);
   solve::NarrowResult narrow = solve::depth_on_narrow_lattice(context, a, b, options);
   if (narrow.depth) return std::move(*narrow.depth);

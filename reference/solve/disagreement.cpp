@@ -37,7 +37,7 @@ class Comparison {
 };
 
 void compare(Comparison& comparison, const std::vector<Optimum>& x, const std::vector<Optimum>& y) {
-  comparison.same("number of optima", x.size(), y.size());
+  comparison.same("number of optima listed", x.size(), y.size());
   for (std::size_t i = 0; i < x.size() && !comparison.differs(); ++i) {
     const std::string place = fmt::format("optima[{}].", i);
     comparison.same(place + "direction", x[i].direction, y[i].direction);
@@ -60,6 +60,7 @@ std::optional<std::string> disagreement(const Depth& x, const Depth& y) {
   comparison.same("flat_a", x.flat_a, y.flat_a);
   comparison.same("flat_b", x.flat_b, y.flat_b);
   comparison.same("squared", x.squared(), y.squared());
+  comparison.same("number of optima", x.optima_count(), y.optima_count());
   compare(comparison, x.optima(), y.optima());
   if (comparison.differs()) return comparison.take();
   comparison.same("direction", x.direction(), y.direction());

@@ -19,19 +19,20 @@ std::optional<Depth> certified_depth(kernels::Context& context, const polytope::
   expanding::Expansion expansion = expanding::nearest_by_expansion(context, pair.a, pair.b, budget, options.workspace);
   if (expansion.end != expanding::ExpansionEnd::proved) return std::nullopt;
   if (options.validate) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
-  Penetration answer = depth::penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()});
+  Penetration answer =
+      depth::penetration_along(pair, {expansion.nearest.directions().begin(), expansion.nearest.directions().end()}, options.optima);
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   answer.inner = std::move(expansion.inner);
   return Depth{depth::facts_of(pair), std::move(answer), Method::certificate, context.counters};
 }
 
-Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked) {
+Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   Depth depth{depth::facts_of(pair), {}, Method::naive, {}};
-  if (!depth::answer_apart(context, pair, checked, depth)) {
-    const depth::Hulls hulls = depth::hulls_of(context, pair, checked, depth);
+  if (!depth::answer_apart(context, pair, options.validate, depth)) {
+    const depth::Hulls hulls = depth::hulls_of(context, pair, options.validate, depth);
     context.report("hull of all differences");
-    depth.outcome = depth::penetration_along(pair, depth::naive_depth(hulls.a.vertices, hulls.b.vertices).directions);
+    depth.outcome = depth::penetration_along(pair, depth::naive_depth(hulls.a.vertices, hulls.b.vertices).directions, options.optima);
   }
   depth.counters = context.counters;
   return depth;
@@ -50,13 +51,13 @@ std::size_t expansion_budget(const Options& options, std::size_t input_points) {
 }
 
 Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
-  return depth::penetration_depth(context, pair,
-                                  {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.validate, {}});
+  return depth::penetration_depth(
+      context, pair, {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.optima, options.validate, {}});
 }
 
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   context.counters = Counters{};
-  if (options.method == Method::naive) return naive_depth_of(context, pair, options.validate);
+  if (options.method == Method::naive) return naive_depth_of(context, pair, options);
   std::optional<Depth> certified;
   if (expands_first(options)) certified = certified_depth(context, pair, options);
   return certified ? std::move(*certified) : exact_depth(context, pair, options);

@@ -36,10 +36,13 @@ class Contacts {
   Contacts(std::span<const P> a, std::span<const P> b, Workspace::Parts& parts)
       : input_a_(a), input_b_(b), pair_(parts.pair), a_(parts.pair.a), b_(parts.pair.b), memory_(parts.scan) {}
 
-  Penetration along(const kernels::NearestPlanes& nearest) {
+  Penetration along(const kernels::NearestPlanes& nearest, std::optional<std::size_t> listed) {
     Penetration result;
-    result.optima.reserve(nearest.directions().size());
+    const std::size_t all = nearest.directions().size(), most = std::min(all, listed.value_or(all));
+    result.optima.reserve(most);
+    result.unlisted = all - most;
     for (const Vector& n : nearest.directions()) {
+      if (result.optima.size() == most) break;
       const Vec3<NarrowInteger> u{NarrowInteger(n.x), NarrowInteger(n.y), NarrowInteger(n.z)};
       std::vector<std::uint32_t> a = face(a_, -u), b = face(b_, u);
       const NarrowInteger height = dot(u, b_[b.front()] - a_[a.front()]);
@@ -93,7 +96,7 @@ NarrowResult solve_narrow(kernels::Context& context, std::span<const P> a, std::
   const std::size_t budget = expansion_budget(options, a.size() + b.size());
   expanding::Expansion expansion = expanding::nearest_by_expansion(context, parts.pair, budget, &workspace);
   if (expansion.end != expanding::ExpansionEnd::proved) return {NarrowEnd::failed, std::nullopt};
-  Penetration answer = Contacts<P>(a, b, parts).along(expansion.nearest);
+  Penetration answer = Contacts<P>(a, b, parts).along(expansion.nearest, options.optima);
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   answer.inner = std::move(expansion.inner);

@@ -86,7 +86,7 @@ std::vector<Vector> telling_directions(const polytope::Polytope& p, std::mt19937
     directions.push_back(testing::random_direction(random, i == 0 ? 2 : 60));
   }
   for (std::size_t i = directions.size(); i-- > 0;) directions.push_back(-directions[i]);
-  std::erase_if(directions, is_zero);
+  std::erase_if(directions, [](const Vector& u) { return is_zero(u); });
   return directions;
 }
 

@@ -150,6 +150,30 @@ class Options(CliTest):
         near_ties = self.file("ties.jsonl", self.answer("cases", "--family", "crossed_ties", "--size", "40"))
         self.assertEqual(self.result("depth", near_ties)["method"], "exact")
 
+    def test_optima(self):
+        a = self.file("a.xyz", UNIT)
+        everything = self.result("depth", a, a)
+        self.assertNotIn("optima_count", everything)
+        for method in ("auto", "exact", "naive", "shallow"):
+            for listed in (1, 4, 6, 2**63):
+                some = self.result("depth", "--method", method, "--optima", listed, a, a)
+                self.assertEqual(some.pop("optima_count"), 6)
+                self.assertEqual(some["optima"], everything["optima"][:listed])
+                for field in ("direction", "translation", "contact", "witness", "depth"):
+                    self.assertEqual(some[field], everything[field])
+        self.assertEqual(self.result("depth", "--optima", 3, a, self.file("b.xyz", [[2, 0, 0]]))["optima_count"], 0)
+        self.assertIn("\nties         6 nearest facets; the first is shown, --json lists all\n", self.answer("depth", "--optima", 1, a, a))
+        for wrong in ("0", "-1", "x", "1.5", str(2**64)):
+            self.assertIn("expected an integer from 1 on", self.refused("depth", f"--optima={wrong}", a, a))
+        self.refused("width", "--optima", "1", a)
+
+    def test_optima_with_certificate(self):
+        a = self.file("a.xyz", UNIT)
+        for listed, word, verdict in ((2, "some", "depth_squared=1 "), (6, "all", "depth_squared=1 optima=6 ")):
+            result = self.result("depth", "--optima", listed, "--embed-certificate", a, a)
+            self.assertIn(f"\ndirections {listed} {word}\n", result["certificate"])
+            self.assertIn(verdict, self.answer("check", self.file("proof.cert", result["certificate"])))
+
     def test_digits(self):
         low, high = self.result("depth", "--digits", "40", CUBE, ICOSAHEDRON)["depth"]["enclosure"]
         squared = Fraction(self.result("depth", CUBE, ICOSAHEDRON)["depth"]["squared"])

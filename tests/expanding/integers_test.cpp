@@ -76,6 +76,29 @@ TEST(FixedIntegers, HoldTheLargestNumbers) {
   }
 }
 
+/// A search that ends anywhere leaves a workspace that is as good as a new one.
+TEST(Workspace, IsUsableAfterAnInterruption) {
+  const Case input = families::find_family("random_sphere")->make(1, 30);
+  const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
+  kernels::Context undisturbed;
+  const Expansion whole = nearest_by_expansion(undisturbed, clouds.a, clouds.b);
+  ASSERT_EQ(whole.end, ExpansionEnd::proved);
+  ASSERT_GT(whole.points, 3U);
+  Workspace workspace;
+  for (std::size_t most = 0; most < whole.points; ++most) {
+    struct Stop final : Monitor {
+      explicit Stop(std::size_t n) : left(n) {}
+      void report(std::string_view, double) override {}
+      bool stopped() override { return left-- == 0; }
+      std::size_t left;
+    } stop(most);
+    kernels::Context context(&stop);
+    EXPECT_THROW(nearest_by_expansion(context, clouds.a, clouds.b, unlimited, &workspace), Interrupted);
+    EXPECT_EQ(nearest_by_expansion(undisturbed, clouds.a, clouds.b, most, &workspace).end, ExpansionEnd::spent);
+    expect_same(nearest_by_expansion(undisturbed, clouds.a, clouds.b, unlimited, &workspace), whole);
+  }
+}
+
 /// Points in binary64 that lie in a common plane but for a few units in the last place: facets of P with many corners, which differ from a
 /// plane by 2^-50 of the size or less.
 std::vector<Vector> nearly_coplanar_body(Random& random, const Vec3<double>& normal, double offset) {

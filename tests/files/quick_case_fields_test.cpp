@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <random>
 #include <string>
@@ -214,6 +217,12 @@ TEST(QuickCaseFields, Numbers) {
     }
     if (random() % 3 == 0) number += "e" + std::to_string(static_cast<int>(random() % 700) - 350);
     numbers.push_back(number);
+  }
+  for (int i = 0; i < 20000; ++i) {  // as programs print them, in a few characters more or less than 20
+    char text[40];
+    const double value = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), static_cast<int>(random() % 200) - 150);
+    std::snprintf(text, sizeof text, "%.*g", static_cast<int>(14 + random() % 6), value);
+    numbers.emplace_back(text);
   }
   std::size_t read = 0;
   for (const std::string& number : numbers) read += agree(with_coordinate(number));

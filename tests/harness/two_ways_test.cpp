@@ -68,7 +68,8 @@ TEST(TwoWays, AProofOfAnotherAnswerIsNone) {
 TEST(KeepDifference, MakesItSmallAndWritesIt) {
   const Folder folder;
   const Solver wrong = planted([](const Case& shown, Depth& depth) {
-    if (auto* penetration = std::get_if<Penetration>(&depth.outcome); penetration && shown.b.points.size() > 4) penetration->squared += 1;
+    if (auto* penetration = std::get_if<Penetration>(&depth.outcome); penetration && shown.b.points.size() > 4)
+      penetration->optima.front().support += 1;
   });
   const Solver fast = solver_by(Method::automatic);
   const Case pair = family_case("random_sphere", 20, 1);
@@ -114,7 +115,7 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
   const Outcome once = judged({}), twice = judged({solver_by(Method::exact), solver_by(Method::naive)});
   ASSERT_TRUE(twice.judgement->travel_squared);
   EXPECT_EQ(difference(*once.judgement, *twice.judgement), std::nullopt);
-  const Solver deeper = planted([](const Case&, Depth& depth) { std::get<Penetration>(depth.outcome).squared *= 2; });
+  const Solver deeper = planted([](const Case&, Depth& depth) { std::get<Penetration>(depth.outcome).optima.front().support *= 2; });
   try {
     judged({solver_by(Method::exact), deeper});
     FAIL() << "no disagreement";

@@ -27,8 +27,15 @@ if(result EQUAL 0 OR EXISTS ${WORK}/never OR NOT output MATCHES "nothing has bee
   message(FATAL_ERROR "installing from a folder where nothing can be built ended with ${result} and said\n${output}")
 endif()
 
+# Law: where depth alone is configured nothing is installed.
+run_well(${configure} -DFATHOM_ONLY_DEPTH=ON)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/never)
+if(result EQUAL 0 OR EXISTS ${WORK}/never OR NOT output MATCHES "Only depth is configured")
+  message(FATAL_ERROR "installing from a folder where depth alone is configured ended with ${result} and said\n${output}")
+endif()
+
 # Law: what is missing is built.
-run_well(${configure} -U CMAKE_CXX_COMPILER_LAUNCHER)
+run_well(${configure} -DFATHOM_ONLY_DEPTH=OFF -U CMAKE_CXX_COMPILER_LAUNCHER)
 run_well(${CMAKE_COMMAND} --build ${BUILD} --target fathom -j 2)
 if(EXISTS ${BUILD}/verify/check/fathom-check)
   message(FATAL_ERROR "fathom-check is here already: this test shows nothing")

@@ -70,7 +70,7 @@ TEST(BinaryExponent, IsTheLeastThatCovers) {
     const Vector p{0, x, 0};
     return binary_exponent(std::span(&p, 1));
   };
-  EXPECT_EQ(binary_exponent({}), 0);
+  EXPECT_EQ(binary_exponent(std::span<const Vector>{}), 0);
   EXPECT_EQ(of(0), 0);
   EXPECT_EQ(of(1), 0);
   EXPECT_EQ(of(-1), 0);

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   wrong.depth = [right = wrong.depth](const Case& pair, Monitor* monitor) {
     Depth depth = right(pair, monitor);
     if (auto* penetration = std::get_if<Penetration>(&depth.outcome); penetration && pair.a.points.size() > 5)
-      penetration->squared *= mpq_class(1'000'001, 1'000'000);
+      penetration->optima.front().support *= mpq_class(1'000'001, 1'000'000);
     return depth;
   };
   return nightly::two_ways(argc, argv, harness::solver_with_proof(), wrong);

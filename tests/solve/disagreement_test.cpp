@@ -82,8 +82,8 @@ TEST(Disagreement, DoesNotMindWhatDependsOnTheMethod) {
 
 TEST(Disagreement, SaysBothValues) {
   Depth wrong = penetrating();
-  in(wrong).squared = mpq_class(1, 3);
-  EXPECT_EQ(disagreement(penetrating(), wrong), "squared: 1 and 1/3");
+  in(wrong).optima[0].support = mpq_class(1, 2);
+  EXPECT_EQ(disagreement(penetrating(), wrong), "squared: 1 and 1/4");
   wrong = penetrating();
   in(wrong).optima[0].contact.a.pop_back();
   const std::string kind = "facet-facet: points ";

@@ -12,30 +12,15 @@
 #include "fathom/numbers.hpp"
 #include "reference/polytope/narrow_pair.hpp"
 #include "reference/solve/methods.hpp"
+#include "tests/solve/same_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
-#include "tests/support/same_answer.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::solve {
 namespace {
 
 using Doubles = std::vector<std::array<double, 3>>;
-
-void expect_equal(const Depth& x, const Depth& y) {
-  testing::expect_same_answer(x, y);
-  EXPECT_EQ(x.method, y.method);
-  EXPECT_EQ(x.extreme_a, y.extreme_a);
-  EXPECT_EQ(x.counters.expansions, y.counters.expansions);
-  EXPECT_EQ(x.counters.inner_facets, y.counters.inner_facets);
-  EXPECT_EQ(x.counters.pairs_evaluated, y.counters.pairs_evaluated);
-  ASSERT_EQ(!x.penetration(), !y.penetration());
-  if (!x.penetration()) return;
-  ASSERT_EQ(!x.penetration()->inner, !y.penetration()->inner);
-  if (!x.penetration()->inner) return;
-  EXPECT_EQ(x.penetration()->inner->vertices, y.penetration()->inner->vertices);
-  EXPECT_EQ(x.penetration()->inner->facets, y.penetration()->inner->facets);
-}
 
 /// The points, rounded to binary64.
 Doubles doubles(const Body& body) {

@@ -5,7 +5,6 @@
 #include <gmpxx.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "kernels/number/wide_float.hpp"
 
@@ -13,17 +12,18 @@ namespace fathom::testing {
 
 inline mpq_class exactly(double x) { return mpq_class(x); }
 
-/// Digit by digit: what is left after the first 53 bits is again a number. Of size at most 2^300.
+/// Digit by digit: what is left after the first 53 bits is again a number. Powers of two are exact factors.
 inline mpq_class exactly(const kernels::WideFloat& x) {
-  constexpr double power = 0x1p500;  // powers of two are exact factors
-  mpq_class sum;
-  for (kernels::WideFloat rest = x * power; rest.sign() != 0;) {
+  kernels::WideFloat rest = x;
+  mpq_class unit = 1, sum;
+  for (; !std::isfinite(rest.truncated()); rest = rest * 0x1p-500) unit *= mpq_class(0x1p500);
+  for (; rest.sign() != 0 && std::fabs(rest.truncated()) < 0x1p-400; rest = rest * 0x1p500) unit /= mpq_class(0x1p500);
+  while (rest.sign() != 0) {
     const double leading = rest.truncated();
-    if (leading == 0 || !std::isfinite(leading)) throw std::domain_error("beyond binary64");
     sum += mpq_class(leading);
     rest = rest - kernels::WideFloat(leading);
   }
-  return sum / mpq_class(power);
+  return sum * unit;
 }
 
 }  // namespace fathom::testing

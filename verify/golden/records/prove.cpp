@@ -116,7 +116,7 @@ struct Sides {
 };
 
 Penetration proved_penetration(const Integers& bodies, const Proved& proved, const Witness& witness) {
-  Penetration answer{{}, witness, std::nullopt};
+  Penetration answer{.optima = {}, .meeting = witness, .inner = std::nullopt};
   for (const Vector& n : proved.directions) {
     const Sides sides(bodies, n);
     if (answer.optima.empty() && !sides.witnessed(witness, bodies, n))
