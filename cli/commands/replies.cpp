@@ -13,16 +13,6 @@
 namespace fathom::cli {
 namespace {
 
-ExitCode reply_to_stream(const Request& request, const Replies& replies) {
-  StreamWork work;
-  work.one_body = has_one_body(request);
-  work.header = replies.header;
-  work.error_line = replies.error_line;
-  work.answer = replies.reply;
-  work.threads = request.threads.value_or(usual_threads());
-  return for_each_case(request.inputs[0], work);
-}
-
 Case single_case(const Request& request) {
   const auto mesh = [&](std::size_t i) { return read_mesh(request.inputs[i], request.decimals); };
   Case single =
@@ -40,8 +30,18 @@ bool is_stream(const Request& request) {
   return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
 }
 
+StreamWork stream_work(const Request& request, const Replies& replies) {
+  StreamWork work;
+  work.one_body = has_one_body(request);
+  work.header = replies.header;
+  work.error_line = replies.error_line;
+  work.answer = replies.reply;
+  work.threads = request.threads.value_or(usual_threads());
+  return work;
+}
+
 ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
-  if (is_stream(request)) return reply_to_stream(request, replies);
+  if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = single_case(request);
   const Working working;
   Progress progress;

@@ -26,6 +26,9 @@ struct Replies {
   std::string header = {};
 };
 
+/// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.
+StreamWork stream_work(const Request& request, const Replies& replies);
+
 /// Prints the replies to the request's inputs. Throws as for_each_case does.
 ExitCode reply_to_inputs(const Request& request, const Replies& replies);
 

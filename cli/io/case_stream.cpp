@@ -15,6 +15,7 @@
 #include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/packed.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
 #include "reference/files/unread_cases.hpp"
@@ -40,6 +41,70 @@ struct Passage {
   bool perhaps_inner = false;
 };
 
+using Block = std::vector<std::shared_ptr<Passage>>;
+
+// A block that is answered by another process ends with this many cases, or with this many bytes.
+constexpr std::size_t cases_in_a_block = 64, bytes_of_a_block = std::size_t{1} << 18;
+
+/// What an error says behind file and line.
+std::string message_of(const InputError& error) {
+  const std::string sentence = error.what(), place = InputError(error.file(), error.line(), "").what();
+  return sentence.substr(std::min(place.size(), sentence.size()));
+}
+
+/// What each thread uses for one case after another.
+struct Memory {
+  files::QuickCaseReader reader;
+  Workspace workspace;
+};
+
+/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws Interrupted. Once a note on a hull was told, others
+/// are not looked for.
+void answer_case(Passage& passage, const std::string& name, const StreamWork& work, Monitor& monitor, Memory& memory, bool hull_told) {
+  const std::size_t line = passage.text.line;
+  const auto lose = [&](InputError why, ExitCode code) {
+    passage.fault = std::move(why);
+    passage.code = std::max(passage.code, code);
+  };
+  passage.id = std::to_string(line);
+  try {
+    const CaseItem item = files::read_case(memory.reader, passage.text, name);
+    std::string().swap(passage.text.text);
+    passage.id = item.id;
+    if (!item.ok()) return lose(item.error(), bad_input);
+    passage.perhaps_inner = may_have_inner_points(item.value(), work.one_body);
+    if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
+    passage.reply = work.answer(item.value(), monitor, memory.workspace);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const InputError& error) {
+    lose(error, bad_input);
+  } catch (const std::exception& error) {
+    lose({name, line, fault_text(error)}, internal_error);
+  }
+}
+
+/// What answer_case found, as texts, and back.
+void pack_answer(std::string& all, const Passage& passage) {
+  const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
+  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "",
+                                    optional(passage.hull_note)};
+  if (passage.fault) texts.insert(texts.end(), {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
+  else texts.push_back(passage.reply.text);
+  pack(all, packed(texts));
+}
+
+void take_answer(const std::string& text, Passage& passage) {
+  const std::vector<std::string> texts = unpacked(text);
+  passage.id = texts.at(0);
+  passage.code = static_cast<ExitCode>(std::stoi(texts.at(1)));
+  passage.perhaps_inner = !texts.at(2).empty();
+  if (!texts.at(3).empty()) passage.hull_note = texts[3].substr(1);
+  if (texts.size() > 5) passage.fault = InputError(texts[4], std::stoull(texts.at(5)), texts.at(6));
+  else passage.reply.text = texts.at(4);
+  passage.answered = true;
+}
+
 class Stream {
  public:
   Stream(const std::string& input, const StreamWork& work)
@@ -47,6 +112,9 @@ class Stream {
 
   /// Null at the end.
   std::shared_ptr<Passage> next();
+  /// The same for several cases at once.
+  std::shared_ptr<Block> next_block();
+  void answer_elsewhere(Block& block);
   void answer(Passage& passage);
   void deliver(Passage& passage);
   ExitCode finish();
@@ -55,15 +123,8 @@ class Stream {
   /// Shows the progress of the case that is to be delivered next: of one at a time, and the others wait for it.
   class CaseMonitor;
 
-  void answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const;
   void tell_of_hull(const Passage& passage);
   void report(const Passage& bad);
-
-  /// What each thread uses for one case after another.
-  struct Memory {
-    files::QuickCaseReader reader;
-    Workspace workspace;
-  };
 
   const StreamWork& work_;
   tbb::enumerable_thread_specific<Memory> memory_;
@@ -118,37 +179,46 @@ std::shared_ptr<Passage> Stream::next() {
   return passage;
 }
 
+// To count exactly the cases with inner points would take a hull each: after the first they are counted by what is seen without one.
 void Stream::answer(Passage& passage) {
   if (std::exchange(passage.answered, true)) return;
-  const std::size_t line = passage.text.line;
-  Memory& memory = memory_.local();
   CaseMonitor monitor(*this, passage);
   monitor.has_the_bar();
-  const auto lose = [&](InputError why, ExitCode code) {
-    passage.fault = std::move(why);
-    passage.code = std::max(passage.code, code);
-  };
-  passage.id = std::to_string(line);
   try {
-    const CaseItem item = files::read_case(memory.reader, passage.text, texts_.name());
-    std::string().swap(passage.text.text);
-    passage.id = item.id;
-    if (!item.ok()) return lose(item.error(), bad_input);
-    answer(passage, item.value(), monitor, memory.workspace);
+    answer_case(passage, texts_.name(), work_, monitor, memory_.local(), hull_told_);
   } catch (const Interrupted&) {
     if (!failed_) throw;  // else the run ends by what failed
-  } catch (const InputError& error) {
-    lose(error, bad_input);
-  } catch (const std::exception& error) {
-    lose({texts_.name(), line, fault_text(error)}, internal_error);
   }
 }
 
-// To count exactly the cases with inner points would take a hull each: after the first they are counted by what is seen without one.
-void Stream::answer(Passage& passage, const Case& single, Monitor& monitor, Workspace& workspace) const {
-  passage.perhaps_inner = may_have_inner_points(single, work_.one_body);
-  if (passage.perhaps_inner && !hull_told_) passage.hull_note = hull_note(single, work_.one_body);
-  passage.reply = work_.answer(single, monitor, workspace);
+std::shared_ptr<Block> Stream::next_block() {
+  auto block = std::make_shared<Block>();
+  for (std::size_t bytes = 0; block->size() < cases_in_a_block && bytes < bytes_of_a_block;) {
+    std::shared_ptr<Passage> passage = next();
+    if (!passage) break;
+    bytes += passage->text.text.size();
+    block->push_back(std::move(passage));
+  }
+  return block->empty() ? nullptr : block;
+}
+
+void Stream::answer_elsewhere(Block& block) {
+  std::string texts = packed({hull_told_ ? "+" : ""});
+  Block sent;
+  for (const std::shared_ptr<Passage>& passage : block) {
+    if (passage->answered) continue;
+    if (passage->text.error) {
+      answer(*passage);
+      continue;
+    }
+    pack(texts, std::to_string(passage->text.line));
+    pack(texts, passage->text.text);
+    sent.push_back(passage);
+  }
+  if (sent.empty()) return;
+  const std::string name = fmt::format("lines {} to {} of {}", sent.front()->text.line, sent.back()->text.line, texts_.name());
+  const std::vector<std::string> answers = unpacked(work_.elsewhere(texts, name));
+  for (std::size_t i = 0; i < sent.size(); ++i) take_answer(answers.at(i), *sent[i]);
 }
 
 void Stream::deliver(Passage& passage) try {
@@ -203,10 +273,33 @@ ExitCode Stream::finish() {
 ExitCode for_each_case(const std::string& input, const StreamWork& work) {
   Stream stream(input, work);
   if (!work.header.empty()) print(work.header);
+  if (work.elsewhere) {
+    in_order<Block>(
+        work.threads, [&] { return stream.next_block(); }, [&](Block& block) { stream.answer_elsewhere(block); },
+        [&](Block& block) {
+          for (const std::shared_ptr<Passage>& passage : block) stream.deliver(*passage);
+        });
+    return stream.finish();
+  }
   in_order<Passage>(
       work.threads, [&] { return stream.next(); }, [&](Passage& passage) { stream.answer(passage); },
       [&](Passage& passage) { stream.deliver(passage); });
   return stream.finish();
+}
+
+std::string answer_block(const std::string& block, const std::string& input, const StreamWork& work) {
+  const std::vector<std::string> texts = unpacked(block);
+  const bool hull_told = !texts.at(0).empty();
+  StopOnInterrupt monitor;
+  Memory memory;
+  std::string answers;
+  for (std::size_t i = 1; i + 1 < texts.size(); i += 2) {
+    Passage passage;
+    passage.text = {std::stoull(texts[i]), texts[i + 1], {}};
+    answer_case(passage, input == "-" ? "<stdin>" : input, work, monitor, memory, hull_told);
+    pack_answer(answers, passage);
+  }
+  return answers;
 }
 
 }  // namespace fathom::cli

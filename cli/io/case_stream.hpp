@@ -30,7 +30,14 @@ struct StreamWork {
   bool one_body = false;
   /// How many cases are answered at once.
   unsigned threads = 1;
+  /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by `answer`: it passes the block to
+  /// answer_block in any process, and returns what that returns. `name` tells what the block is. Then a block is answered once it is whole.
+  std::function<std::string(const std::string& block, const std::string& name)> elsewhere = {};
 };
+
+/// Answers a block of cases for for_each_case in another process, with the same `input` and a `work` that is the same except for `threads`
+/// and `elsewhere`; replies must not have `keep`. Throws Interrupted, and std::invalid_argument for other texts.
+std::string answer_block(const std::string& block, const std::string& input, const StreamWork& work);
 
 /// Answers each case of the stream called `input`, in order: whatever is printed does not depend on the number of threads, and no answer
 /// waits for a later case to be there. Of cases that have no answer yet, a fixed number is read ahead, large ones only when their turn has

@@ -5,6 +5,7 @@
 
 #include "cli/commands/command_certify.hpp"
 #include "cli/io/interrupt.hpp"
+#include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"
 #include "fathom/files.hpp"
 #include "reference/solve/disagreement.hpp"

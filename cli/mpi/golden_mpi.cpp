@@ -11,6 +11,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/command_golden.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/generate.hpp"

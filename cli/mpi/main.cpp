@@ -31,8 +31,10 @@ ExitCode run(const Processes& world, int argc, char** argv) {
   const Request& request = *arguments.request;
   if (request.command == Command::certify && request.certify.replay.empty() && !request.certify.list_adapters)
     return certify_by_ranks(world, request);
+  // Certificates go to files, one after another: rank 0 alone keeps their order.
+  if (request.command == Command::depth && is_stream(request) && request.certificate.empty()) return depth_by_ranks(world, request);
   if (!leads) return fine;
-  return request.command == Command::certify ? run_certify(request) : run_depth(request);
+  return run_command(request);
 }
 
 /// Errors become one sentence, as in fathom itself.

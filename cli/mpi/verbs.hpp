@@ -17,11 +17,10 @@ ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>&
 /// certify, with a subject of its own for each rank.
 ExitCode certify_by_ranks(const Processes& world, const Request& request);
 
+/// depth on a stream: blocks of cases, each answered by one rank.
+ExitCode depth_by_ranks(const Processes& world, const Request& request);
+
 /// Threads for each process, unless the user says: the cores of this machine, shared by the processes on it.
 unsigned usual_jobs();
-
-/// Texts of any bytes as one text, and back.
-std::string packed(const std::vector<std::string>& texts);
-std::vector<std::string> unpacked(const std::string& text);
 
 }  // namespace fathom::cli

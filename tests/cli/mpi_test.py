@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mpirun -np N fathom: golden verify and certify print the same on any number of processes; a dead one is named, and the next run goes on.
+"""mpirun -np N fathom: golden verify, certify and depth print the same on any number of processes; a dead one is named, and the next run goes on.
 golden generate: golden_mpi_test.py."""
 import json
 import os
@@ -14,7 +14,7 @@ import unittest
 from certify_harness import boxes, liar
 from golden_mpi_test import MPIRUN, descendants
 from golden_release import COMMITTED, ENDS, GoldenTest, packed, repair, unpacked
-from harness import EXECUTABLE, PATIENCE
+from harness import EXECUTABLE, PATIENCE, ROOT
 
 PROGRAM = pathlib.Path(EXECUTABLE).with_name("fathom-mpi")
 STREAM = "".join(boxes(i, marked=i % 10 == 3) for i in range(60))
@@ -88,6 +88,37 @@ class Mpi(GoldenTest):
         self.assertIn("nothing was judged", err)
         self.assertEqual(self.same_on_all("certify", "--subject", "x", "nothing.jsonl")[0], 2)
         self.assertEqual(self.same_on_all("certify", "--list-adapters")[0], 0)
+
+    def test_depth(self):
+        """A stream of many blocks, with bad cases, cases over several lines, and a note on hulls: the same bytes everywhere."""
+        box = json.loads(boxes(7))
+        cases = []
+        for i in range(300):
+            box["id"] = f"case {i}"
+            if i % 90 == 50:
+                box["a"]["vertices"].append([0.75, 0.5, 0.5])  # within
+            cases.append(json.dumps(box, indent=1 if i % 40 == 3 else None).replace("\n ", "\n  ") + "\n")
+        cases[5], cases[70], cases[71], cases[299] = "noise\n", '{"id": "cut"\n', '{"id": "x", "a": 1}\n', "\n"
+        stream = "".join(cases)
+        code, out, err = self.same_on_all("depth", "--json", "-", stdin=stream)
+        self.assertEqual(code, 2)
+        self.assertEqual(out.count("\n"), 299)
+        self.assertIn("<stdin>:", err)
+        self.assertIn("errors: 3 of 299 lines", err)
+        path = self.file("cases.jsonl", stream)
+        for words in (["depth", path], ["depth", "--json", "--embed-certificate", "--counters", path], ["depth", "--method", "exact", path]):
+            self.assertEqual(self.same_on_all(*words)[0], 2)
+        self.assertEqual(self.same_on_all("depth", "-", stdin="")[0], 2)
+        self.assertEqual(self.same_on_all("depth", self.folder / "nothing.jsonl")[0], 2)
+
+    def test_what_rank_0_does_alone(self):
+        cube = ROOT / "tests" / "data" / "cube.off"
+        self.assertIn("penetrating", self.same_on_all("depth", cube, cube)[1])
+        self.assertEqual(self.same_on_all("depth", "--certificate", self.folder / "proofs", "-", stdin="")[0], 2)
+        for ranks in (1, 3):
+            folder = self.folder / str(ranks)
+            self.on_ranks(ranks, "depth", "--certificate", folder, "-", stdin=STREAM)
+            self.assertEqual(len(list(folder.iterdir())), 60)
 
     def killed(self, *words):
         """Kills one of three ranks under way. Returns (exit code, all of stderr)."""
