@@ -2,11 +2,11 @@
 #include "cli/io/case_stream.hpp"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
 #include <string>
@@ -52,10 +52,37 @@ std::string message_of(const InputError& error) {
   return sentence.substr(std::min(place.size(), sentence.size()));
 }
 
-/// What each thread uses for one case after another.
+/// What is used for one case after another.
 struct Memory {
   files::QuickCaseReader reader;
   Workspace workspace;
+};
+
+/// Memory for so many answers at once. It is there from the beginning, so that a case that does not fit takes none away from others.
+class Memories {
+ public:
+  explicit Memories(unsigned count) : idle_(count) {}
+
+  /// Calls `use` with memory that nothing else uses meanwhile.
+  template <class Use>
+  void lend(Use use) {
+    Memory memory = take();
+    use(memory);
+    const std::lock_guard lock(idle_lock_);
+    idle_.push_back(std::move(memory));  // it has room for all
+  }
+
+ private:
+  Memory take() {
+    const std::lock_guard lock(idle_lock_);
+    if (idle_.empty()) return {};
+    Memory memory = std::move(idle_.back());
+    idle_.pop_back();
+    return memory;
+  }
+
+  std::mutex idle_lock_;
+  std::vector<Memory> idle_;
 };
 
 /// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws Interrupted. Once a note on a hull was told, others
@@ -127,7 +154,7 @@ class Stream {
   void report(const Passage& bad);
 
   const StreamWork& work_;
-  tbb::enumerable_thread_specific<Memory> memory_;
+  Memories memories_{work_.threads};
   std::atomic<bool> failed_ = false, hull_told_ = false;
   CaseInput input_;
   files::UnreadCases texts_;
@@ -185,7 +212,7 @@ void Stream::answer(Passage& passage) {
   CaseMonitor monitor(*this, passage);
   monitor.has_the_bar();
   try {
-    answer_case(passage, texts_.name(), work_, monitor, memory_.local(), hull_told_);
+    memories_.lend([&](Memory& memory) { answer_case(passage, texts_.name(), work_, monitor, memory, hull_told_); });
   } catch (const Interrupted&) {
     if (!failed_) throw;  // else the run ends by what failed
   }
