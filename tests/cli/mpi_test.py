@@ -120,13 +120,14 @@ class Mpi(GoldenTest):
             self.on_ranks(ranks, "depth", "--certificate", folder, "-", stdin=STREAM)
             self.assertEqual(len(list(folder.iterdir())), 60)
 
-    def killed(self, *words):
-        """Kills one of three ranks under way. Returns (exit code, all of stderr)."""
+    def killed(self, under_way, *words):
+        """Kills one of three ranks once under_way() says that the work has begun. Returns (exit code, all of stderr)."""
         with subprocess.Popen(command(3, *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
             ranks = []
             while process.poll() is None and len(ranks) < 3:
                 ranks = [number for number, name in descendants(process.pid) if name.startswith("fathom-mpi")]
-            time.sleep(0.7)
+            while process.poll() is None and not under_way():
+                time.sleep(0.01)
             os.kill(max(ranks), signal.SIGKILL)
             _, err = process.communicate(timeout=PATIENCE)
             return process.returncode, err
@@ -135,12 +136,12 @@ class Mpi(GoldenTest):
         """mpirun names it; rank 0 says what each was at; the report holds what was judged, and the next run does the rest."""
         cases, report = self.file("cases.jsonl", STREAM), self.folder / "report.jsonl"
         words = ["certify", "--subject", liar("too-deep", 0.1), "--report", report, cases]
-        code, err = self.killed(*words)
+        judged = lambda: [line for line in report.read_text().splitlines() if '"type":"case"' in line] if report.exists() else []
+        code, err = self.killed(judged, *words)
         self.assertNotEqual(code, 0)
         self.assertRegex(err, r"rank \d with PID \d+ on node \S+ exited on signal 9")
         self.assertRegex(err, r"fathom: rank \d was at case box::\d+")
-        before = [line for line in report.read_text().splitlines() if '"type":"case"' in line]
-        self.assertTrue(0 < len(before) < 60)
+        self.assertTrue(0 < len(judged()) < 60)
         self.assertEqual(self.on_ranks(2, *words[:-1], "--resume", cases)[0], 1)
         lines = [json.loads(line) for line in report.read_text().splitlines()]
         self.assertEqual({line["id"]: line["verdict"] for line in lines if line["type"] == "case"},
