@@ -74,7 +74,9 @@ class Extent<Vec3<std::int64_t>> {
     all_ |= static_cast<std::uint64_t>(c);
     largest_ = std::max(largest_, c < 0 ? -static_cast<std::uint64_t>(c) : static_cast<std::uint64_t>(c));
   }
-  [[nodiscard]] unsigned trailing_zeros() const { return static_cast<unsigned>(std::countr_zero(all_)); }
+  [[nodiscard]] unsigned trailing_zeros() const {
+    return all_ == 0 ? std::numeric_limits<unsigned>::max() : static_cast<unsigned>(std::countr_zero(all_));
+  }
   [[nodiscard]] long exponent() const { return largest_ == 0 ? 0 : std::bit_width(largest_ - 1); }
 
  private:
@@ -97,7 +99,8 @@ class Extent<Vec3<NarrowCoordinate>> {
   long exponent_ = 0;
 };
 
-void divide_by_power(std::int64_t& c, unsigned shift) { c >>= shift; }
+// Only 0 has as many trailing zeros as a word has bits, or more.
+void divide_by_power(std::int64_t& c, unsigned shift) { c = shift < 64 ? c >> shift : 0; }
 void divide_by_power(NarrowCoordinate& c, unsigned shift) { c.divide_by_power(shift); }
 
 template <class Lattice>

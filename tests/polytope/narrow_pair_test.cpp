@@ -77,6 +77,15 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
   EXPECT_GT(wide, 50U);
 }
 
+TEST(NarrowPair, IsTheLatticeOfPlaceForPointsInOnePlace) {
+  for (const double unit : {0.0, 1.0, 0x1p-63, 0x1p-64, 0x1p-1074, 0x1p200}) {
+    const Doubles body(2, {unit, -unit, 3 * unit});
+    NarrowPair pair;
+    ASSERT_TRUE(place_narrow(body, body, pair));
+    expect_placed(pair, place(exact(body), exact(body)));
+  }
+}
+
 TEST(NarrowPair, IsTheLatticeOfPlaceForEveryFamily) {
   NarrowPair pair;
   std::size_t narrow = 0;
