@@ -13,10 +13,10 @@ namespace fathom::depth {
 
 struct ExactOptions {
   ClosestLines closest_lines = ClosestLines::cutting;
-  std::uint64_t seed = 1;              ///< of the closest lines' random order
-  std::optional<std::size_t> optima;   ///< how many optima are listed; not set: all
-  bool validate = false;               ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
-  kernels::Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
+  std::uint64_t seed = 1;                            ///< of the closest lines' random order
+  std::optional<std::size_t> optima = std::nullopt;  ///< how many optima are listed; not set: all
+  bool validate = false;                             ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
+  kernels::Perturbation perturbation;                ///< how coincidences are resolved; results do not depend on it
 };
 
 /// Returns the answer, with the counters of `context`.

@@ -46,7 +46,9 @@ TEST(FixedInteger, ComputesAsGmpDoes) {
     ASSERT_EQ(x == y, a == b);
     ASSERT_EQ(x.bit_length(), a == 0 ? 0 : static_cast<long>(mpz_sizeinbase(a.get_mpz_t(), 2)));
     ASSERT_EQ(FixedInteger<640>(x).to_mpz(), a) << "a narrower type";
-    if (x.bit_length() < 64) ASSERT_EQ(x.to_word(), a.get_si());
+    if (x.bit_length() < 64) {
+      ASSERT_EQ(x.to_word(), a.get_si());
+    }
     if (a == 0) continue;
     ASSERT_EQ(x.trailing_zeros(), mpz_scan1(a.get_mpz_t(), 0));
     ASSERT_EQ(binary_exponent(x), binary_exponent(Vector{a, 0, 0}));
