@@ -86,19 +86,16 @@ ExitCode verify_golden(const GoldenRequest& request,
   return fine;
 }
 
-ExitCode run_golden(const std::vector<std::string>& words) {
+ExitCode carry_out_golden(const std::vector<std::string>& words, bool says_usage,
+                          const std::function<ExitCode(const GoldenRequest&)>& work) {
   const GoldenArguments arguments = parse_golden(words);
   if (!arguments.request) {
-    if (arguments.code == fine) {
-      print(arguments.text);
-    } else {
-      talk(arguments.text);
-    }
+    if (says_usage) arguments.code == fine ? print(arguments.text) : talk(arguments.text);
     return arguments.code;
   }
   const bool generates = arguments.request->what == GoldenRequest::What::generate;
   try {
-    return generates ? generate(*arguments.request) : verify_golden(*arguments.request);
+    return work(*arguments.request);
   } catch (const golden::FolderError& error) {
     talk(error.what());
     return bad_input;
@@ -106,6 +103,12 @@ ExitCode run_golden(const std::vector<std::string>& words) {
     talk(error.what());
     return generates ? internal_error : bad_input;
   }
+}
+
+ExitCode run_golden(const std::vector<std::string>& words) {
+  return carry_out_golden(words, true, [](const GoldenRequest& request) {
+    return request.what == GoldenRequest::What::generate ? generate(request) : verify_golden(request);
+  });
 }
 
 }  // namespace fathom::cli

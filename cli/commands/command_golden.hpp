@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "cli/args/golden_arguments.hpp"
@@ -10,6 +12,11 @@
 #include "verify/golden/release/verify.hpp"
 
 namespace fathom::cli {
+
+/// Does `work` for the request that the words make. Says what is wrong with the words only if `says_usage`, and what is wrong with folders
+/// and files always. Lets other exceptions of `work` pass.
+ExitCode carry_out_golden(const std::vector<std::string>& words, bool says_usage,
+                          const std::function<ExitCode(const GoldenRequest&)>& work);
 
 /// The shards of the request's part: i, i + n, i + 2 n, ...
 std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GoldenRequest& request);

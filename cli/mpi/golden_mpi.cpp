@@ -102,23 +102,10 @@ ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned j
 }  // namespace
 
 ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>& words) {
-  const GoldenArguments arguments = parse_golden(words);
-  if (!arguments.request) {
-    if (world.rank() == 0) arguments.code == fine ? print(arguments.text) : talk(arguments.text);
-    return arguments.code;
-  }
-  const GoldenRequest& request = *arguments.request;
-  const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
-  const bool generates = request.what == GoldenRequest::What::generate;
-  try {
-    return generates ? generate(world, request, jobs) : verify(world, request, jobs);
-  } catch (const golden::FolderError& error) {
-    talk(error.what());
-    return bad_input;
-  } catch (const golden::FileError& error) {
-    talk(error.what());
-    return generates ? internal_error : bad_input;
-  }
+  return carry_out_golden(words, world.rank() == 0, [&](const GoldenRequest& request) {
+    const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
+    return request.what == GoldenRequest::What::generate ? generate(world, request, jobs) : verify(world, request, jobs);
+  });
 }
 
 }  // namespace fathom::cli
