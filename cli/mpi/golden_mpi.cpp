@@ -13,7 +13,6 @@
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"
-#include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/generate.hpp"
 
 namespace fathom::cli {

@@ -2,18 +2,16 @@
 // mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify, certify,
 // and depth on a stream. What they do not share rank 0 does alone. It is a program of its own so that fathom itself starts without MPI.
 #include <cstdlib>
-#include <exception>
 #include <string>
 #include <string_view>
 
 #include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/io/interrupt.hpp"
+#include "cli/io/guarded.hpp"
 #include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
 #include "cli/mpi/verbs.hpp"
-#include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace {
@@ -37,22 +35,6 @@ ExitCode run(const Processes& world, int argc, char** argv) {
   return run_command(request);
 }
 
-/// Errors become one sentence, as in fathom itself.
-ExitCode guarded(const Processes& world, int argc, char** argv) {
-  try {
-    return run(world, argc, argv);
-  } catch (const fathom::InputError& error) {
-    talk(error.what());
-    return bad_input;
-  } catch (const fathom::Interrupted&) {
-    talk("interrupted");
-    return interrupted;
-  } catch (const std::exception& error) {
-    talk(fault_text(error));
-    return internal_error;
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -61,5 +43,5 @@ int main(int argc, char** argv) {
   hold_standard_streams();
   const Processes processes(argc, argv);
   unsetenv("OMPI_COMM_WORLD_SIZE");  // programs that we start are no part of the job
-  return guarded(processes, argc, argv);
+  return guarded([&] { return run(processes, argc, argv); });
 }

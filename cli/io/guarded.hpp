@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors of a whole program become one sentence and an exit code.
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "cli/io/exit_code.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/memory.hpp"
+#include "cli/io/output.hpp"
+#include "fathom/files.hpp"
+
+namespace fathom::cli {
+
+/// Says the sentence and returns the code.
+inline ExitCode failed(const std::string& sentence, ExitCode code) {
+  talk(sentence);
+  return code;
+}
+
+/// Returns what `run` returns. Does not throw.
+inline ExitCode guarded(const std::function<ExitCode()>& run) {
+  try {
+    return run();
+  } catch (const InputError& error) {
+    return failed(error.what(), bad_input);
+  } catch (const Interrupted&) {
+    return failed("interrupted", interrupted);
+  } catch (const OutputError& error) {
+    return failed(error.what(), internal_error);
+  } catch (const std::exception& error) {
+    return failed(fault_text(error), internal_error);
+  }
+}
+
+}  // namespace fathom::cli
