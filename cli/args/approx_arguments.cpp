@@ -57,7 +57,7 @@ void add_approx_options(CLI::App& app, Request& request) {
             fmt::format("the translation may be longer than the depth by a factor of 1 + DELTA; {} unless given.\n"
                         "About 4 / DELTA rays are shot",
                         usual_delta));
-  add_json(app, request, "fathom/result/1");
+  add_json(app, request, "fathom/result/2");
 }
 
 void add_ray_options(CLI::App& app, Request& request) {

@@ -62,6 +62,7 @@ std::string check_seed(const std::string& value) {
 struct Texts {
   std::string method = "auto", closest_lines;
   bool exact_decimals = false;
+  std::string schema;       ///< empty unless given
   std::string wrong_cases;  ///< what does not go together in `cases`
 };
 
@@ -92,6 +93,18 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
 }
 
+void add_schema(CLI::App& app, Request& request, Texts& texts) {
+  app.add_option_function<std::string>(
+         "--schema",
+         [&](const std::string& text) {
+           texts.schema = text;
+           request.schema = text == "1" ? 1 : newest_result_schema;
+         },
+         "the version of the schema of JSON results: 2, or 1 for programs that\nread that one, without the fields fathom and signed_depth")
+      ->check(one_of({"1", "2"}, {}))
+      ->type_name("VERSION");
+}
+
 void add_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_option("--method", texts.method,
                  "how: auto, exact, certificate (an expanding polytope; exact where\nthat takes too many points), shallow (the part of B - "
@@ -116,7 +129,8 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
-  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/1");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
+  add_schema(app, request, texts);
 }
 
 void add_optima(CLI::App& app, Request& request) {
@@ -144,6 +158,7 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   CLI::App& metric = add_command(app, "metric", "Exact depth in a polyhedral norm or gauge.", metric_examples,
                                  "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -");
   add_approx_options(approx, request);
+  add_schema(approx, request, texts);
   add_ray_options(ray, request);
   add_metric_options(metric, request);
   for (CLI::App* command : {&approx, &ray, &metric}) add_questions(*command, request, texts);
@@ -202,6 +217,7 @@ Arguments completed(Request request, const Texts& texts) {
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
     return refusal("--embed-certificate adds a field to JSON results, and needs --json", command);
+  if (!texts.schema.empty() && !request.json) return refusal("--schema chooses the version of JSON results, and needs --json", command);
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
   const bool asks_exact =

@@ -13,6 +13,9 @@
 
 namespace fathom::cli {
 
+/// fathom/result/2. A request may ask for any older version.
+inline constexpr unsigned newest_result_schema = 2;
+
 enum class Command { depth, width, approx, ray, metric, study, cases, certify };
 
 struct Request {
@@ -26,8 +29,9 @@ struct Request {
   std::optional<std::size_t> optima;  ///< depth: how many optima are listed; all if not set
   std::optional<unsigned> digits;     ///< of the enclosure of the depth, if one is wanted
   bool json = false;
-  bool csv = false;  ///< study: rows of counts
-  bool all = false;  ///< study: list every coincidence, not the first few of each kind
+  unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
+  bool csv = false;                        ///< study: rows of counts
+  bool all = false;                        ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none

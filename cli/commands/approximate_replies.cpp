@@ -35,7 +35,9 @@ Replies approximate_replies(const Request& request) {
     return {is_stream(request) ? approx_line(single.id, depth, request) : approx_block(depth, request)};
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
+    replies.error_line = [&request](const CaseItem& item, const std::string& fault) {
+      return json_error(request, item.id, item.line, fault);
+    };
   return replies;
 }
 

@@ -74,7 +74,9 @@ Replies exact_replies(const Request& request) {
     return reply;
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
+    replies.error_line = [&request](const CaseItem& item, const std::string& fault) {
+      return json_error(request, item.id, item.line, fault);
+    };
   return replies;
 }
 

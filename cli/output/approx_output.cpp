@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
+
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
@@ -18,6 +20,12 @@ namespace {
 std::string direction_label(const ApproxDepth& depth) { return depth.status() == Status::disjoint ? "separating normal" : "direction"; }
 
 std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
+
+/// How far apart disjoint bodies are, no approximation tells.
+SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least, const kernels::Roundings& most) {
+  if (status == Status::disjoint) return {-std::numeric_limits<double>::infinity(), 0};
+  return {least.binary64.rd, most.binary64.ru};
+}
 
 }  // namespace
 
@@ -59,8 +67,10 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
 
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
-  Json result = {{"schema", result_schema}, {"id", id}, {"status", name(depth.status())}};
-  const Json size = length(depth.squared(), request.digits);
+  Json result = result_head(request, id, depth.status());
+  const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
+  if (request.schema >= 2) result["signed_depth"] = signed_depth_object(signed_bounds(depth.status(), least, most));
+  const Json size = length(depth.squared(), most, request.digits);
   result["depth"] = size;
   result["translation"] = exact(depth.translation());
   result["direction"] = exact(depth.direction());
@@ -71,7 +81,7 @@ std::string approx_json(const std::string& id, const ApproxDepth& depth, const R
   result["method"] = "approx";
   result["delta"] = exact_text(depth.delta);
   result["rays"] = rays(depth);
-  result["bound"] = length(depth.bound_squared(), request.digits);
+  result["bound"] = length(depth.bound_squared(), least, request.digits);
   if (has_one_body(request)) result["width"] = size;
   return result.text();
 }

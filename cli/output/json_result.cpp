@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output/json_result.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "cli/output/counts.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
@@ -21,8 +25,8 @@ Json optima_array(const Depth& depth, const Json& direction, const Json& transla
   return result;
 }
 
-Json distance_object(const Distance& distance, const std::optional<unsigned>& digits) {
-  Json result = length(distance.squared, digits);
+Json distance_object(const Distance& distance, const kernels::Roundings& rounded, const std::optional<unsigned>& digits) {
+  Json result = length(distance.squared, rounded, digits);
   result["direction"] = exact(distance.direction);
   result["translation"] = exact(distance.translation);
   result["witness"] = witness_object(distance.witness);
@@ -48,12 +52,44 @@ Json counters_object(const Counters& counters) {
   return result;
 }
 
+/// The signed depth of two polytopes: sign * sqrt(root) + plus.
+Json exact_signed_depth(const SignedDepthBounds& bounds, int sign, const mpq_class& root) {
+  Json result = signed_depth_object(bounds);
+  result["exact"] = {{"sign", sign}, {"root", Json::plain(exact_text(root))}, {"plus", Json::plain("0")}};
+  return result;
+}
+
+std::string result_schema(const Request& request) { return fmt::format("fathom/result/{}", request.schema); }
+
+Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 }  // namespace
+
+Json result_head(const Request& request, const std::string& id, Status status) {
+  Json result = {{"schema", result_schema(request)}};
+  if (request.schema >= 2) result["fathom"] = FATHOM_VERSION;
+  result["id"] = id;
+  result["status"] = name(status);
+  return result;
+}
+
+SignedDepthBounds penetrating_by(const kernels::Roundings& depth) { return {depth.binary64.rd, depth.binary64.ru}; }
+
+SignedDepthBounds apart_by(const kernels::Roundings& distance) { return {-distance.binary64.ru, 0 - distance.binary64.rd}; }
+
+Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}}; }
 
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  Json result = {{"schema", result_schema}, {"id", answer.id}, {"status", name(depth.status())}};
-  const Json size = length(depth.squared(), request.digits);
+  Json result = result_head(request, answer.id, depth.status());
+  const mpq_class squared = depth.squared();
+  const kernels::Roundings rounded = kernels::roundings_of_root(squared);
+  const Distance* const distance = depth.distance();
+  const kernels::Roundings rounded_distance = distance ? kernels::roundings_of_root(distance->squared) : kernels::Roundings{};
+  if (request.schema >= 2)
+    result["signed_depth"] = distance ? exact_signed_depth(apart_by(rounded_distance), -1, distance->squared)
+                                      : exact_signed_depth(penetrating_by(rounded), sgn(squared), squared);
+  const Json size = length(squared, rounded, request.digits);
   result["depth"] = size;
   const Json translation = exact(depth.translation()), direction = exact(depth.direction());
   result["translation"] = translation;
@@ -63,7 +99,7 @@ std::string json_result(const Answer& answer, const Request& request) {
   result["witness"] = witness ? witness_object(*witness) : Json();
   result["optima"] = optima_array(depth, direction, translation);
   if (request.optima) result["optima_count"] = depth.optima_count();
-  if (depth.distance()) result["distance"] = distance_object(*depth.distance(), request.digits);
+  if (distance) result["distance"] = distance_object(*distance, rounded_distance, request.digits);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);
   if (request.counters) result["counters"] = counters_object(depth.counters);
@@ -72,8 +108,8 @@ std::string json_result(const Answer& answer, const Request& request) {
   return result.text();
 }
 
-std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
-  return error_object(result_schema, id, line, error);
+std::string json_error(const Request& request, const std::string& id, std::size_t line, std::string_view error) {
+  return error_object(result_schema(request), id, line, error);
 }
 
 }  // namespace fathom::cli

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/roundings.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -36,7 +35,11 @@ Json exact(const Point& p) {
 Json exact(const Vector& v) { return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())}); }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
-  Json result = rounded_number("squared", squared, kernels::roundings_of_root(squared));
+  return length(squared, kernels::roundings_of_root(squared), digits);
+}
+
+Json length(const mpq_class& squared, const kernels::Roundings& rounded, const std::optional<unsigned>& digits) {
+  Json result = rounded_number("squared", squared, rounded);
   if (digits) {
     const Enclosure enclosure = enclose_root(squared, *digits);
     result["enclosure"] = Json::array({enclosure.low, enclosure.high});

@@ -10,6 +10,7 @@
 
 #include "cli/output/json.hpp"
 #include "fathom/depth.hpp"
+#include "kernels/number/roundings.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::cli {
@@ -20,6 +21,7 @@ Json exact(const Vector& v);
 
 /// A length by its exact square, with roundings, and an enclosure if digits are given.
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits);
+Json length(const mpq_class& squared, const kernels::Roundings& rounded, const std::optional<unsigned>& digits);
 /// A rational number, exact and rounded.
 Json number(const mpq_class& value);
 

@@ -4,7 +4,7 @@ import json
 import unittest
 from fractions import Fraction
 
-from harness import DATA, UNIT, CliTest, box
+from harness import DATA, UNIT, VERSION, CliTest, box
 
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
@@ -18,7 +18,8 @@ class Fields(CliTest):
         contact = {"kind": "facet-facet", "a": [1, 3, 5, 7], "b": [0, 2, 4, 6]}
         quarter = {"rn": "0x1p-2", "rd": "0x1p-2", "ru": "0x1p-2"}
         expected = {
-            "schema": "fathom/result/1", "id": f"{a} {b}", "status": "penetrating",
+            "schema": "fathom/result/2", "fathom": VERSION, "id": f"{a} {b}", "status": "penetrating",
+            "signed_depth": {"low": 0.25, "high": 0.25, "exact": {"sign": 1, "root": "1/16", "plus": "0"}},
             "depth": {"squared": "1/16", "value": 0.25, "rounded": {"f64": quarter, "f32": quarter}},
             "translation": ["-1/4", "0", "0"], "direction": ["-1", "0", "0"], "contact": contact,
             "optima": [{"direction": ["-1", "0", "0"], "translation": ["-1/4", "0", "0"], "contact": contact}],
@@ -30,8 +31,8 @@ class Fields(CliTest):
 
     def test_order_of_fields(self):
         out = self.answer("depth", "--json", "--counters", "--digits", "3", CUBE, ICOSAHEDRON)
-        self.assertEqual(list(json.loads(out)), ["schema", "id", "status", "depth", "translation", "direction", "contact", "witness",
-                                                 "optima", "flat", "method", "counters"])
+        self.assertEqual(list(json.loads(out)), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction",
+                                                 "contact", "witness", "optima", "flat", "method", "counters"])
         self.assertEqual(list(json.loads(out)["depth"]), ["squared", "value", "rounded", "enclosure"])
 
     def test_ties_are_listed_in_order(self):

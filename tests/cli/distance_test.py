@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The distance of disjoint bodies in what `fathom depth` says: with it, one signed function of a sweep across contact."""
 import json
+import math
+import re
 import unittest
 from fractions import Fraction
 
@@ -34,11 +36,49 @@ class Distance(CliTest):
         corner = [[3, 3, 3], [4, 3, 3], [3, 4, 3], [3, 3, 4]]
         result = self.result("depth", "--digits", "4", self.file("a.xyz", UNIT), self.file("b.xyz", corner))
         self.check(result)
-        self.assertEqual(list(result), ["schema", "id", "status", "depth", "translation", "direction", "contact", "witness", "optima",
-                                        "distance", "flat", "method"])
+        self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
+                                        "witness", "optima", "distance", "flat", "method"])
         self.assertEqual({key: value for key, value in result["distance"].items() if key != "rounded"},
                          {"squared": "12", "value": 12 ** 0.5, "enclosure": ["3.464", "3.465"], "direction": ["-1", "-1", "-1"],
                           "translation": ["2", "2", "2"], "witness": {"a": ["1", "1", "1"], "b": ["3", "3", "3"]}})
+
+    def test_signed_depth(self):
+        """low <= the number that `exact` says <= high, neighbours among the doubles or equal, whatever the size."""
+        def scaled(points, factor):
+            return [[str(Fraction(x) * factor) for x in p] for p in points]
+
+        sweep = [box([Fraction(x, 8), 0, 0], [Fraction(x, 8) + 1, 1, 1]) for x in range(5, 12)] + [[[3, 3, 3], [4, 3, 3], [3, 4, 3], [3, 3, 4]]]
+        stream = "".join(case(scaled(UNIT, factor), scaled(b, factor)) for factor in (1, Fraction(1, 3), Fraction(10)**400, Fraction(1, 10**330))
+                         for b in sweep)
+        values = []
+        for line in self.answer("depth", "--json", "-", stdin=stream).splitlines():
+            result = json.loads(line)
+            self.check(result)
+            low, high, exact = (result["signed_depth"][field] for field in ("low", "high", "exact"))
+            root, sign = Fraction(exact["root"]), exact["sign"]
+            self.assertEqual((exact["plus"], sign), ("0", {"penetrating": 1, "touching": 0, "disjoint": -1}[result["status"]]))
+            self.assertEqual(root, Fraction((result["distance"] if sign < 0 else result["depth"])["squared"]))
+            square = root * sign
+            if low is not None:
+                self.assertLessEqual(Fraction(low) * abs(Fraction(low)), square)
+            if high is not None:
+                self.assertGreaterEqual(Fraction(high) * abs(Fraction(high)), square)
+            if low is not None and high is not None:
+                self.assertTrue(high == low or math.nextafter(low, math.inf) == high, (low, high))
+                self.assertEqual(low == high, Fraction(high) * abs(Fraction(high)) == square)
+            values.append((low, high))
+        largest = math.nextafter(math.inf, 0)
+        self.assertEqual(values[:7], [(x / 8, x / 8) for x in (3, 2, 1, 0, -1, -2, -3)])
+        self.assertEqual(values[16:24], [(largest, None)] * 3 + [(0, 0)] + [(None, -largest)] * 4)
+        self.assertEqual(values[24:], [(0, 5e-324)] * 3 + [(0, 0)] + [(-5e-324, 0)] * 4)
+        self.assertNotIn("-0", re.findall(r'"(?:low|high)":(-?0)[,}]', self.answer("depth", "--json", "-", stdin=stream)))
+
+    def test_an_approximation_is_signed_too(self):
+        stream = case(UNIT, box([0.3, 0.1, 0.2], [1, 1.5, 9])) + case(UNIT, box([1, 0, 0], [2, 1, 1])) + case(UNIT, box([2, 0, 0], [3, 1, 1]))
+        deep, touching, apart = (json.loads(line)["signed_depth"] for line in self.answer("approx", "--json", "-", stdin=stream).splitlines())
+        exact = json.loads(self.answer("depth", "--json", "-", stdin=stream).splitlines()[0])["signed_depth"]
+        self.assertTrue(0 < deep["low"] <= exact["low"] <= exact["high"] <= deep["high"] <= deep["low"] * 1.02)
+        self.assertEqual((touching, apart), ({"low": 0, "high": 0}, {"low": None, "high": 0}))
 
     def test_text(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", box([3, 0, 0], [4, 1, 1]))

@@ -88,7 +88,7 @@ class BadCases(CliTest):
             line = 2 * number + 2
             with self.subTest(line=line):
                 self.assertEqual(list(result), ["schema", "id", "line", "error"])
-                self.assertEqual((result["schema"], result["line"]), ("fathom/result/1", line))
+                self.assertEqual((result["schema"], result["line"]), ("fathom/result/2", line))
                 self.assertEqual(result["id"], name or str(line))
                 self.assertTrue(result["error"].startswith(f"<stdin>:{line}: "), result["error"])
                 self.assertIn("expected ", result["error"])

@@ -14,8 +14,8 @@ class Width(CliTest):
     def test_fields(self):
         path = self.file("slab.xyz", SLAB)
         result = self.result("width", "--counters", path)
-        self.assertEqual(list(result), ["schema", "id", "status", "depth", "translation", "direction", "contact", "witness", "optima",
-                                        "flat", "method", "counters", "width"])
+        self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
+                                        "witness", "optima", "flat", "method", "counters", "width"])
         self.assertEqual((result["id"], result["width"]["squared"], result["width"]["value"]), (path, "1/4", 0.5))
         self.assertEqual(result["width"], result["depth"])
         self.assertEqual([optimum["direction"] for optimum in result["optima"]], [["0", "-1", "0"], ["0", "1", "0"]])
