@@ -299,6 +299,10 @@ TEST(FloatEnvironment, Numbers) {
   expect_the_same("exact_value", [&] { return exact_value(0x1.8p-1070); });
   expect_the_same("parse_number", [&] { return *parse_number("4.9e-322", Decimals::binary64).value; });
   expect_the_same("enclose_root", [&] { return enclose_root(mpq_class(2), 40).high; });
+  const Surd surd{subnormal, subnormal * subnormal / 3};
+  expect_the_same("round_binary64 of a surd", [&] { return round_binary64(surd, Rounding::ru); });
+  expect_the_same("round_binary32 of a surd", [&] { return static_cast<double>(round_binary32(Surd{1, 2}, Rounding::rd)); });
+  expect_the_same("enclose", [&] { return enclose(surd, 40).low; });
 }
 
 TEST(FloatEnvironment, Files) {
