@@ -19,6 +19,11 @@ int main() {
   }
   const fathom::Enclosure root = fathom::enclose_root(squared, 30);
   std::cout << root.low << " < sqrt(2) < " << root.high << "\n";
+
+  const fathom::Surd apart{mpq_class(3, 2), -2};  // 3/2 - sqrt(2)
+  const fathom::Enclosure digits = fathom::enclose(apart, 5);
+  std::cout << fathom::sign(apart) << " " << fathom::compare(apart, tenth) << " " << fathom::compare(apart, fathom::Surd{1, 0}) << " "
+            << fathom::round_binary64(apart) << " " << digits.low << " " << digits.high << "\n";
 }
 
 //> 1/10 or 3602879701896397/36028797018963968, as a double holds 1
@@ -27,3 +32,4 @@ int main() {
 //> 0x1.6a09e667f3bccp+0 0x1.6a09e6p+0 0x1.9999999999999p-4 0x1.999998p-4
 //> 0x1.6a09e667f3bcdp+0 0x1.6a09e8p+0 0x1.999999999999ap-4 0x1.99999ap-4
 //> 1.41421356237309504880168872420 < sqrt(2) < 1.41421356237309504880168872421
+//> 1 -1 -1 0.0857864 0.085786 0.085787

@@ -18,6 +18,8 @@
 #include "fathom/judge.h"
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/shape.hpp"
+#include "fathom/signed_depth.hpp"
 #include "fathom/width.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
@@ -299,6 +301,19 @@ TEST(FloatEnvironment, Numbers) {
   expect_the_same("exact_value", [&] { return exact_value(0x1.8p-1070); });
   expect_the_same("parse_number", [&] { return *parse_number("4.9e-322", Decimals::binary64).value; });
   expect_the_same("enclose_root", [&] { return enclose_root(mpq_class(2), 40).high; });
+  expect_the_same("round_binary64 of a surd", [&] { return round_binary64(Surd{subnormal, subnormal * subnormal / 3}, Rounding::ru); });
+  expect_the_same("round_binary32 of a surd", [&] { return static_cast<double>(round_binary32(Surd{1, 2}, Rounding::rd)); });
+  expect_the_same("enclose", [&] { return enclose({1, 2}, 40).low; });
+}
+
+TEST(FloatEnvironment, SignedDepths) {
+  const Pose pose = rigid_pose({exact_value(0.1), exact_value(0.3), 2, 1}, {mpq_class(5, 3) >> 1060, 0, exact_value(5e-324)});
+  for (const Shape& body : {box({1, 1, exact_value(3e-310)}), capsule(exact_value(0.7), 2), moved(box({1, 2, 3}), pose)}) {
+    expect_the_same("signed_depth", [&] {
+      const SignedDepth depth = signed_depth(body, moved(sphere(exact_value(1e-320)), pose));
+      return text(depth.low_binary64(), depth.high_binary64(), depth.translations().front().alpha, depth.witness()->a.core);
+    });
+  }
 }
 
 TEST(FloatEnvironment, Files) {

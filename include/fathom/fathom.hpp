@@ -10,5 +10,7 @@
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/shape.hpp"
+#include "fathom/signed_depth.hpp"
 #include "fathom/study.hpp"
 #include "fathom/width.hpp"

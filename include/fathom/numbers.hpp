@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact numbers in and out: reading numbers as people and programs write them, rounding exact values and square roots, hence depths.
+// Exact numbers in and out: reading numbers as people and programs write them, rounding exact values and square roots, hence depths; and
+// comparing and rounding sums of a rational and a root, hence signed depths of rounded bodies.
 // No function depends on the locale or on the floating-point environment, whatever rounding mode is set.      [proofs/number.md]
 #pragma once
 
@@ -65,10 +66,29 @@ float root_binary32(const mpq_class& squared, Rounding mode = Rounding::rn);
 /// "inf", "nan". A float is printed through its equal double, as %a does: its subnormals look normal.
 std::string hex_text(double value);
 
-// ---- roots to any number of digits ----
+// ---- sums of a rational and a root ----
 
-/// Decimals low <= root <= high. Equal if and only if the root is a decimal of that many digits; then written without trailing
-/// zeros. Otherwise neighbours among the decimals of that many significant digits, so that low < root < high.
+/// The number rational + signed root of `root`, where the signed root of x is sqrt(x), or -sqrt(-x) for x < 0. Both in lowest terms. One
+/// number may have several such forms, {3, 0} and {1, 4}: `compare` tells whether two are equal.
+struct Surd {
+  mpq_class rational, root;
+};
+
+/// Returns -1, 0 or 1: the exact sign, found by squaring.
+int sign(const Surd& value);
+
+/// Returns the sign of left - right, exactly.
+int compare(const Surd& left, const mpq_class& right);
+int compare(const Surd& left, const Surd& right);
+
+/// Returns `value`, correctly rounded as the functions above do it, -0 for a negative value included.
+double round_binary64(const Surd& value, Rounding mode = Rounding::rn);
+float round_binary32(const Surd& value, Rounding mode = Rounding::rn);
+
+// ---- any number of digits ----
+
+/// Decimals low <= value <= high. Equal if and only if the value is a decimal of that many digits; then written without trailing
+/// zeros. Otherwise neighbours among the decimals of that many significant digits, so that low < value < high.
 /// Plain ("0.01234") where that is short, else with an exponent ("1.234e-50"); parse_number reads both, within its limits.
 struct Enclosure {
   std::string low, high;
@@ -77,9 +97,11 @@ struct Enclosure {
 
 inline constexpr std::size_t most_root_digits = 1'000'000;
 
-/// Encloses the square root of `squared` by decimals of `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the
-/// digits, exact squaring of both ends proves them. Throws std::domain_error if `squared` is negative, std::invalid_argument for other
-/// digits.
+/// Encloses the value by decimals of `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the digits, exact squaring
+/// proves both ends. Throws std::invalid_argument for other digits.
+Enclosure enclose(const Surd& value, std::size_t digits);
+
+/// Encloses the square root of `squared` in the same way. Throws std::domain_error if it is negative too.
 Enclosure enclose_root(const mpq_class& squared, std::size_t digits);
 
 }  // namespace fathom

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MPFR, always rounding down, yields the digits of a number just below the root; the exact squares of two neighbouring decimals
-// then decide. Nothing returned from here rests on a floating-point result.
+// MPFR, always rounding down, yields the digits of a number just below the value; the exact comparison with two neighbouring decimals
+// then decides. Nothing returned from here rests on a floating-point result.
 #include <mpfr.h>
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -48,14 +50,26 @@ class WholeRange {
   mpfr_exp_t least_, greatest_;
 };
 
-/// A decimal of exactly `count` digits, at most the root of q > 0 and less than two units below it: see proofs/number.md.
-Decimal decimal_below_root(const mpq_class& q, std::size_t count) {
+/// At most `value`, and as near to it as one likes with enough precision.
+void set_below(Mpfr& result, const Surd& value, mpfr_prec_t precision) {
+  const mpfr_rnd_t of_root = sgn(value.root) < 0 ? MPFR_RNDU : MPFR_RNDD;
+  Mpfr root(precision);
+  mpfr_set_q(root.get(), mpq_class(abs(value.root)).get_mpq_t(), of_root);
+  mpfr_sqrt(root.get(), root.get(), of_root);
+  mpfr_set_q(result.get(), value.rational.get_mpq_t(), MPFR_RNDD);
+  if (sgn(value.root) < 0) mpfr_sub(result.get(), result.get(), root.get(), MPFR_RNDD);
+  else mpfr_add(result.get(), result.get(), root.get(), MPFR_RNDD);
+}
+
+/// A decimal of exactly `count` digits below or at the value > 0; the next one or the one after is above it if the precision suffices:
+/// see proofs/number.md.
+std::optional<Decimal> decimal_below(const Surd& value, std::size_t count, mpfr_prec_t precision) {
   const WholeRange range;
-  Mpfr root(static_cast<mpfr_prec_t>(count * 10 / 3 + 64));  // 10/3 > log2(10), and 64 bits to spare
-  mpfr_set_q(root.get(), q.get_mpq_t(), MPFR_RNDD);
-  mpfr_sqrt(root.get(), root.get(), MPFR_RNDD);
+  Mpfr below(precision);
+  set_below(below, value, precision);
+  if (mpfr_sgn(below.get()) <= 0) return std::nullopt;
   mpfr_exp_t point = 0;
-  char* const text = mpfr_get_str(nullptr, &point, 10, count, root.get(), MPFR_RNDD);
+  char* const text = mpfr_get_str(nullptr, &point, 10, count, below.get(), MPFR_RNDD);
   if (text == nullptr) throw std::logic_error("MPFR gave no digits");
   Decimal result{mpz_class(text, 10), static_cast<long>(point) - static_cast<long>(count)};
   mpfr_free_str(text);
@@ -78,12 +92,17 @@ Decimal next(Decimal decimal, std::size_t count) {
   return decimal;
 }
 
-/// The sign of decimal^2 - q.
-int compare_square(const Decimal& decimal, const mpq_class& q) {
-  mpz_class left = decimal.digits * decimal.digits * q.get_den(), right = q.get_num();
-  const long twice = 2 * decimal.exponent;
-  (twice < 0 ? right : left) *= power_of_ten(static_cast<std::size_t>(twice < 0 ? -twice : twice));
-  return cmp(left, right);
+/// The sign of value - decimal. In integers, over the common denominator of the decimal and the rational part.
+int compare(const Surd& value, const Decimal& decimal) {
+  const mpz_class power = power_of_ten(static_cast<std::size_t>(decimal.exponent < 0 ? -decimal.exponent : decimal.exponent));
+  mpz_class unit = value.rational.get_den(), rational = value.rational.get_num(), digits = decimal.digits * unit;
+  if (decimal.exponent < 0) (unit *= power, rational *= power);
+  else digits *= power;
+  rational -= digits;
+  const int a = sgn(rational), b = sgn(value.root);
+  if (a * b >= 0) return a != 0 ? a : b;
+  const int larger = cmp(mpz_class(rational * rational * value.root.get_den()), mpz_class(abs(value.root.get_num()) * unit * unit));
+  return larger == 0 ? 0 : larger > 0 ? a : b;
 }
 
 /// In plain notation unless that takes many zeros.
@@ -102,28 +121,55 @@ std::string text_of(const Decimal& decimal, bool keep_zeros) {
   return digits;
 }
 
+struct Neighbours {
+  Decimal low, high;  // low <= value < high
+};
+
+/// Around a value > 0, proved; nullopt if the precision did not suffice.
+std::optional<Neighbours> neighbours(const Surd& value, std::size_t digits, mpfr_prec_t precision) {
+  std::optional<Decimal> low = decimal_below(value, digits, precision);
+  if (!low) return std::nullopt;
+  Decimal high = next(*low, digits);
+  if (compare(value, high) >= 0) low = std::exchange(high, next(high, digits));
+  if (compare(value, *low) < 0) throw std::logic_error("MPFR's digits failed their exact check");
+  if (compare(value, high) >= 0) return std::nullopt;
+  return Neighbours{std::move(*low), std::move(high)};
+}
+
+/// For a value > 0.
+Enclosure enclosed(const Surd& value, std::size_t digits) {
+  const auto bits = static_cast<mpfr_prec_t>(digits * 10 / 3 + 64);  // 10/3 > log2(10), and 64 bits to spare
+  // Where the two parts nearly cancel it takes more.
+  for (mpfr_prec_t precision = bits;; precision *= 2) {
+    const std::optional<Neighbours> found = neighbours(value, digits, precision);
+    if (!found) continue;
+    const bool exact = compare(value, found->low) == 0;
+    return {text_of(found->low, !exact), text_of(exact ? found->low : found->high, !exact)};
+  }
+}
+
 }  // namespace
 
 }  // namespace fathom::kernels
 
 namespace fathom {
 
-Enclosure enclose_root(const mpq_class& squared, std::size_t digits) {
+Enclosure enclose(const Surd& value, std::size_t digits) {
   const kernels::DefaultFloatEnvironment environment;
   if (digits < 1 || digits > most_root_digits) {
     throw std::invalid_argument("the number of digits must lie between 1 and " + std::to_string(most_root_digits));
   }
+  const int sign_of_value = sign(value);
+  if (sign_of_value == 0) return {"0", "0"};
+  if (sign_of_value > 0) return kernels::enclosed(value, digits);
+  const Enclosure mirrored = kernels::enclosed({-value.rational, -value.root}, digits);
+  return {"-" + mirrored.high, "-" + mirrored.low};
+}
+
+Enclosure enclose_root(const mpq_class& squared, std::size_t digits) {
+  const kernels::DefaultFloatEnvironment environment;
   if (sgn(squared) < 0) throw std::domain_error("the square root of a negative number was asked for");
-  if (sgn(squared) == 0) return {"0", "0"};
-  kernels::Decimal low = kernels::decimal_below_root(squared, digits);
-  kernels::Decimal high = kernels::next(low, digits);
-  if (kernels::compare_square(high, squared) <= 0) {
-    low = std::exchange(high, kernels::next(high, digits));
-  }
-  const int low_sign = kernels::compare_square(low, squared);
-  if (low_sign > 0 || kernels::compare_square(high, squared) <= 0) throw std::logic_error("MPFR's root failed its exact check");
-  if (low_sign == 0) return {kernels::text_of(low, false), kernels::text_of(low, false)};
-  return {kernels::text_of(low, true), kernels::text_of(high, true)};
+  return enclose({0, squared}, digits);
 }
 
 }  // namespace fathom

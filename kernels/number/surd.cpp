@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding by an enclosure that is refined until both of its ends round alike (Ziv's strategy). This ends, since an irrational number never
-// lies on the border between two roundings; a rational one is rounded directly.  [proofs/judge.md]
+// lies on the border between two roundings; a rational one is rounded directly.                              [proofs/number.md]
 #include "kernels/number/surd.hpp"
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
 #include "kernels/number/ratio.hpp"
 
 namespace fathom::kernels {
@@ -51,23 +52,24 @@ Interval enclosed(const Surd& value, long bits) {
   return {value.rational - root.high, value.rational - root.low};
 }
 
+/// What both ends of an enclosure round to, up to the sign of a zero.
 template <class Round>
-double refined(const Surd& value, const Round& round) {
+auto refined(const Surd& value, const Round& round) {
   for (long bits = 128;; bits *= 2) {
     const Interval range = enclosed(value, bits);
-    const double low = round(range.low);
-    if (low == round(range.high)) return low + 0.0;  // -0 becomes 0
+    const auto low = round(range.low);
+    if (low == round(range.high)) return low;
   }
 }
 
-}  // namespace
-
-int sign(const Surd& value) {
-  const int a = sgn(value.rational), b = sgn(value.root);
-  if (a * b >= 0) return a != 0 ? a : b;
-  const int larger = cmp(mpq_class(value.rational * value.rational), abs(value.root));
-  return larger == 0 ? 0 : larger > 0 ? a : b;
+template <class Round>
+auto rounded(const Surd& value, const Round& round) {
+  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root));
+  const auto result = refined(value, round);
+  return result == 0 ? std::copysign(result, sign(value) < 0 ? decltype(result){-1} : decltype(result){1}) : result;
 }
+
+}  // namespace
 
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y) {
   const int a = sgn(rational), b = sgn(mpq_class(x + y));  // the signed root is increasing and odd
@@ -76,17 +78,37 @@ int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& 
   return larger == 0 ? 0 : larger > 0 ? a : b;
 }
 
-double nearest_binary64(const Surd& value) {
-  const auto round = [](const mpq_class& x) { return round_binary64(x, Rounding::rn); };
-  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root)) + 0.0;
-  return refined(value, round);
-}
+double nearest_binary64(const Surd& value) { return round_binary64(value) + 0.0; }  // -0 becomes 0
 
 double nearest_root_binary64(const Surd& value) {
   if (sign(value) < 0) throw std::domain_error("the square root of a negative number was asked for");
   const auto round = [](const mpq_class& x) { return sgn(x) > 0 ? root_binary64(x, Rounding::rn) : 0.0; };
-  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root));
-  return refined(value, round);
+  return rounded(value, round) + 0.0;
 }
 
 }  // namespace fathom::kernels
+
+namespace fathom {
+
+int sign(const Surd& value) {
+  const int a = sgn(value.rational), b = sgn(value.root);
+  if (a * b >= 0) return a != 0 ? a : b;
+  const int larger = cmp(mpq_class(value.rational * value.rational), abs(value.root));
+  return larger == 0 ? 0 : larger > 0 ? a : b;
+}
+
+int compare(const Surd& left, const mpq_class& right) { return sign({left.rational - right, left.root}); }
+
+int compare(const Surd& left, const Surd& right) { return kernels::sign_of_sum(left.rational - right.rational, left.root, -right.root); }
+
+double round_binary64(const Surd& value, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::rounded(value, [&](const mpq_class& x) { return round_binary64(x, mode); });
+}
+
+float round_binary32(const Surd& value, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::rounded(value, [&](const mpq_class& x) { return round_binary32(x, mode); });
+}
+
+}  // namespace fathom

@@ -2,16 +2,13 @@
 // Placing a body: an exact affine map, and the one rounding that a program in doubles would add.      [docs/command_line.md]
 #pragma once
 
-#include <array>
-
-#include "kernels/vector.hpp"
+#include "fathom/shape.hpp"
 
 namespace fathom::files {
 
-/// Rows of a 3 x 4 matrix (M | t). M may be any matrix: it need be neither orthonormal nor regular.
-using Pose = std::array<std::array<mpq_class, 4>, 3>;
+using fathom::Pose;
 
-/// Returns M p + t, exactly.
+/// Returns M p + t, exactly. M may be any matrix: it need be neither orthonormal nor regular.
 Point placed(const Point& p, const Pose& pose);
 
 /// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too large; then the point is unusable.

@@ -36,7 +36,7 @@ mpq_class square(const mpq_class& x) { return x * x; }
 
 /// |d - sqrt(squared)| <= t.
 bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
-  return kernels::sign({d - t, -squared}) <= 0 && kernels::sign({d + t, -squared}) >= 0;
+  return sign({d - t, -squared}) <= 0 && sign({d + t, -squared}) >= 0;
 }
 
 /// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
@@ -79,14 +79,14 @@ Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Preci
 }
 
 bool Allowance::above(const mpq_class& d, const mpq_class& length) const {
-  return kernels::sign({d - fixed_, -length}) > 0 && kernels::sign_of_sum(d, -length, -proportional_) > 0;
+  return sign({d - fixed_, -length}) > 0 && kernels::sign_of_sum(d, -length, -proportional_) > 0;
 }
 
 bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
-  return kernels::sign({-d - fixed_, length}) > 0 && kernels::sign_of_sum(-d, length, -proportional_) > 0;
+  return sign({-d - fixed_, length}) > 0 && kernels::sign_of_sum(-d, length, -proportional_) > 0;
 }
 
-bool Allowance::negligible(const kernels::Surd& squared) const { return kernels::sign({squared.rational - squared_, squared.root}) <= 0; }
+bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
 
 Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision) {
   if (correctly_rounded(d, depth_squared, precision)) return Accuracy::correctly_rounded;

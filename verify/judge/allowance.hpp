@@ -35,7 +35,7 @@ class Allowance {
   [[nodiscard]] bool below(const mpq_class& d, const mpq_class& length) const;
   [[nodiscard]] bool off(const mpq_class& d, const mpq_class& length) const { return above(d, length) || below(d, length); }
   /// Whether a length, given by its square, is within the allowance.
-  [[nodiscard]] bool negligible(const kernels::Surd& squared) const;
+  [[nodiscard]] bool negligible(const Surd& squared) const;
   [[nodiscard]] bool negligible(const mpq_class& squared) const { return squared <= squared_; }
   [[nodiscard]] const mpq_class& squared() const { return squared_; }
 

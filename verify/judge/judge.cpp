@@ -66,26 +66,26 @@ class Judge {
       result_.travel_squared = scene_.travel(*claim_.direction);
       if (claim_.depth) {
         result_.inconsistency = kernels::nearest_binary64({*claim_.depth, -*result_.price_squared});
-        const kernels::Surd left{-*claim_.depth, *result_.travel_squared};
-        if (depth_.status() == Status::penetrating && kernels::sign(left) > 0) result_.overlap_left = kernels::nearest_binary64(left);
+        const Surd left{-*claim_.depth, *result_.travel_squared};
+        if (depth_.status() == Status::penetrating && sign(left) > 0) result_.overlap_left = kernels::nearest_binary64(left);
       }
     }
     if (claim_.witness_a) result_.witness_a_squared = squared_distance(*claim_.witness_a, truth_.a);
     if (claim_.witness_b) result_.witness_b_squared = squared_distance(*claim_.witness_b, truth_.b);
-    if (const std::optional<kernels::Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
+    if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
   }
 
   /// |(b - a) - d u / |u||^2 for the claim as it stands; where no direction is claimed, (|b - a| - d)^2.
-  [[nodiscard]] std::optional<kernels::Surd> squared_gap() const {
+  [[nodiscard]] std::optional<Surd> squared_gap() const {
     if (!claim_.witness_a || !claim_.witness_b || !claim_.depth) return std::nullopt;
     const Point &a = *claim_.witness_a, &b = *claim_.witness_b;
     const mpq_class x = b.x - a.x, y = b.y - a.y, z = b.z - a.z, d = *claim_.depth;
     const mpq_class apart = x * x + y * y + z * z;
-    if (!reply_.direction) return kernels::Surd{apart + d * d, -4 * d * abs(d) * apart};
+    if (!reply_.direction) return Surd{apart + d * d, -4 * d * abs(d) * apart};
     if (!claim_.direction) return std::nullopt;
     const Vector& u = *claim_.direction;
     const mpq_class along = d * (x * u.x + y * u.y + z * u.z);
-    return kernels::Surd{apart + d * d, -4 * along * abs(along) / dot(u, u)};
+    return Surd{apart + d * d, -4 * along * abs(along) / dot(u, u)};
   }
 
   void classification() {
@@ -138,7 +138,7 @@ class Judge {
     if (!conventions_.unit) return true;
     const mpq_class u = unit_roundoff(precision_),
                     t = std::max({tolerance_.relative, mpq_class(16 * u), mpq_class(2 * u * tolerance_.ulps)});
-    return kernels::sign({-1 - t, square}) <= 0 && kernels::sign({t - 1, square}) >= 0;
+    return sign({-1 - t, square}) <= 0 && sign({t - 1, square}) >= 0;
   }
 
   /// Whether the claimed depth is no less than that way, except for the tolerance; or there is no way to go.
@@ -150,7 +150,7 @@ class Judge {
     const auto off = [&](const std::optional<mpq_class>& squared) { return squared && !allowed_.witness.negligible(*squared); };
     remarks_.witness_a = off(result_.witness_a_squared);
     remarks_.witness_b = off(result_.witness_b_squared);
-    if (const std::optional<kernels::Surd> gap = squared_gap()) remarks_.gap = !allowed_.gap.negligible(*gap);
+    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = !allowed_.gap.negligible(*gap);
     if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
   }
 

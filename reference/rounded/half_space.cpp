@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rounded/half_space.hpp"
+
+#include "kernels/vector.hpp"
+
+namespace fathom::rounded {
+namespace {
+
+mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
+
+// A point of the sum with the least <u,p>; in each term the first one.
+Point lowest_point(std::span<const Term> terms, const Vector& u) {
+  Point sum;
+  for (const Term& term : terms) {
+    const Point* lowest = nullptr;
+    mpq_class least;
+    for (const Atom& atom : term.atoms) {
+      const mpq_class height = product(u, atom.center);
+      if (lowest == nullptr || height < least) (lowest = &atom.center, least = height);
+    }
+    sum = {sum.x + lowest->x, sum.y + lowest->y, sum.z + lowest->z};
+  }
+  return sum;
+}
+
+}  // namespace
+
+PlaneSupport plane_support(const HalfSpace& half, Side side, std::span<const Term> other) {
+  const Point& m = half.normal;
+  const mpz_class unit = lcm(lcm(m.x.get_den(), m.y.get_den()), m.z.get_den());
+  const auto scaled = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
+  const Vector outward = primitive({scaled(m.x), scaled(m.y), scaled(m.z)});
+  // {x : <outward,x> <= height}, as outward is a positive multiple of m.
+  const mpq_class height = half.offset * (dot(outward, outward) / product(outward, m));
+  const Point p = lowest_point(other, outward);
+  const mpq_class support = height - product(outward, p), factor = support / dot(outward, outward);
+  const Point foot{p.x + factor * outward.x, p.y + factor * outward.y, p.z + factor * outward.z};
+  if (side == Side::b) return {outward, support, {p, foot}};
+  return {-outward, support, {foot, p}};
+}
+
+}  // namespace fathom::rounded

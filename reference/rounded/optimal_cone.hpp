@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies that touch, and a common point x.
+// Output  all directions in which a plane through x has them on its two sides: the polar of the m + n generators b - x and x - a.
+// Time    O((m + n) r) for at most r rays on the way.                                                              [proofs/shapes.md]
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fathom/signed_depth.hpp"
+#include "kernels/context.hpp"
+#include "kernels/report.hpp"
+
+namespace fathom::rounded {
+
+/// A cone on its way to its canonical form: it is clipped by one half-space after another.
+struct ClippedCone {
+  std::vector<Vector> lines;  ///< a basis of the lineality
+  std::vector<Vector> rays;   ///< extreme rays, in cyclic order if there are three or more; unique up to the lineality
+};
+
+/// Everything.
+ClippedCone whole_space();
+
+/// Keeps the directions u with <g,u> <= 0.
+void clip(ClippedCone& cone, const Vector& g);
+
+/// The canonical form. The order of the rays' cycle is lost.
+OptimalCone canonical(const ClippedCone& cone);
+
+/// {u : h(u) = 0}. Throws std::logic_error if it is empty: then x is no common point of bodies that touch.
+OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Point& x);
+
+/// Checks that h is 0 in every direction named, and that the form is canonical; not that no direction is missing.
+[[nodiscard]] kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b);
+
+}  // namespace fathom::rounded

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The public function: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the radii are added.
+#include "fathom/signed_depth.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "kernels/context.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/narrow_pair.hpp"
+#include "reference/rounded/half_space.hpp"
+#include "reference/rounded/optimal_cone.hpp"
+#include "reference/shapes/core.hpp"
+
+namespace fathom {
+namespace {
+
+const std::vector<Point>& exact(const std::vector<Point>& points) { return points; }
+std::vector<Point> exact(const std::vector<std::array<double, 3>>& points) { return polytope::exact_points(points); }
+
+// The square of h(n)/|n| with the sign of h(n).
+mpq_class signed_square(const PlaneSupport& plane) { return plane.support * abs(plane.support) / dot(plane.direction, plane.direction); }
+
+// Cores that are polytopes. P is Point, or that in binary64.
+template <class P>
+SignedDepth depth_of_points(const std::vector<P>& a, const std::vector<P>& b, const Shape& of_a, const Shape& of_b,
+                            const Options& options) {
+  SignedDepth result{{}, of_a.radius, of_b.radius, penetration_depth(a, b, options), {}};
+  const Depth& cores = std::get<Depth>(result.core);
+  result.value = Surd{of_a.radius + of_b.radius, signed_square(cores)};
+  if (const Touch* touch = cores.touch()) {
+    kernels::Context context(options.monitor);
+    const std::vector<Point>&exact_a = exact(a), &exact_b = exact(b);
+    result.cone = rounded::optimal_cone(context, exact_a, exact_b, touch->point);
+    if (options.validate) kernels::insist(rounded::validate(*result.cone, exact_a, exact_b));
+  }
+  return result;
+}
+
+// nullopt unless every atom is a point.
+std::optional<SignedDepth> depth_of_half_space(const HalfSpace& half, rounded::Side side, const Shape& a, const Shape& b) {
+  const std::vector<Term>& terms = std::get<std::vector<Term>>((side == rounded::Side::a ? b : a).core);
+  for (const Term& term : terms)
+    for (const Atom& atom : term.atoms)
+      if (!atom.axes.empty()) return std::nullopt;
+  PlaneSupport plane = rounded::plane_support(half, side, terms);
+  Surd value{a.radius + b.radius, signed_square(plane)};
+  std::optional<OptimalCone> cone;
+  if (plane.support == 0) cone = OptimalCone{Lineality::none, {}, {plane.direction}};
+  return SignedDepth{std::move(value), a.radius, b.radius, std::move(plane), std::move(cone)};
+}
+
+// nullopt if a core is curved, or a sum of too many points.
+std::optional<SignedDepth> exact_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
+  if (const HalfSpace* half = std::get_if<HalfSpace>(&a.core)) return depth_of_half_space(*half, rounded::Side::a, a, b);
+  if (const HalfSpace* half = std::get_if<HalfSpace>(&b.core)) return depth_of_half_space(*half, rounded::Side::b, a, b);
+  const auto points_a = shapes::polytope_points(a, most_expanded_points), points_b = shapes::polytope_points(b, most_expanded_points);
+  if (!points_a || !points_b) return std::nullopt;
+  return depth_of_points(*points_a, *points_b, a, b, options.cores);
+}
+
+}  // namespace
+
+SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (const auto points_a = shapes::binary64_points(a))
+    if (const auto points_b = shapes::binary64_points(b)) return depth_of_points(*points_a, *points_b, a, b, options.cores);
+  const bool points_of_a = shapes::require_all_but_points(a), points_of_b = shapes::require_all_but_points(b);
+  if (points_of_a && !points_of_b) shapes::require_shape(a);
+  if (points_of_b && !points_of_a) shapes::require_shape(b);
+  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
+    throw std::invalid_argument("two half-spaces have no signed depth: it would be infinite, or that of one direction by convention");
+  if (std::optional<SignedDepth> depth = exact_depth(a, b, options)) return std::move(*depth);
+  // Spheres that were given as balls.
+  if (std::optional<SignedDepth> depth = exact_depth(shapes::simplified(a), shapes::simplified(b), options)) return std::move(*depth);
+  throw std::invalid_argument("a core has a disc or a ball, or it is a sum of too many points");
+}
+
+}  // namespace fathom

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/shapes/core.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "kernels/number/dyadic.hpp"
+#include "kernels/number/lowest_terms.hpp"
+
+namespace fathom::shapes {
+namespace {
+
+bool is_origin(const Point& p) { return p == Point{}; }
+
+mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
+Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+void require_numbers(const Point& p) {
+  for (const mpq_class* x : {&p.x, &p.y, &p.z}) kernels::require_lowest_terms(*x);
+}
+
+void require_numbers(const Atom& atom) {
+  require_numbers(atom.center);
+  for (const Point& axis : atom.axes) require_numbers(axis);
+}
+
+void require_axes(const Atom& atom) {
+  if (const std::size_t axes = atom.axes.size(); axes != 0 && axes != 2 && axes != 3)
+    throw std::invalid_argument("an atom has " + std::to_string(axes) + " axes: a point has none, a disc two, a ball three");
+}
+
+// Returns whether it is one hull of points, whose numbers are not looked at.
+bool require_core(const std::vector<Term>& terms) {
+  if (terms.empty()) throw std::invalid_argument("a shape has no term");
+  bool points = terms.size() == 1;
+  for (const Term& term : terms) {
+    if (term.atoms.empty()) throw std::invalid_argument("a hull of no points was given");
+    for (const Atom& atom : term.atoms) {
+      require_axes(atom);
+      points = points && atom.axes.empty();
+    }
+  }
+  if (points) return true;
+  for (const Term& term : terms)
+    for (const Atom& atom : term.atoms) require_numbers(atom);
+  return false;
+}
+
+bool require_core(const HalfSpace& half) {
+  require_numbers(half.normal);
+  kernels::require_lowest_terms(half.offset);
+  if (is_origin(half.normal)) throw std::invalid_argument("the normal of a half-space is 0");
+  return false;
+}
+
+// The radius of a ball whose axes are orthogonal, of one rational length.
+std::optional<mpq_class> round_radius(const Atom& atom) {
+  if (atom.axes.size() != 3) return std::nullopt;
+  const Point &u = atom.axes[0], &v = atom.axes[1], &w = atom.axes[2];
+  const mpq_class square = product(u, u);
+  if (product(v, v) != square || product(w, w) != square) return std::nullopt;
+  if (product(u, v) != 0 || product(v, w) != 0 || product(w, u) != 0) return std::nullopt;
+  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
+  return mpq_class(sqrt(square.get_num()), sqrt(square.get_den()));
+}
+
+// False if the number is no such one, or not in lowest terms.
+bool to_binary64(const mpq_class& value, double& result) {
+  const std::optional<kernels::Dyadic> n = kernels::dyadic(value);
+  if (!n || n->exponent < -1074 || n->exponent > 971) return false;
+  if (std::abs(n->mantissa) >= std::int64_t{1} << 53) return false;
+  result = std::ldexp(static_cast<double>(n->mantissa), static_cast<int>(n->exponent));
+  return std::isfinite(result);
+}
+
+}  // namespace
+
+bool require_all_but_points(const Shape& shape) {
+  kernels::require_lowest_terms(shape.radius);
+  if (shape.radius < 0) throw std::invalid_argument("the radius of a shape is negative: " + shape.radius.get_str());
+  return std::visit([](const auto& core) { return require_core(core); }, shape.core);
+}
+
+void require_shape(const Shape& shape) {
+  if (!require_all_but_points(shape)) return;
+  for (const Atom& atom : std::get<std::vector<Term>>(shape.core).front().atoms) require_numbers(atom);
+}
+
+Shape simplified(Shape shape) {
+  auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
+  if (terms == nullptr) return shape;
+  for (Term& term : *terms) {
+    for (Atom& atom : term.atoms)
+      if (std::all_of(atom.axes.begin(), atom.axes.end(), is_origin)) atom.axes.clear();
+    if (term.atoms.size() != 1) continue;
+    Atom& atom = term.atoms.front();
+    if (const std::optional<mpq_class> radius = round_radius(atom)) {
+      atom.axes.clear();
+      shape.radius += *radius;
+    }
+  }
+  return shape;
+}
+
+std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_t most) {
+  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
+  if (terms == nullptr) return std::nullopt;
+  std::size_t count = 1;
+  for (const Term& term : *terms) {
+    for (const Atom& atom : term.atoms)
+      if (!atom.axes.empty()) return std::nullopt;
+    if (terms->size() > 1 && term.atoms.size() > most / count) return std::nullopt;
+    count *= term.atoms.size();
+  }
+  std::vector<Point> points;
+  points.reserve(terms->front().atoms.size());
+  for (const Atom& atom : terms->front().atoms) points.push_back(atom.center);
+  for (std::size_t i = 1; i < terms->size(); ++i) {
+    std::vector<Point> sums;
+    sums.reserve(points.size() * (*terms)[i].atoms.size());
+    for (const Point& p : points)
+      for (const Atom& atom : (*terms)[i].atoms) sums.push_back(sum(p, atom.center));
+    points = std::move(sums);
+  }
+  return points;
+}
+
+std::optional<std::vector<std::array<double, 3>>> binary64_points(const Shape& shape) {
+  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
+  if (terms == nullptr || terms->size() != 1 || terms->front().atoms.empty()) return std::nullopt;
+  if (!kernels::in_lowest_terms(shape.radius) || shape.radius < 0) return std::nullopt;
+  const std::vector<Atom>& atoms = terms->front().atoms;
+  std::vector<std::array<double, 3>> points(atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const Point& p = atoms[i].center;
+    std::array<double, 3>& q = points[i];
+    if (!atoms[i].axes.empty() || !to_binary64(p.x, q[0]) || !to_binary64(p.y, q[1]) || !to_binary64(p.z, q[2])) return std::nullopt;
+  }
+  return points;
+}
+
+}  // namespace fathom::shapes

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   a shape.
+// Output  the same body with as simple a core as its numbers allow; and the points of a core that is a polytope.    [proofs/shapes.md]
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "fathom/shape.hpp"
+
+namespace fathom::shapes {
+
+/// Throws std::invalid_argument, with a sentence that says what is wrong, unless the shape is as fathom/shape.hpp asks for.
+void require_shape(const Shape& shape);
+
+/// The same for all but the coordinates of a core that is one hull of points: penetration_depth looks at them. Returns whether it is one.
+bool require_all_but_points(const Shape& shape);
+
+/// The same body, for a valid shape. A round ball of rational radius that is alone in its term becomes a point, and its radius one of the
+/// shape; an atom whose axes are all 0 becomes a point.
+Shape simplified(Shape shape);
+
+/// The points whose hull is the core: of one term its points, of several all sums of a point of each, unless these are more than `most`.
+/// Returns nullopt then, and if an atom is not a point or the core is a half-space. For a valid shape.
+std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_t most);
+
+/// The points of a core of one term in binary64, for the fast way of penetration_depth. Returns nullopt if the shape is another one, or not
+/// valid, or a coordinate is no such number.
+std::optional<std::vector<std::array<double, 3>>> binary64_points(const Shape& shape);
+
+}  // namespace fathom::shapes

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The optimal directions of bodies that touch, from m + n generators, against the polar of all m n differences.
+#include "reference/rounded/optimal_cone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "fathom/signed_depth.hpp"
+#include "kernels/vector.hpp"
+#include "tests/support/prepared.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/random.hpp"
+
+namespace fathom::rounded {
+namespace {
+
+using Vectors = std::vector<Vector>;
+
+struct Less {
+  bool operator()(const Vector& u, const Vector& v) const { return lexicographically_less(u, v); }
+};
+
+/// Small integers only, as long.
+Vector integral(const Point& p) { return {p.x.get_num(), p.y.get_num(), p.z.get_num()}; }
+
+/// The polar of all differences, by trying the cross products of every pair of them: cubic, and by the rank of P.
+class NaivePolar {
+ public:
+  NaivePolar(std::span<const Point> a, std::span<const Point> b) {
+    for (const Point& p : a)
+      for (const Point& q : b)
+        if (const Vector d = integral(q) - integral(p); !is_zero(d)) all_.insert(primitive(d));
+  }
+
+  [[nodiscard]] bool holds(const Vector& u) const {
+    return std::all_of(all_.begin(), all_.end(), [&](const Vector& d) { return dot(u, d) <= 0; });
+  }
+
+  [[nodiscard]] OptimalCone cone() const {
+    if (all_.empty()) return {Lineality::all, {}, {}};
+    const Vector first = *all_.begin();
+    const auto off_line = std::find_if(all_.begin(), all_.end(), [&](const Vector& d) { return !is_zero(cross(first, d)); });
+    if (off_line == all_.end()) return {Lineality::plane, upper(first), among({first, -first})};
+    const Vector normal = primitive(cross(first, *off_line));
+    const bool flat = std::all_of(all_.begin(), all_.end(), [&](const Vector& d) { return dot(normal, d) == 0; });
+    Vectors candidates;
+    for (const Vector& d : all_) {
+      if (flat) add(candidates, cross(normal, d));
+      else
+        for (const Vector& e : all_) add(candidates, cross(d, e));
+    }
+    return {flat ? Lineality::line : Lineality::none, flat ? upper(normal) : Vector{}, among(candidates)};
+  }
+
+ private:
+  static Vector upper(const Vector& v) { return lexicographically_less(v, -v) ? -v : v; }
+  static void add(Vectors& candidates, const Vector& v) {
+    if (!is_zero(v)) candidates.insert(candidates.end(), {v, -v});
+  }
+  [[nodiscard]] Vectors among(const Vectors& candidates) const {
+    std::set<Vector, Less> found;
+    for (const Vector& v : candidates)
+      if (holds(v)) found.insert(primitive(v));
+    return {found.begin(), found.end()};
+  }
+
+  std::set<Vector, Less> all_;
+};
+
+std::vector<Point> random_points(families::Random& random, long size, long count) {
+  std::vector<Point> points(static_cast<std::size_t>(count));
+  for (Point& p : points)
+    p = {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size))};
+  return points;
+}
+
+/// u's part orthogonal to the lineality is a sum of at most three rays, or 0: by Cramer's rule.
+bool described(const OptimalCone& cone, const Vector& u) {
+  Vector v = u;
+  if (cone.lineality == Lineality::all) return true;
+  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) {
+    const mpz_class square = dot(cone.axis, cone.axis), along = dot(u, cone.axis);
+    const Vector part{along * cone.axis.x, along * cone.axis.y, along * cone.axis.z};
+    v = cone.lineality == Lineality::plane ? part : Vector{square * u.x - part.x, square * u.y - part.y, square * u.z - part.z};
+  }
+  if (is_zero(v)) return true;
+  const Vectors& rays = cone.rays;
+  for (const Vector& p : rays) {
+    if (is_zero(cross(p, v)) && dot(p, v) > 0) return true;
+    for (const Vector& q : rays) {
+      const Vector n = cross(p, q);
+      if (!is_zero(n) && dot(n, v) == 0 && dot(cross(p, v), n) >= 0 && dot(cross(v, q), n) >= 0) return true;
+      for (const Vector& r : rays)
+        if (det(p, q, r) > 0 && det(v, q, r) >= 0 && det(p, v, r) >= 0 && det(p, q, v) >= 0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
+  families::Random random(3);
+  std::map<std::pair<int, std::size_t>, int> kinds;
+  for (int found = 0; found < 1500;) {
+    const long size = random.between(1, 2), most = random.coin() ? 2 : 5, m = random.between(1, most), n = random.between(1, most);
+    const std::vector<Point> a = random_points(random, size, m), b = random_points(random, size, n);
+    const Depth depth = penetration_depth(a, b);
+    if (!depth.touch()) continue;
+    ++found;
+    kernels::Context context;
+    const OptimalCone cone = optimal_cone(context, a, b, depth.touch()->point);
+    const NaivePolar naive(a, b);
+    ASSERT_EQ(cone, naive.cone()) << testing::text(validate(cone, a, b));
+    EXPECT_TRUE(validate(cone, a, b).ok()) << testing::text(validate(cone, a, b));
+    EXPECT_TRUE(naive.holds(cone.direction()));
+    EXPECT_FALSE(is_zero(cone.direction()));
+    for (int i = 0; i < 10; ++i) {
+      const Vector u{mpz_class(random.between(-3, 3)), mpz_class(random.between(-3, 3)), mpz_class(random.between(-3, 3))};
+      EXPECT_EQ(naive.holds(u), described(cone, u));
+    }
+    ++kinds[{static_cast<int>(cone.lineality), cone.rays.size()}];
+  }
+  // Every kind there is, but more than five rays.
+  for (const std::pair<int, std::size_t> kind :
+       {std::pair<int, std::size_t>{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {3, 0}})
+    EXPECT_GT(kinds[kind], 0) << kind.first << " " << kind.second;
+}
+
+TEST(OptimalCone, DoesNotDependOnTheCommonPoint) {
+  // The edge from (0,0,0) to (2,0,0) is common to a tent and a plate.
+  const std::vector<Point> a{{0, 0, 0}, {2, 0, 0}, {1, 1, -2}, {1, -1, -2}}, b{{0, -1, 0}, {2, -1, 0}, {0, 1, 0}, {2, 1, 0}};
+  kernels::Context context;
+  const OptimalCone expected = NaivePolar(a, b).cone();
+  for (const mpq_class& x : {mpq_class(0), mpq_class(1, 3), mpq_class(1), mpq_class(2)})
+    EXPECT_EQ(optimal_cone(context, a, b, {x, 0, 0}), expected) << x;
+}
+
+TEST(OptimalCone, OfTwoApexesHasAsManyRaysAsTheirJointPyramidHasEdges) {
+  std::vector<Point> a{{0, 0, 0}}, b{{0, 0, 0}};
+  std::set<std::pair<mpq_class, mpq_class>> edges;
+  for (int i = -40; i <= 40; ++i) {
+    const mpq_class t = families::ratio(i, 10), s = 1 + t * t, x = 2 * t / s, y = (1 - t * t) / s;
+    a.push_back({x, y, -1});
+    b.push_back({x, y, 1});
+    edges.insert({{x, y}, {-x, -y}});
+  }
+  kernels::Context context;
+  const OptimalCone cone = optimal_cone(context, a, b, {});
+  EXPECT_EQ(cone.rays.size(), edges.size());
+  EXPECT_EQ(edges.size(), 152U) << "ten are shared";
+  EXPECT_TRUE(validate(cone, a, b).ok());
+}
+
+TEST(OptimalCone, OfBodiesInPrint) {
+  const auto cone = [](const std::vector<Point>& a, const std::vector<Point>& b) { return *signed_depth(hull(a), hull(b)).cone; };
+  const Point origin{}, east{1, 0, 0}, west{-1, 0, 0}, north{0, 1, 0}, south{0, -1, 0};
+  EXPECT_EQ(cone({origin}, {origin}), (OptimalCone{Lineality::all, {}, {}})) << "one point";
+  EXPECT_EQ(cone({origin}, {origin}).direction(), (Vector{-1, 0, 0}));
+  EXPECT_EQ(cone({east, west}, {east, west}), (OptimalCone{Lineality::plane, {1, 0, 0}, {}})) << "one segment";
+  EXPECT_EQ(cone({east, west}, {east, west}).direction(), (Vector{0, -1, 0}));
+  EXPECT_EQ(cone({origin}, {origin, east}), (OptimalCone{Lineality::plane, {1, 0, 0}, {{-1, 0, 0}}})) << "the end of a segment";
+  EXPECT_EQ(cone({east, west}, {north, south}), (OptimalCone{Lineality::line, {0, 0, 1}, {}})) << "crossing segments";
+  EXPECT_EQ(cone({east, west}, {north, south}).direction(), (Vector{0, 0, -1}));
+  EXPECT_EQ(cone({east, west}, {origin, south}), (OptimalCone{Lineality::line, {0, 0, 1}, {{0, 1, 0}}})) << "a T";
+}
+
+TEST(OptimalCone, RefusesBodiesThatOverlap) {
+  const std::vector<Point> a{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, 0, 1}};
+  kernels::Context context;
+  EXPECT_THROW(optimal_cone(context, a, a, {}), std::logic_error);
+}
+
+TEST(OptimalCone, OfTheCatalogue) {
+  int touching = 0;
+  for (const families::CatalogueEntry& entry : families::catalogue()) {
+    if (entry.status != Status::touching) continue;
+    const SignedDepth depth = signed_depth(hull(entry.pair.a.points), hull(entry.pair.b.points));
+    ASSERT_TRUE(depth.cone.has_value()) << entry.name;
+    EXPECT_TRUE(validate(*depth.cone, entry.pair.a.points, entry.pair.b.points).ok()) << entry.name;
+    ++touching;
+  }
+  EXPECT_GT(touching, 5);
+}
+
+}  // namespace
+}  // namespace fathom::rounded
