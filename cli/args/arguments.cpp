@@ -18,6 +18,7 @@
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::cli {
@@ -205,6 +206,7 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
       name(request.command) + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;
   if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + kernels::shown(inputs[0]);
+  if (inputs.size() == 1 && files::is_shape_text(inputs[0])) return expected + "found the single shape " + kernels::shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
   return "";
 }

@@ -79,6 +79,8 @@ void add_subject(CLI::App& app, CertifyRequest& certify) {
   add_path(app, "--adapter", certify.adapter,
            "a library by the name that --list-adapters shows; its settings may\nfollow: libccd-epa,epa_tolerance=1e-12", "NAME");
   add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line;\n- for standard input");
+  add_path(app, "--claims", certify.claims,
+           "judge what others have published about pairs of bodies, without a\nsubject: one JSON object a line; - for standard input");
   app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
   app.add_option_function<std::string>(
          "--jobs", [&certify](const std::string& text) { certify.jobs = typed_count<unsigned>(text); },
@@ -145,6 +147,7 @@ std::string wrong_certify(CertifyRequest& certify, const std::vector<std::string
   const std::size_t subjects = given(certify.subject) + given(certify.adapter) + given(certify.replay);
   if (certify.list_adapters)
     return subjects + inputs.size() == 0 ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
+  if (!certify.claims.empty()) return subjects + inputs.size() == 0 ? "" : "--claims judges a file, and takes no subject and no cases";
   if (subjects != 1) return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
   if (inputs.size() != 1)
     return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",

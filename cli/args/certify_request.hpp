@@ -15,6 +15,7 @@ struct CertifyRequest {
   std::string command_line;              ///< quoted for a shell
   std::string subject, adapter, replay;  ///< exactly one of these, or list_adapters, is set
   bool list_adapters = false;
+  std::string claims;            ///< a file of published claims, which are judged instead of a subject; empty: none
   std::optional<unsigned> jobs;  ///< if not set, as many as there are processors
   double time_out = 10;          ///< seconds
   Tolerance tolerance;

@@ -20,6 +20,7 @@
 #include "cli/commands/certify_reports.hpp"
 #include "cli/commands/certify_shrink.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/command_claims.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "kernels/printable.hpp"
@@ -270,6 +271,9 @@ ExitCode certify(const Request& request, const ExaminersElsewhere& elsewhere) {
   return Certify(request, elsewhere).work();
 }
 
-ExitCode run_certify(const Request& request) { return request.certify.list_adapters ? list_adapters() : certify(request, {}); }
+ExitCode run_certify(const Request& request) {
+  if (request.certify.list_adapters) return list_adapters();
+  return request.certify.claims.empty() ? certify(request, {}) : judge_claims(request);
+}
 
 }  // namespace fathom::cli

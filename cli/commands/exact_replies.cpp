@@ -6,15 +6,17 @@
 
 #include "cli/io/certificate_file.hpp"
 #include "cli/output/json_result.hpp"
+#include "cli/output/shape_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
+#include "fathom/signed_depth.hpp"
 #include "fathom/width.hpp"
 
 namespace fathom::cli {
 namespace {
 
-Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
+Options options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
   options.method = request.method;
   options.closest_lines = request.closest_lines;
@@ -22,6 +24,11 @@ Depth solve(const Case& single, const Body& b, const Request& request, Monitor& 
   options.optima = request.optima;
   options.monitor = &monitor;
   options.workspace = &workspace;
+  return options;
+}
+
+Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
+  const Options options = options_of(request, monitor, workspace);
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);
   return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a.points, b.points, options);
 }
@@ -54,24 +61,48 @@ class CertificatePlaces {
   std::optional<CertificateFolder> folder_;
 };
 
+Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
+
+/// Throws InputError if the request asks for what shapes do not have.
+ShapeAnswer shape_answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
+  if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
+  if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
+  SignedDepthOptions options;
+  options.cores = options_of(request, monitor, workspace);
+  const Shape a = shape_of(single.a), b = shape_of(single.b);
+  ShapeAnswer answer{single.id, signed_depth(a, b, options), is_flat(a), is_flat(b)};
+  if (!request.certificate.empty() || request.embed_certificate)
+    throw InputError(single.id, 0, "certificates of shapes that are no polytopes are not written yet");
+  return answer;
+}
+
 std::string text_of(const Answer& answer, const Request& request) {
   if (request.json) return json_result(answer, request);
   return is_stream(request) ? text_line(answer, request) : text_block(answer, request);
+}
+
+std::string text_of(const ShapeAnswer& answer, const Request& request) {
+  if (request.json) return shape_json(answer, request);
+  return is_stream(request) ? shape_line(answer, request) : shape_block(answer, request);
 }
 
 }  // namespace
 
 Replies exact_replies(const Request& request) {
   Replies replies;
+  replies.takes_shapes = !has_one_body(request);
   replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor,
                                                                                     Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
-    const Answer answer = answer_to(single, request, monitor, workspace);
-    CaseReply reply{text_of(answer, request)};
-    if (file) file->write(answer.certificate);
-    else if (!request.certificate.empty())
-      reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
-    return reply;
+    const auto reply_with = [&](const auto& answer) {
+      CaseReply reply{text_of(answer, request)};
+      if (file) file->write(answer.certificate);
+      else if (!request.certificate.empty())
+        reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
+      return reply;
+    };
+    return has_shape(single) ? reply_with(shape_answer_to(single, request, monitor, workspace))
+                             : reply_with(answer_to(single, request, monitor, workspace));
   };
   if (request.json)
     replies.error_line = [&request](const CaseItem& item, const std::string& fault) {

@@ -24,6 +24,8 @@ struct Replies {
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
   /// Printed before all replies, unless empty.
   std::string header = {};
+  /// Whether `reply` takes bodies that are no polytopes.
+  bool takes_shapes = false;
 };
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.

@@ -99,7 +99,9 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     std::string().swap(passage.text.text);
     passage.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    passage.perhaps_inner = may_have_inner_points(item.value(), work.one_body);
+    if (const std::string fault = wrong_shapes(item.value(), work.one_body, work.takes_shapes); !fault.empty())
+      return lose({name, line, fault}, bad_input);
+    passage.perhaps_inner = !has_shape(item.value()) && may_have_inner_points(item.value(), work.one_body);
     if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
     passage.reply = work.answer(item.value(), monitor, memory.workspace);
   } catch (const Interrupted&) {
@@ -296,6 +298,12 @@ ExitCode Stream::finish() {
 }
 
 }  // namespace
+
+std::string wrong_shapes(const Case& single, bool one_body, bool takes_shapes) {
+  if (takes_shapes) return "";
+  const char* const body = single.a.shape ? "a" : single.b.shape && !one_body ? "b" : "";
+  return *body ? fmt::format("{}: expected a polytope, found a shape that is none: only depth answers about those", body) : "";
+}
 
 ExitCode for_each_case(const std::string& input, const StreamWork& work) {
   Stream stream(input, work);

@@ -28,12 +28,20 @@ struct StreamWork {
   std::string header;
   /// Whether B is ignored.
   bool one_body = false;
+  /// Whether bodies may be shapes that are no polytopes; else such cases are errors.
+  bool takes_shapes = false;
   /// How many cases are answered at once.
   unsigned threads = 1;
   /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by `answer`: it passes the block to
   /// answer_block in any process, and returns what that returns. `name` tells what the block is. Then a block is answered once it is whole.
   std::function<std::string(const std::string& block, const std::string& name)> elsewhere = {};
 };
+
+/// Returns whether a body of the case is a shape that is no polytope.
+inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
+
+/// Returns what is wrong with the bodies of a case if they must be polytopes, or "".
+std::string wrong_shapes(const Case& single, bool one_body, bool takes_shapes);
 
 /// Answers a block of cases for for_each_case in another process, with the same `input` and a `work` that is the same except for `threads`
 /// and `elsewhere`; replies must not have `keep`. Throws Interrupted, and std::invalid_argument for other texts.

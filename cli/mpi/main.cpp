@@ -27,7 +27,8 @@ ExitCode run(const Processes& world, int argc, char** argv) {
     return arguments.code;
   }
   const Request& request = *arguments.request;
-  if (request.command == Command::certify && request.certify.replay.empty() && !request.certify.list_adapters)
+  if (request.command == Command::certify && request.certify.replay.empty() && request.certify.claims.empty() &&
+      !request.certify.list_adapters)
     return certify_by_ranks(world, request);
   // Certificates go to files, one after another: rank 0 alone keeps their order.
   if (request.command == Command::depth && is_stream(request) && request.certificate.empty()) return depth_by_ranks(world, request);

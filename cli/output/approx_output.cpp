@@ -67,7 +67,7 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
 
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
-  Json result = result_head(request, id, depth.status());
+  Json result = result_head(request, id, name(depth.status()));
   const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
   if (request.schema >= 2) result["signed_depth"] = signed_depth_object(signed_bounds(depth.status(), least, most));
   const Json size = length(depth.squared(), most, request.digits);

@@ -65,11 +65,11 @@ Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 
-Json result_head(const Request& request, const std::string& id, Status status) {
+Json result_head(const Request& request, const std::string& id, std::string_view status) {
   Json result = {{"schema", result_schema(request)}};
   if (request.schema >= 2) result["fathom"] = FATHOM_VERSION;
   result["id"] = id;
-  result["status"] = name(status);
+  result["status"] = status;
   return result;
 }
 
@@ -81,7 +81,7 @@ Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", boun
 
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  Json result = result_head(request, answer.id, depth.status());
+  Json result = result_head(request, answer.id, name(depth.status()));
   const mpq_class squared = depth.squared();
   const kernels::Roundings rounded = kernels::roundings_of_root(squared);
   const Distance* const distance = depth.distance();

@@ -14,7 +14,7 @@
 namespace fathom::cli {
 
 /// The first fields of every result, exact or approximate: the schema that the request wants, the version of fathom, the id, the status.
-Json result_head(const Request& request, const std::string& id, Status status);
+Json result_head(const Request& request, const std::string& id, std::string_view status);
 
 /// Doubles on both sides of a signed depth: positive if the bodies penetrate, negative if they are apart. Equal if it is that double.
 struct SignedDepthBounds {

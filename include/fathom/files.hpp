@@ -14,12 +14,14 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
+#include "fathom/shape.hpp"
 
 namespace fathom {
 
-/// A finite, non-empty point set; it stands for its convex hull.
+/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
 struct Body {
   std::vector<Point> points;
+  std::optional<Shape> shape = std::nullopt;  ///< then there are no points
 };
 
 /// Two bodies about which a question is asked, with a name.

@@ -79,6 +79,10 @@ Shape with_margin(Shape shape, const mpq_class& margin);
 /// The Minkowski sum. Throws std::invalid_argument if one of the cores is a half-space.
 Shape minkowski_sum(const Shape& a, const Shape& b);
 
+/// Returns whether the body has no interior: its core lies in a plane, and its radius is 0. Throws std::invalid_argument as signed_depth does
+/// for a shape that is none.
+bool is_flat(const Shape& shape);
+
 // ---- poses ----
 
 /// Rows of a 3 x 4 matrix (M | t): x goes to M x + t.

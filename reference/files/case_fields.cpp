@@ -30,6 +30,7 @@ class Listener : public nlohmann::json_sax<Json> {
   }
   bool boolean(bool value) override {
     const CasePlace place = next_place();
+    if (place == CasePlace::shape) return read_elsewhere();
     return place == CasePlace::other ? done() : wrong(place, value ? "true" : "false");
   }
   static_assert(sizeof(long) >= sizeof(number_integer_t), "GMP takes longs: shorter ones would cut integers");
@@ -42,6 +43,7 @@ class Listener : public nlohmann::json_sax<Json> {
   bool binary(binary_t&) override { return done(); }
   bool start_object(std::size_t) override {
     const CasePlace place = next_place();
+    if (place == CasePlace::shape || place == CasePlace::pose) body().is_shape = true;
     return place == CasePlace::whole || place == CasePlace::body ? enter(place) : skip(place, "an object");
   }
   bool start_array(std::size_t) override;
@@ -70,13 +72,19 @@ class Listener : public nlohmann::json_sax<Json> {
     return true;
   }
   bool skip(CasePlace place, const std::string& found) {
-    if (place != CasePlace::other) fault(path(), expected_at(place), found);
+    const bool ours = place != CasePlace::other && place != CasePlace::shape && (place != CasePlace::pose || !body().is_shape);
+    if (ours) fault(path(), expected_at(place), found);
     if (++skipped_ + frames_.size() > deepest) fault("", "values nested at most 64 deep", "a deeper one");
     return true;
   }
   bool done() {
     if (skipped_ == 0 && !frames_.empty()) ++frames_.back().index;
     return true;
+  }
+  // Part of a shape: of another reader's.
+  bool read_elsewhere() {
+    body().is_shape = true;
+    return done();
   }
   bool wrong(CasePlace place, const std::string& found) {
     fault(path(), expected_at(place), found);
@@ -147,6 +155,8 @@ bool Listener::number(CasePlace place, const std::string& text, Assign assign) {
     if (mpq_class* const to = target(place)) assign(*to);
   } else if (place == CasePlace::id) {
     fields.id = text;
+  } else if (place == CasePlace::shape) {
+    return read_elsewhere();
   } else if (place != CasePlace::other) {
     return wrong(place, kernels::printable(text, readable));
   }
@@ -166,6 +176,7 @@ bool Listener::number(const mpz_class& value) {
 bool Listener::string(std::string& text) {
   const CasePlace place = next_place();
   bool good = true;
+  if (place == CasePlace::shape) return read_elsewhere();
   if (place == CasePlace::coordinate || place == CasePlace::pose_entry) {
     ParsedNumber number = parse_number(text, Decimals::exact);
     mpq_class* const to = target(place);
@@ -216,7 +227,7 @@ bool Listener::end_object() {
     if (std::ranges::find(top.seen, name) == top.seen.end()) fault(path(), "a field '" + name + "'", "none");
   };
   if (top.place == CasePlace::body) {
-    require("vertices");
+    if (!body().is_shape) require("vertices");
   } else {
     require("a");
     require("b");

@@ -17,7 +17,8 @@ namespace fathom::files {
 struct BodyFields {
   std::vector<Point> vertices;
   std::optional<Pose> pose;
-  bool rounded = false;  ///< "pose_rounding": "binary64"
+  bool rounded = false;   ///< "pose_rounding": "binary64"
+  bool is_shape = false;  ///< it has a shape's name, a margin or a quaternion: shape_fields.hpp reads it
 };
 
 /// The fields of a case, or the first error in it.

@@ -20,7 +20,8 @@ enum class CasePlace {
   pose,
   pose_row,
   pose_entry,
-  other  ///< no field of ours: skipped
+  shape,  ///< a shape's name, or a margin: of a body that shape_fields.cpp reads
+  other   ///< no field of ours: skipped
 };
 
 /// Returns what belongs there, for messages.

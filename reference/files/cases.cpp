@@ -6,6 +6,7 @@
 #include "kernels/float_environment.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/quick_case_fields.hpp"
+#include "reference/files/shape_fields.hpp"
 #include "reference/files/unread_cases.hpp"
 
 namespace fathom::files {
@@ -24,6 +25,18 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
   return "";
 }
 
+/// Places both bodies. Returns a sentence on what went wrong, or "".
+std::string place(const std::string& text, CaseFields& fields, Case& result) {
+  std::string fault;
+  if (!fields.a.is_shape) fault = place(fields.a, fields.rounded, "a", result.a);
+  if (fault.empty() && !fields.b.is_shape) fault = place(fields.b, fields.rounded, "b", result.b);
+  if (!fault.empty() || (!fields.a.is_shape && !fields.b.is_shape)) return fault;
+  ShapesOfCase shapes = read_shapes(text, fields.a.is_shape, fields.b.is_shape, fields.rounded);
+  if (shapes.a) result.a = *std::move(shapes.a);
+  if (shapes.b) result.b = *std::move(shapes.b);
+  return std::move(shapes.fault);
+}
+
 }  // namespace
 
 CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::string& name) {
@@ -34,8 +47,7 @@ CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::s
   CaseFields fields = quick ? *std::move(quick) : read_case_fields(text.text);
   Case result{fields.id.value_or(std::to_string(line)), {}, {}};
   std::string fault = std::move(fields.fault);
-  if (fault.empty()) fault = place(fields.a, fields.rounded, "a", result.a);
-  if (fault.empty()) fault = place(fields.b, fields.rounded, "b", result.b);
+  if (fault.empty()) fault = place(text.text, fields, result);
   std::string id = result.id;
   if (fault.empty()) return {line, std::move(id), std::move(result)};
   return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};

@@ -230,6 +230,7 @@ bool read_body(Value value, BodyFields& body) {
       case CasePlace::vertices: return read_vertices(field, body.vertices);
       case CasePlace::pose: return read_pose(field, body.pose);
       case CasePlace::body_rounding: return read_rounding(field, body.rounded);
+      case CasePlace::shape: return false;
       default: return is_value(field, 0);
     }
   };

@@ -34,9 +34,9 @@ TEST(BadCase, Fields) {
   EXPECT_EQ(complaint("3"), "expected a case (a JSON object), found 3");
   EXPECT_EQ(complaint("{}"), "expected a field 'a', found none");
   EXPECT_EQ(complaint(R"({"a":{"vertices":[[0,0,0]]}})"), "expected a field 'b', found none");
-  EXPECT_EQ(of_a("3"), "a: expected an object with 'vertices', found 3");
-  EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices', found null");
-  EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices', found an array");
+  EXPECT_EQ(of_a("3"), "a: expected an object with 'vertices' or 'shape', found 3");
+  EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices' or 'shape', found null");
+  EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices' or 'shape', found an array");
   EXPECT_EQ(of_a("{}"), "a: expected a field 'vertices', found none");
   EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"vertices":[[0,0,0]]})"), "a.vertices: expected one field of this name, found a second one");
   EXPECT_EQ(complaint("{" + good_b + "," + good_b + "}"), "b: expected one field of this name, found a second one");
@@ -76,7 +76,7 @@ TEST(BadCase, Vertices) {
 
 TEST(BadCase, Pose) {
   EXPECT_EQ(of_pose("[]"), "a.pose: expected three rows of four numbers, found 0");
-  EXPECT_EQ(of_pose("{}"), "a.pose: expected three rows of four numbers, found an object");
+  EXPECT_EQ(of_pose("{}"), "a.pose: expected three rows of four numbers, or an object with 'quaternion', found an object");
   EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), "a.pose: expected three rows of four numbers, found 4");
   EXPECT_EQ(of_pose("[[1,0,0],[0,1,0],[0,0,1]]"), "a.pose[0]: expected four numbers, found 3");
   EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0,0],[0,0,1,0]]"), "a.pose[1]: expected four numbers, found 5");
@@ -120,7 +120,7 @@ TEST(BadCase, AMillionRepetitionsOfAField) {
   std::string text = "{";
   for (const char* field : {"\"a\":0,", "\"b\":0,"})
     for (int i = 0; i < 1'000'000; ++i) text += field;
-  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices', found 0");
+  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices' or 'shape', found 0");
 }
 
 TEST(BadCase, TheIdIsToldWhereverItStands) {

@@ -34,7 +34,7 @@ ORDER = [
     ["reference/solve"],
     ["reference/approximate", "reference/certificate", "reference/shapes"],
     ["reference/rounded"],
-    ["verify/check", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
+    ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
     ["cli"],

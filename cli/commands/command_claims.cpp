@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands/command_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "cli/output/claim_output.hpp"
+#include "kernels/printable.hpp"
+#include "reference/files/source.hpp"
+#include "verify/claims/claims.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using claims::Finding;
+using claims::JudgedClaim;
+using claims::PublishedClaim;
+
+}  // namespace
+
+ExitCode judge_claims(const Request& request) {
+  const std::string& path = request.certify.claims;
+  const Working working;
+  std::ifstream file;
+  if (path != "-") {
+    files::require_readable(path);
+    file.open(path, std::ios::binary);
+  }
+  std::istream& input = path == "-" ? std::cin : file;
+  std::map<std::string_view, std::size_t> counts;
+  ExitCode code = fine;
+  std::size_t line = 0, judged_claims = 0;
+  for (std::string text; std::getline(input, text);) {
+    ++line;
+    if (interrupt_requested()) throw Interrupted();
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const auto claim = claims::parse_claim(text, path == "-" ? "<stdin>" : path, line);
+    if (const InputError* const fault = std::get_if<InputError>(&claim)) {
+      talk(fault->what());
+      code = bad_input;
+      continue;
+    }
+    const PublishedClaim& published = std::get<PublishedClaim>(claim);
+    const JudgedClaim judged = claims::judge_claim(published);
+    print(request.json ? claim_json(published, judged) : claim_text(published, judged));
+    ++counts[claims::verdict_name(judged.finding())];
+    ++judged_claims;
+    if (judged.finding() == Finding::wrong) code = std::max(code, judged_wrong);
+  }
+  if (line == 0) throw InputError(path, 0, "expected claims, one JSON object a line, found nothing");
+  if (!request.json)
+    print(fmt::format("{} claims: {} right, {} wrong, {} undecided, {} not judgeable", judged_claims, counts["right"], counts["wrong"],
+                      counts["undecided"], counts["not-judgeable"]));
+  return code;
+}
+
+}  // namespace fathom::cli

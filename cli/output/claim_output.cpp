@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/claim_output.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/output/json_result.hpp"
+#include "cli/output/json_values.hpp"
+#include "cli/output/surd_output.hpp"
+#include "cli/output/text_result.hpp"
+
+namespace fathom::cli {
+
+std::string claim_text(const claims::PublishedClaim& claim, const claims::JudgedClaim& judged) {
+  std::string text = fmt::format("{}: {}", safe_id(claim.bodies.id), claims::verdict_name(judged.finding()));
+  for (const claims::Statement& statement : judged.statements)
+    text += fmt::format("\n  {}: {}; {}", statement.text, claims::verdict_name(statement.finding), statement.truth);
+  return text;
+}
+
+std::string claim_json(const claims::PublishedClaim& claim, const claims::JudgedClaim& judged) {
+  Json statements = Json::array();
+  for (const claims::Statement& statement : judged.statements)
+    statements.push_back({{"text", statement.text}, {"finding", claims::verdict_name(statement.finding)}, {"truth", statement.truth}});
+  Json result = {{"schema", "fathom/claim/1"}, {"fathom", FATHOM_VERSION}, {"id", claim.bodies.id},
+                 {"source", claim.source},     {"kind", claim.kind},       {"note", claim.note}};
+  result["verdict"] = claims::verdict_name(judged.finding());
+  result["signed_depth"] = signed_depth_object(judged.truth);
+  if (claim.numeric) result["numeric"] = *claim.numeric;
+  result["direction"] = exact(judged.truth.direction());
+  result["statements"] = statements;
+  return result.text();
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signed depths of shapes, printed as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "cli/args/request.hpp"
+#include "fathom/signed_depth.hpp"
+
+namespace fathom::cli {
+
+/// The answer to a case with a body that is no polytope.
+struct ShapeAnswer {
+  std::string id;
+  SignedDepth depth;
+  bool flat_a = false, flat_b = false;
+  std::string certificate = {};  ///< as text, if one is requested
+};
+
+/// Several lines; one line, which begins with the id; one line of JSON. Each without the last newline.
+std::string shape_block(const ShapeAnswer& answer, const Request& request);
+std::string shape_line(const ShapeAnswer& answer, const Request& request);
+std::string shape_json(const ShapeAnswer& answer, const Request& request);
+
+}  // namespace fathom::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/surd_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/output/decimal.hpp"
+#include "cli/output/json_result.hpp"
+#include "cli/output/json_values.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::size_t beyond_binary64_digits = 17;
+
+/// The root of a rational that is a square.
+std::optional<mpq_class> rational_root(const mpq_class& square) {
+  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
+  return mpq_class(sqrt(square.get_num()), sqrt(square.get_den()));
+}
+
+/// The value as a rational, if it is one.
+std::optional<mpq_class> rational(const Surd& value) {
+  const std::optional<mpq_class> root = rational_root(abs(value.root));
+  if (!root) return std::nullopt;
+  return value.rational + sgn(value.root) * *root;
+}
+
+std::optional<mpq_class> rational_square(const Surd& value) {
+  if (value.rational == 0) return abs(value.root);
+  const std::optional<mpq_class> number = rational(value);
+  return number ? std::optional<mpq_class>(*number * *number) : std::nullopt;
+}
+
+Point scaled(const Vector& n, const mpq_class& factor) { return {factor * n.x, factor * n.y, factor * n.z}; }
+
+Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+/// length n/|n|, if that is rational.
+std::optional<Point> along(const Vector& n, const mpq_class& length) {
+  if (length == 0) return Point{};
+  const std::optional<mpq_class> size = rational_root(mpq_class(dot(n, n)));
+  return size ? std::optional(scaled(n, length / *size)) : std::nullopt;
+}
+
+template <class Float>
+Json in_every_direction(const Surd& value, Float (*round)(const Surd&, Rounding)) {
+  return {{"rn", Json::plain(hex_text(round(value, Rounding::rn)))},
+          {"rd", Json::plain(hex_text(round(value, Rounding::rd)))},
+          {"ru", Json::plain(hex_text(round(value, Rounding::ru)))}};
+}
+
+}  // namespace
+
+std::string surd_text(const Surd& value) {
+  if (sign(value) == 0) return "0";
+  if (const double rounded = round_binary64(value); std::isfinite(rounded) && rounded != 0) return fmt::format("{}", rounded);
+  return enclose(value, beyond_binary64_digits).low;
+}
+
+std::string exact_surd_text(const Surd& value) {
+  if (const std::optional<mpq_class> number = rational(value)) return exact_text(*number);
+  const std::string root = fmt::format("{}sqrt({})", sgn(value.root) < 0 ? "-" : "", exact_text(abs(value.root)));
+  if (value.rational == 0) return root;
+  return fmt::format("{} {} {}", root, value.rational < 0 ? '-' : '+', exact_text(abs(value.rational)));
+}
+
+Json surd_length(const Surd& value, const std::optional<unsigned>& digits) {
+  const std::optional<mpq_class> square = rational_square(value);
+  if (square) return length(*square, digits);
+  const double nearest = round_binary64(value);
+  Json result = {
+      {"squared", Json()},
+      {"value", std::isfinite(nearest) && nearest != 0 ? Json(nearest) : Json()},
+      {"rounded", {{"f64", in_every_direction<double>(value, round_binary64)}, {"f32", in_every_direction<float>(value, round_binary32)}}}};
+  if (digits) {
+    const Enclosure enclosure = enclose(value, *digits);
+    result["enclosure"] = Json::array({enclosure.low, enclosure.high});
+  }
+  return result;
+}
+
+Json exact_object(const Surd& value) {
+  return {{"sign", sgn(value.root)}, {"root", Json::plain(exact_text(abs(value.root)))}, {"plus", Json::plain(exact_text(value.rational))}};
+}
+
+Json signed_depth_object(const SignedDepth& depth) {
+  Json result = signed_depth_object({depth.low_binary64(), depth.high_binary64()});
+  if (depth.exact()) result["exact"] = exact_object(*depth.exact());
+  return result;
+}
+
+Json vector_object(const AlongNormal& vector) {
+  if (const std::optional<Point> rest = along(vector.normal, vector.beta)) return exact(sum(scaled(vector.normal, vector.alpha), *rest));
+  return {
+      {"normal", exact(vector.normal)}, {"alpha", Json::plain(exact_text(vector.alpha))}, {"beta", Json::plain(exact_text(vector.beta))}};
+}
+
+Json point_object(const RoundedPoint& point) {
+  if (const std::optional<Point> rest = along(point.normal, point.distance)) return exact(sum(point.core, *rest));
+  return {{"core", exact(point.core)}, {"normal", exact(point.normal)}, {"distance", Json::plain(exact_text(point.distance))}};
+}
+
+std::string vector_text(const AlongNormal& vector) {
+  if (const std::optional<Point> rest = along(vector.normal, vector.beta))
+    return point_text(sum(scaled(vector.normal, vector.alpha), *rest));
+  return fmt::format("{} and {} along {}", point_text(scaled(vector.normal, vector.alpha)), exact_text(vector.beta),
+                     direction_text(vector.normal));
+}
+
+std::string rounded_point_text(const RoundedPoint& point) {
+  if (const std::optional<Point> rest = along(point.normal, point.distance)) return point_text(sum(point.core, *rest));
+  return fmt::format("{} and {} along {}", point_text(point.core), exact_text(point.distance), direction_text(point.normal));
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unlike cases of vertices, which come by millions, shapes are read from a document: their objects are small, and some hold others.
+#include "reference/files/shape_fields.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "fathom/numbers.hpp"
+#include "kernels/printable.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
+
+namespace fathom::files {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t readable = 40;  // what a message shows of a text
+
+std::string found(const Json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  return kernels::printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), readable);
+}
+
+/// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
+bool is_ours(std::string_view key) {
+  return number_field(key) || key == "shape" || key == "axis" || key == "vertices" || key == "terms" || key == "pose" ||
+         key == "pose_rounding" || key == "quaternion" || key == "translation";
+}
+
+/// Finds repeated fields, which a document does not show.
+struct Repetitions {
+  std::vector<std::vector<std::string>> open;  // the keys of ours in the objects that are being read
+  std::string repeated;
+
+  bool note(Json::parse_event_t event, const Json& value) {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && is_ours(value.get_ref<const std::string&>())) {
+      const std::string& key = value.get_ref<const std::string&>();
+      if (std::ranges::find(open.back(), key) != open.back().end() && repeated.empty()) repeated = key;
+      open.back().push_back(key);
+    }
+    return true;
+  }
+};
+
+/// Reads one object, and those in it. After the first fault what is returned means nothing.
+class Reader {
+ public:
+  std::string fault;
+
+  Body body(const Json& json, const std::string& path, bool rounded);
+
+ private:
+  void report(const std::string& path, const std::string& expected, const std::string& instead) {
+    refuse(path + ": expected " + expected + ", found " + instead);
+  }
+  void refuse(const std::string& sentence) {
+    if (fault.empty()) fault = sentence;
+  }
+
+  mpq_class number(const Json& value, const std::string& path);
+  std::vector<mpq_class> numbers(const Json& value, std::size_t count, const std::string& path);
+  std::vector<Point> points(const Json& value, const std::string& path);
+  Axis axis(const Json& value, const std::string& path);
+  std::optional<Pose> pose(const Json& value, const std::string& path);
+  ShapeFields fields(const Json& json, const NamedShape& named, const std::string& path);
+  Shape unplaced(const Json& json, const std::string& path);
+  Shape placed_shape(Shape shape, const Json& json, const std::string& path);
+  void round(Shape& shape, const std::string& path);
+};
+
+// A JSON number means the nearest binary64, an integer too.
+mpq_class Reader::number(const Json& value, const std::string& path) {
+  if (value.is_string()) {
+    ParsedNumber parsed = parse_number(value.get_ref<const std::string&>(), Decimals::exact);
+    if (parsed.value) return *std::move(parsed.value);
+    refuse(path + ": " + parsed.error);
+    return 1;
+  }
+  if (value.is_number_float()) return exact_value(value.get<double>());
+  if (value.is_number_unsigned()) return exact_value(static_cast<double>(value.get<std::uint64_t>()));
+  if (value.is_number_integer()) return exact_value(static_cast<double>(value.get<std::int64_t>()));
+  report(path, "a number, or an exact number in quotes", found(value));
+  return 1;
+}
+
+std::vector<mpq_class> Reader::numbers(const Json& value, std::size_t count, const std::string& path) {
+  if (count == 1) return {number(value, path)};
+  std::vector<mpq_class> result;
+  if (!value.is_array() || value.size() != count) {
+    report(path, count == 3 ? "three numbers" : "four numbers", found(value));
+    result.resize(count, 1);
+    return result;
+  }
+  for (std::size_t i = 0; i < count; ++i) result.push_back(number(value[i], path + "[" + std::to_string(i) + "]"));
+  return result;
+}
+
+std::vector<Point> Reader::points(const Json& value, const std::string& path) {
+  if (!value.is_array() || value.empty()) {
+    report(path, "an array of points", found(value));
+    return {{}};
+  }
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::vector<mpq_class> p = numbers(value[i], 3, path + "[" + std::to_string(i) + "]");
+    result.push_back({p[0], p[1], p[2]});
+  }
+  return result;
+}
+
+Axis Reader::axis(const Json& value, const std::string& path) {
+  for (const auto& [name, axis] : {std::pair("x", Axis::x), std::pair("y", Axis::y), std::pair("z", Axis::z)})
+    if (value == name) return axis;
+  report(path, R"("x", "y" or "z")", found(value));
+  return Axis::z;
+}
+
+std::optional<Pose> Reader::pose(const Json& value, const std::string& path) {
+  if (value.is_object() && value.contains("quaternion")) {
+    const std::vector<mpq_class> q = numbers(value["quaternion"], 4, path + ".quaternion");
+    std::vector<mpq_class> t(3);
+    if (value.contains("translation")) t = numbers(value["translation"], 3, path + ".translation");
+    if (std::ranges::all_of(q, [](const mpq_class& x) { return x == 0; })) {
+      report(path + ".quaternion", "one that is not 0", "0");
+      return std::nullopt;
+    }
+    return rigid_pose({q[0], q[1], q[2], q[3]}, {t[0], t[1], t[2]});
+  }
+  if (!value.is_array() || value.size() != 3) {
+    report(path, "three rows of four numbers, or an object with 'quaternion'", found(value));
+    return std::nullopt;
+  }
+  Pose pose;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const std::vector<mpq_class> entries = numbers(value[row], 4, path + "[" + std::to_string(row) + "]");
+    std::ranges::copy(entries, pose[row].begin());
+  }
+  return pose;
+}
+
+ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std::string& path) {
+  const ShapeName& shape = *named.shape;
+  ShapeFields result;
+  const auto require = [&](std::string_view name) {
+    const bool there = json.contains(name);
+    if (!there) report(path, "a field '" + std::string(name) + "'", "none");
+    return there;
+  };
+  for (const auto& [key, value] : json.items()) {
+    const NumberField* const field = number_field(key);
+    if (!field || value.is_null()) continue;
+    if (!has_number(shape, key)) report(path + "." + key, "no such field of a " + std::string(shape.name), "one");
+    result.numbers[key] = numbers(value, field->count, path + "." + key);
+  }
+  for (const NumberField& field : shape.numbers)
+    if (!result.numbers.contains(field.name)) report(path, "a field '" + std::string(field.name) + "'", "none");
+  if (named.rounded && !result.numbers.contains("margin")) report(path, "a field 'margin'", "none");
+  if (shape.part == ShapePart::axis && json.contains("axis")) result.axis = axis(json["axis"], path + ".axis");
+  if (shape.part == ShapePart::vertices && require("vertices")) result.vertices = points(json["vertices"], path + ".vertices");
+  if (shape.part == ShapePart::terms && require("terms")) {
+    const Json& terms = json["terms"];
+    if (!terms.is_array()) report(path + ".terms", "an array of shapes", found(terms));
+    else
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        const std::string place = path + ".terms[" + std::to_string(i) + "]";
+        Shape term = unplaced(terms[i], place);
+        if (!fault.empty()) break;
+        if (terms[i].contains("pose_rounding")) report(place + ".pose_rounding", "no such field of a term", "one");
+        result.terms.push_back(placed_shape(std::move(term), terms[i], place));
+      }
+  }
+  return result;
+}
+
+Shape Reader::unplaced(const Json& json, const std::string& path) {
+  if (!json.is_object()) {
+    report(path, "a shape", found(json));
+    return {};
+  }
+  NamedShape named = named_shape("hull");
+  if (json.contains("shape")) {
+    const Json& name = json["shape"];
+    named = name.is_string() ? named_shape(name.get_ref<const std::string&>()) : NamedShape{};
+    if (!named.shape) {
+      report(path + ".shape", list_of_shapes() + ", or one of them after 'rounded_'", found(name));
+      return {};
+    }
+  }
+  const ShapeFields read = fields(json, named, path);
+  if (!fault.empty()) return {};
+  try {
+    return made_shape(*named.shape, read);
+  } catch (const std::invalid_argument& error) {
+    refuse(path + ": " + error.what());
+    return {};
+  }
+}
+
+// The shape where its field "pose" puts it, if it has one.
+Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& path) {
+  if (!fault.empty() || !json.contains("pose") || json["pose"].is_null()) return shape;
+  const std::optional<Pose> placing = pose(json["pose"], path + ".pose");
+  if (!fault.empty()) return shape;
+  try {
+    return moved(shape, *placing);
+  } catch (const std::invalid_argument& error) {
+    refuse(path + ".pose: " + error.what());
+    return shape;
+  }
+}
+
+void Reader::round(Shape& shape, const std::string& path) {
+  if (!points_of(shape)) {
+    refuse(path + ".pose_rounding: expected a body of points, found one with discs, balls, terms or a plane, which are not rounded");
+    return;
+  }
+  for (Atom& atom : std::get<std::vector<Term>>(shape.core).front().atoms)
+    if (!round_to_binary64(atom.center)) refuse(path + ": expected points within binary64 once placed, found a larger one");
+}
+
+Body Reader::body(const Json& json, const std::string& path, bool rounded) {
+  Shape shape = placed_shape(unplaced(json, path), json, path);
+  if (json.contains("pose_rounding") && !json["pose_rounding"].is_null()) {
+    if (json["pose_rounding"] != "binary64") report(path + ".pose_rounding", "\"binary64\"", found(json["pose_rounding"]));
+    rounded = true;
+  }
+  if (!fault.empty()) return {};
+  if (rounded) round(shape, path);
+  return body_of(std::move(shape));
+}
+
+}  // namespace
+
+ShapesOfCase read_shapes(std::string_view text, bool a, bool b, bool rounded) {
+  Repetitions repetitions;
+  const Json document = Json::parse(text, [&](int, Json::parse_event_t event, Json& value) { return repetitions.note(event, value); });
+  ShapesOfCase result;
+  if (!repetitions.repeated.empty()) {
+    result.fault = "expected one field '" + repetitions.repeated + "' in an object, found a second one";
+    return result;
+  }
+  Reader reader;
+  if (a) result.a = reader.body(document["a"], "a", rounded);
+  if (b) result.b = reader.body(document["b"], "b", rounded);
+  result.fault = std::move(reader.fault);
+  return result;
+}
+
+}  // namespace fathom::files

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes at the door: in cases, on the command line, and what is said of them. Answers that can be found by hand."""
+import json
+import math
+import unittest
+from fractions import Fraction
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import ROOT, UNIT, CliTest
+
+RESULT, CASE = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text())) for name in ("result", "case"))
+
+
+def at(x, y, z):
+    return {"quaternion": [1, 0, 0, 0], "translation": [x, y, z]}
+
+
+def ball(radius, x=0, y=0, z=0):
+    return {"shape": "sphere", "radius": radius, "pose": at(x, y, z)}
+
+
+class Shapes(CliTest):
+    def of(self, a, b, *options):
+        pair = {"a": a, "b": b}
+        CASE.validate(pair)
+        result = self.result("depth", *options, "-", stdin=json.dumps(pair) + "\n")
+        RESULT.validate(result)
+        return result
+
+    def exactly(self, a, b):
+        exact = self.of(a, b)["signed_depth"]["exact"]
+        return exact["sign"] * math.sqrt(Fraction(exact["root"])) + float(Fraction(exact["plus"]))
+
+    def test_spheres(self):
+        result = self.of(ball(1), ball(2, 2, 1, 0))
+        self.assertEqual(result["signed_depth"]["exact"], {"sign": -1, "root": "5", "plus": "3"})
+        self.assertEqual((result["status"], result["depth"]["squared"], result["method"], result["contact"]), ("penetrating", None, "exact", None))
+        self.assertEqual(result["depth"]["value"], 0.7639320225002103, "of 3 - sqrt(5); in doubles 3 - 5 ** 0.5 is another")
+        self.assertEqual(result["translation"], {"normal": ["-2", "-1", "0"], "alpha": "-1", "beta": "3"})
+        apart = self.of(ball(1), ball(2, 3, 4, 0))
+        self.assertEqual((apart["status"], apart["distance"]["squared"], apart["distance"]["translation"]), ("disjoint", "4", ["6/5", "8/5", "0"]))
+        self.assertEqual(apart["distance"]["witness"], {"a": ["3/5", "4/5", "0"], "b": ["9/5", "12/5", "0"]})
+        self.assertEqual(apart["signed_depth"], {"low": -2, "high": -2, "exact": {"sign": -1, "root": "25", "plus": "3"}})
+        self.assertEqual(self.of(ball("3"), ball(2, 3, 4, 0))["status"], "touching")
+        self.assertEqual([self.of(ball(radius), ball(2, 3, 4, 0))["status"] for radius in ("3.0000000000000000000001", "2.9999999999999999999999")],
+                         ["penetrating", "disjoint"])
+
+    def test_concentric_spheres_have_every_direction(self):
+        result = self.of(ball(1), ball("1/2"))
+        self.assertEqual(result["optimal_cone"], {"lineality": "all", "axis": None, "rays": []})
+        self.assertEqual((result["signed_depth"]["low"], result["depth"]["squared"], result["direction"]), (1.5, "9/4", ["-1", "0", "0"]))
+
+    def test_every_name(self):
+        radii = {"radius_low": 1, "radius_high": "1/2", "half_length": 2}
+        plane = {"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}
+        depths = {"sphere": ({"radius": 1}, 1), "capsule": ({"radius": 1, "half_length": 2}, 3), "tapered_capsule": (radii, 3),
+                  "box": ({"half": [1, 2, 3]}, 3), "cylinder": ({"radius": 1, "half_length": 2}, 2), "cone": ({"radius": 1, "half_length": 2}, 2),
+                  "frustum": (radii, 2), "ellipsoid": ({"radii": [1, 2, 3]}, 3), "hull": ({"vertices": UNIT}, 0),
+                  "triangle": ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1]]}, 0), "sum": ({"terms": [ball(1), {"shape": "box", "half": [1, 1, 1]}]}, 2)}
+        for name, (fields, depth) in depths.items():
+            for axis in ({}, {"axis": "x"}) if "half_length" in fields else ({},):
+                result = self.of({"shape": name, **fields, **axis, "pose": at(0, 0, 0)}, plane)["signed_depth"]
+                across = {"cylinder": 1, "cone": 1, "frustum": 1, "capsule": 1, "tapered_capsule": 1}[name] if axis else depth
+                self.assertTrue(result["low"] <= across <= result["high"] <= across * (1 + 1e-9), (name, axis, result))
+                rounded = self.of({"shape": "rounded_" + name, **fields, **axis, "margin": 0.25}, plane)["signed_depth"]
+                self.assertTrue(rounded["low"] <= across + 0.25 <= rounded["high"] <= (across + 0.25) * (1 + 1e-9), (name, axis, rounded))
+
+    def test_a_margin_is_in_units_of_the_world(self):
+        double = [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]
+        plane = {"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}
+        self.assertEqual(self.exactly({"shape": "capsule", "radius": 1, "half_length": 2, "pose": double}, plane), 5)
+        self.assertEqual(self.exactly({"vertices": UNIT, "margin": 1, "pose": double}, plane), 1)
+
+    def test_poses(self):
+        turned = {"shape": "box", "half": [1, 2, 3], "pose": {"quaternion": [1, 1, 0, 0]}}
+        plane = {"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}
+        self.assertEqual(self.exactly(turned, plane), 2)
+        quarter = {"quaternion": [1, 1, 0, 0], "translation": [0, 1, "1/4"]}
+        result = self.of({"vertices": UNIT, "pose": quarter}, {"vertices": UNIT})
+        self.assertEqual((result["method"], result["depth"]["squared"], result["direction"]), ("certificate", "9/16", ["0", "0", "1"]))
+
+    def test_on_the_command_line(self):
+        result = self.result("depth", "capsule:r=0.1,h=0.5", "box:half=1:1:0.25,at=0:0:0.8")
+        self.assertEqual((result["status"], result["id"]), ("penetrating", "capsule:r=0.1,h=0.5 box:half=1:1:0.25,at=0:0:0.8"))
+        self.assertAlmostEqual(result["signed_depth"]["low"], 0.05)
+        turned = self.result("depth", "rounded_box:half=1:2:3,margin=1/2,quaternion=1:1:0:0", "halfspace:normal=0:0:1,offset=0")
+        self.assertEqual(turned["signed_depth"]["low"], 2.5)
+        exact = self.result("depth", "--exact-decimals", "sphere:r=0.1", "sphere:radius=0.2,at=0.3:0:0")
+        self.assertEqual((exact["status"], self.result("depth", "sphere:r=0.1", "sphere:r=0.2,at=0.3:0:0")["status"]), ("touching", "penetrating"))
+        plain = self.result("depth", "box:half=1:1:1", "box:half=1:1:1,at=1:0:0")
+        self.assertEqual((plain["method"], len(plain["optima"])), ("certificate", 1))
+
+    def test_text(self):
+        out = self.answer("depth", "--digits", "3", "sphere:r=1", "sphere:r=2,at=2:1:0").splitlines()
+        self.assertEqual(out[0], "penetrating")
+        self.assertIn("exactly      -sqrt(5) + 3", out)
+        self.assertIn("enclosure    [0.763, 0.764]", out)
+
+    def test_undecided_is_an_answer(self):
+        """Two ellipsoids that touch where no axis or face leads to."""
+        a = {"shape": "ellipsoid", "radii": [1, 2, 3], "pose": {"quaternion": [5, 1, 2, 3]}}
+        b = {"shape": "ellipsoid", "radii": [1, 2, 3], "pose": {"quaternion": [5, 1, 2, 3], "translation": ["6/5", "16/5", 0]}}
+        result = self.of(a, b)
+        self.assertIn(result["status"], ("undecided", "penetrating", "disjoint", "touching"))
+        self.assertLessEqual(result["signed_depth"]["low"], result["signed_depth"]["high"])
+
+    def test_bad_input(self):
+        good = ball(1)
+        for body, words in (
+                ({"shape": "cube"}, "a.shape: expected sphere, "), ({"shape": 3}, "a.shape: expected sphere, "),
+                ({"shape": "sphere"}, "a: expected a field 'radius', found none"), ({"shape": "sphere", "radius": 0}, "a: the radius of a sphere is not positive"),
+                ({"shape": "sphere", "radius": -1}, "not positive"), ({"shape": "sphere", "radius": "nan"}, "a.radius: expected a number"),
+                ({"shape": "sphere", "radius": [1]}, "a.radius: expected a number"), ({"shape": "sphere", "radius": 1, "half": [1, 1, 1]}, "a.half: expected no such field of a sphere"),
+                ({"shape": "box", "half": [1, 1]}, "a.half: expected three numbers, found an array of 2"),
+                ({"shape": "capsule", "radius": 1, "half_length": 1, "axis": "w"}, 'a.axis: expected "x", "y" or "z"'),
+                ({"shape": "rounded_box", "half": [1, 1, 1]}, "a: expected a field 'margin', found none"),
+                ({"vertices": UNIT, "margin": -1}, "a margin is negative"), ({"shape": "triangle", "vertices": UNIT}, "a triangle has three vertices, found 8"),
+                ({"shape": "hull", "vertices": []}, "a.vertices: expected"), ({"shape": "sum", "terms": []}, "a sum has at least one term"),
+                ({"shape": "sum", "terms": [good, {"shape": "box"}]}, "a.terms[1]: expected a field 'half'"),
+                ({"shape": "sum", "terms": [{"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}, good]}, "a half-space cannot be a part of a sum"),
+                ({"shape": "halfspace", "normal": [0, 0, 0], "offset": 1}, "normal"),
+                ({**good, "pose": {"quaternion": [0, 0, 0, 0]}}, "a.pose.quaternion: expected one that is not 0"),
+                ({**good, "pose": {"quaternion": [1, 0, 0]}}, "a.pose.quaternion: expected four numbers"), ({**good, "pose": {}}, "a.pose: expected three rows of four numbers"),
+                ({**good, "pose": [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]}, "a.pose: the matrix of a pose is singular"),
+                ({"shape": "cylinder", "radius": 1, "half_length": 1, "pose_rounding": "binary64"}, "a.pose_rounding: expected a body of points")):
+            with self.subTest(body=body):
+                code, out, _ = self.run_cli("depth", "--json", "-", stdin=json.dumps({"a": body, "b": good}) + "\n")
+                self.assertEqual(code, 2)
+                self.assertIn(words, json.loads(out)["error"])
+        self.assertIn("expected one field 'radius' in an object", self.run_cli(
+            "depth", "--json", "-", stdin='{"a": {"shape": "sphere", "radius": 1, "radius": 2}, "b": {"shape": "sphere", "radius": 1}}\n')[1])
+        self.assertEqual(self.run_cli("depth", "-", stdin=json.dumps({"a": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0},
+                                                                      "b": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}}) + "\n")[0], 2)
+        for word, words in (("sphere:", "expected FIELD=VALUE"), ("sphere:r=x", "expected a number"), ("sphere:r=1,r=2", "found a second one"), ("sphere:r=-1", "not positive"),
+                            ("sphere:q=1", "expected a field of a sphere, found 'q'"), ("box:half=1:2", "expected 3 numbers joined by colons"),
+                            ("sum:x=1", "has no short form"), ("cone:r=1", "expected a field 'half_length', found none")):
+            self.assertIn(words, self.refused("depth", word, "sphere:r=1"))
+        for command in (["approx"], ["study"], ["ray", "--direction=1,0,0"]):
+            self.assertIn("only depth answers", self.refused(*command, "sphere:r=1", "sphere:r=1"))
+        self.assertIn("single shape 'sphere:r=1'", self.refused("depth", "sphere:r=1"))
+        self.assertIn("takes polytopes", self.refused("depth", "--method", "shallow", "sphere:r=1", "sphere:r=1"))
+        self.assertIn("has no shapes", self.refused("depth", "--json", "--schema", "1", "sphere:r=1", "sphere:r=1"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
+#include "verify/claims/claims.hpp"
+
+namespace fathom::claims {
+namespace {
+
+constexpr std::size_t digits = 40;  // of the enclosures that claims, which have 17 at most, are compared with
+
+/// low <= value <= high.
+using Interval = Bounds;
+
+mpq_class rational(const std::string& decimal) { return *parse_number(decimal, Decimals::exact).value; }
+
+Interval interval(const SignedDepth& depth) {
+  if (const Bounds* const bounds = depth.bounds()) return *bounds;
+  const Enclosure enclosure = enclose(*depth.exact(), digits);
+  return {rational(enclosure.low), rational(enclosure.high)};
+}
+
+Interval positive_part(const Interval& x) { return {std::max(x.low, mpq_class(0)), std::max(x.high, mpq_class(0))}; }
+Interval operator-(const Interval& x, const Interval& y) { return {x.low - y.high, x.high - y.low}; }
+Interval operator+(const Interval& x, const Interval& y) { return {x.low + y.low, x.high + y.high}; }
+Interval negated(const Interval& x) { return {-x.high, -x.low}; }
+Interval lesser(const Interval& x, const Interval& y) { return {std::min(x.low, y.low), std::min(x.high, y.high)}; }
+
+Finding at_most(const Interval& x, const mpq_class& bound) {
+  return x.high <= bound ? Finding::right : x.low > bound ? Finding::wrong : Finding::open;
+}
+
+Finding both(Finding x, Finding y) {
+  if (x == Finding::wrong || y == Finding::wrong) return Finding::wrong;
+  return x == Finding::open || y == Finding::open ? Finding::open : Finding::right;
+}
+
+Finding within(const Interval& x, const mpq_class& target, const mpq_class& tolerance) {
+  return both(at_most(x, target + tolerance), at_most(negated(x), tolerance - target));
+}
+
+// For people, who need no proof of the digits: the claim's verdict does not come from here.
+std::string text(const mpq_class& value) { return fmt::format("{:.6g}", round_binary64(value)); }
+
+std::string text(const Interval& x) {
+  const std::string low = text(x.low), high = text(x.high);
+  return low == high ? low : fmt::format("between {} and {}", low, high);
+}
+
+Statement length(const std::string& what, const Interval& truth, const mpq_class& claimed, const mpq_class& unit,
+                 const std::optional<mpq_class>& tolerance) {
+  const mpq_class middle = (truth.low + truth.high) / 2, excess = middle - claimed;
+  std::string said = fmt::format("the {} is {}", what, text(truth));
+  if (excess != 0) said += fmt::format(", {} {}", text(abs(excess)), excess > 0 ? "more" : "less");
+  return {fmt::format("{} {}", what, text(claimed)), within(truth, claimed, tolerance.value_or(unit / 2)), said};
+}
+
+/// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a half-space across u.
+Interval price(const Shape& a, const Shape& b, const Point& u) {
+  const Point opposite{-u.x, -u.y, -u.z};
+  return interval(signed_depth(a, halfspace(u, 0))) + interval(signed_depth(b, halfspace(opposite, 0)));
+}
+
+Interval cheaper_price(const Shape& a, const Shape& b, const Point& u) { return lesser(price(a, b, u), price(a, b, {-u.x, -u.y, -u.z})); }
+
+bool on_an_axis(const Point& u) { return (u.x == 0) + (u.y == 0) + (u.z == 0) == 2; }
+
+/// What rounding the components of a unit vector to binary64 may cost.
+mpq_class rounding_slack(const Shape& a, const Shape& b, const std::vector<Point>& lines) {
+  if (std::all_of(lines.begin(), lines.end(), on_an_axis)) return 0;
+  mpq_class largest = 0;
+  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
+    for (const Interval& side : {price(a, b, axis), price(a, b, {-axis.x, -axis.y, -axis.z})})
+      largest = std::max({largest, mpq_class(abs(side.low)), mpq_class(abs(side.high))});
+  return largest / (mpz_class(1) << 52);
+}
+
+Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b, const Interval& truth) {
+  Interval cheapest = cheaper_price(a, b, claim.lines.front());
+  for (const Point& line : claim.lines) cheapest = lesser(cheapest, cheaper_price(a, b, line));
+  const Interval excess = cheapest - truth;
+  const mpq_class allowed = claim.tolerance.value_or(0) + rounding_slack(a, b, claim.lines);
+  const mpq_class more = (excess.low + excess.high) / 2;
+  std::string said = fmt::format("leaving along it costs {}", text(cheapest));
+  if (at_most(excess, 0) != Finding::right && more > 0) said += fmt::format(", {} more than the least", text(more));
+  return {"direction " + claim.line_text, at_most(excess, allowed), said};
+}
+
+bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
+
+}  // namespace
+
+Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
+
+std::optional<Finding> JudgedClaim::finding() const {
+  if (statements.empty()) return std::nullopt;
+  Finding all = Finding::right;
+  for (const Statement& statement : statements) all = both(all, statement.finding);
+  return all;
+}
+
+std::string_view verdict_name(const std::optional<Finding>& finding) {
+  if (!finding) return "not-judgeable";
+  return *finding == Finding::right ? "right" : *finding == Finding::wrong ? "wrong" : "undecided";
+}
+
+JudgedClaim judge_claim(const PublishedClaim& claim) {
+  const kernels::DefaultFloatEnvironment environment;
+  const Shape a = shape_of(claim.bodies.a), b = shape_of(claim.bodies.b);
+  JudgedClaim judged{signed_depth(a, b), {}};
+  const Interval truth = interval(judged.truth);
+  const std::optional<Status> status = judged.truth.status();
+  if (claim.status) {
+    const Finding finding = !status ? Finding::open : *status == *claim.status ? Finding::right : Finding::wrong;
+    const std::string by = truth.low > 0 ? " by " + text(truth) : truth.high < 0 ? " by " + text(negated(truth)) : "";
+    judged.statements.push_back(
+        {std::string(name(*claim.status)), finding, fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
+  }
+  if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.depth_unit, claim.tolerance));
+  if (claim.distance)
+    judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.distance_unit, claim.tolerance));
+  if (claim.below)
+    judged.statements.push_back({"depth below " + text(*claim.below),
+                                 truth.high < *claim.below   ? Finding::right
+                                 : truth.low >= *claim.below ? Finding::wrong
+                                                             : Finding::open,
+                                 "the signed depth is " + text(truth)});
+  if (!claim.lines.empty() && !is_halfspace(a) && !is_halfspace(b)) judged.statements.push_back(direction(claim, a, b, truth));
+  return judged;
+}
+
+}  // namespace fathom::claims
