@@ -38,7 +38,8 @@ int main() {
                           triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1})};
   Shape all = others[0];
   for (const Shape& other : others) all = minkowski_sum(all, other);
-  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms\n";
+  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all) << ", a triangle: " << is_flat(others[6])
+            << "\n";
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5
@@ -46,4 +47,4 @@ int main() {
 //> the pill's point: 27/25 along y on its axis, then -1/2 n/|n|
 //> touching, bounds: 0
 //> a line along z, 0 rays; -1 -1
-//> 8 terms
+//> 8 terms; flat: 0, a triangle: 1
