@@ -106,6 +106,19 @@ OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, st
   return canonical(cone);
 }
 
+std::vector<Vector> lineality_basis(const OptimalCone& cone) {
+  if (cone.lineality == Lineality::all) return whole_space().lines;
+  if (cone.lineality == Lineality::line) return {cone.axis};
+  std::vector<Vector> basis;
+  if (cone.lineality == Lineality::plane) {
+    for (const Vector& e : whole_space().lines) {
+      const Vector v = primitive(cross(cone.axis, e));
+      if (!is_zero(v) && (basis.empty() || (basis.size() == 1 && !is_zero(cross(basis.front(), v))))) basis.push_back(v);
+    }
+  }
+  return basis;
+}
+
 kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b) {
   kernels::Report report;
   const bool axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
@@ -118,13 +131,7 @@ kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std:
     if (cone.lineality == Lineality::line) report.expect(dot(ray, cone.axis) == 0, "a ray is not orthogonal to the line");
     if (cone.lineality == Lineality::plane) report.expect(is_zero(cross(ray, cone.axis)), "a ray is not orthogonal to the plane");
   }
-  std::vector<Vector> lines;
-  if (cone.lineality == Lineality::line) lines = {cone.axis};
-  if (cone.lineality == Lineality::all) lines = whole_space().lines;
-  if (cone.lineality == Lineality::plane)
-    for (const Vector& e : whole_space().lines)
-      if (Vector v = cross(cone.axis, e); !is_zero(v)) lines.push_back(std::move(v));
-  for (const Vector& line : lines) optimal.insert(optimal.end(), {line, -line});
+  for (const Vector& line : lineality_basis(cone)) optimal.insert(optimal.end(), {line, -line});
   report.expect(!optimal.empty(), "no direction");
   for (const Vector& u : optimal) report.expect(support_sign(a, b, u) == 0, "a plane in an optimal direction does not separate the bodies");
   return report;
