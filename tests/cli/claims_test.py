@@ -35,7 +35,7 @@ class Claims(CliTest):
 
     def test_a_tolerance_is_absolute(self):
         for depth, tolerance, verdict in ((0.7639, 1e-4, "right"), (0.7639, 1e-6, "wrong"), (0.8, 0.037, "right"), (0.8, 0.036, "wrong"),
-                                          (0.7639320225002103, 1e-16, "right"), (0.7639320225002103, 1e-17, "wrong")):
+                                          (0.7639320225002103, 1e-16, "right"), (0.7639320225002103, 1e-18, "wrong")):
             self.assertEqual(self.judged({"depth": depth, "tol": tolerance}), [verdict] * 2, (depth, tolerance))
 
     def test_without_a_tolerance_the_digits_count(self):
