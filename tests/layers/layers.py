@@ -33,6 +33,7 @@ ORDER = [
     ["reference/depth"],
     ["reference/solve"],
     ["reference/approximate", "reference/shapes"],
+    ["reference/curved"],
     ["reference/rounded"],
     ["reference/certificate"],
     ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
