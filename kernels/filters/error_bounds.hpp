@@ -37,6 +37,8 @@ template <class Number>
 inline constexpr double frame_length =
     512 * unit_of<Number>;  ///< more than 1: of a root, where lengths are measured in a nearly orthonormal frame
 template <class Number>
+inline constexpr double frame_volume = 256 * unit_of<Number>;  ///< absolute: of that frame's determinant, which is nearly 1
+template <class Number>
 inline constexpr double orthonormal = 16 * unit_of<Number>;  ///< absolute: of the computed products of that frame's directions
 
 // Of Taylor models, and of the parabolas that lines are fitted with.

@@ -23,21 +23,13 @@ Number dot6(const LineTuple<Number>& a, const LineTuple<Number>& b) {
 }
 
 template <class Number>
-TaylorModel<Number> model(const LineFrame<Number>& f, std::size_t i, bool in_t) {
-  TaylorModel<Number> m;
-  m.c[0] = f.m[i];
-  m.c[in_t ? 2 : 1] = f.e[i];
-  m.c[in_t ? 5 : 3] = f.k[i];
-  m.radius = f.r[i];
-  return m;
-}
-
-template <class Number>
 using Models = std::array<TaylorModel<Number>, 3>;
 
+// d is in s, e in t.
 template <class Number>
 Models<Number> cross(const Models<Number>& d, const Models<Number>& e) {
-  const auto minor = [&](std::size_t i, std::size_t j) { return d[i] * e[j] - d[j] * e[i]; };
+  using taylor::product_of_sides;
+  const auto minor = [&](std::size_t i, std::size_t j) { return product_of_sides(d[i], e[j]) - product_of_sides(d[j], e[i]); };
   return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
@@ -47,25 +39,29 @@ TaylorModel<Number> dot(const Models<Number>& f, const Models<Number>& g) {
 }
 
 template <class Number>
-TaylorModel<Number> along(const Models<Number>& w, const Vec3<Number>& g) {
-  return combination<Number>(1, combination<Number>(g.x, w[0], g.y, w[1]), g.z, w[2]);
-}
-
-template <class Number>
 Vec3<Number> normalised(const Vec3<Number>& v) {
   const Number length = sqrt(fathom::dot(v, v));
   return {v.x / length, v.y / length, v.z / length};
 }
 
-// Three directions, the first along w. Orthonormal up to 16u in each product, or else there is none.
+// |m| + |e| + |k| in a coordinate: no point of the parabola is larger.
 template <class Number>
-bool orthonormal(const Vec3<Number>& w, std::array<Vec3<Number>, 3>& basis) {
+double size_of_terms(const LineFrame<Number>& f, std::size_t i) {
+  return std::fabs(truncated(f.m[i])) + std::fabs(truncated(f.e[i])) + std::fabs(truncated(f.k[i]));
+}
+
+template <class Number>
+using Basis = std::array<Vec3<Number>, 3>;
+
+// Three directions, the first along w, the second towards d. Orthonormal up to 16u in each product, or else there is none.
+template <class Number>
+bool orthonormal(const Vec3<Number>& w, const Vec3<Number>& d, Basis<Number>& basis) {
   if (!(truncated(fathom::dot(w, w)) > 0x1p-500)) return false;
   basis[0] = normalised(w);
-  const Number x = abs(w.x), y = abs(w.y), z = abs(w.z);
-  const Vec3<Number> least = x <= y && x <= z ? Vec3<Number>{1, 0, 0} : y <= z ? Vec3<Number>{0, 1, 0} : Vec3<Number>{0, 0, 1};
-  basis[1] = normalised(fathom::cross(basis[0], least));
-  basis[2] = normalised(fathom::cross(basis[0], basis[1]));
+  const Vec3<Number> third = fathom::cross(basis[0], d);
+  if (!(truncated(fathom::dot(third, third)) > 0x1p-500)) return false;
+  basis[2] = normalised(third);
+  basis[1] = fathom::cross(basis[2], basis[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       const double expected = i == j ? 1 : 0;
@@ -73,6 +69,25 @@ bool orthonormal(const Vec3<Number>& w, std::array<Vec3<Number>, 3>& basis) {
     }
   }
   return true;
+}
+
+// The frame's direction, or its point, in the basis: coordinates from, from + 1 and from + 2.
+template <class Number>
+Models<Number> turned(const LineFrame<Number>& f, std::size_t from, const Basis<Number>& basis, bool in_t) {
+  std::array<double, 3> reach;
+  for (std::size_t j = 0; j < 3; ++j) reach[j] = f.r[from + j] + error_bound::parabola<Number> * size_of_terms(f, from + j);
+  const auto part = [from](const LineTuple<Number>& x) { return Vec3<Number>{x[from], x[from + 1], x[from + 2]}; };
+  const Vec3<Number> m = part(f.m), e = part(f.e), k = part(f.k);
+  Models<Number> models;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<Number>& g = basis[i];
+    models[i].c[0] = fathom::dot(g, m);
+    models[i].c[in_t ? 2 : 1] = fathom::dot(g, e);
+    models[i].c[in_t ? 5 : 3] = fathom::dot(g, k);
+    models[i].radius = taylor::rounded_up(std::fabs(truncated(g.x)) * reach[0] + std::fabs(truncated(g.y)) * reach[1] +
+                                          std::fabs(truncated(g.z)) * reach[2]);
+  }
+  return models;
 }
 
 }  // namespace
@@ -90,14 +105,17 @@ ParabolicFit<Lines>::ParabolicFit(const Lines& lines, std::span<const std::uint3
   }
   chord_m_ = frame_.m;
   const Number ee = dot6(frame_.e, frame_.e);
-  if (ee > 0) inverse_ee_ = 1 / ee;
+  if (truncated(ee) > 0x1p-900) inverse_ee_ = 1 / ee;
   bend(middle);
+  // No line's tuple is larger than these terms and its residual together.
+  for (std::size_t i = 0; i < 6; ++i)
+    error_of_terms_ = std::max(error_of_terms_, 2 * error_bound::parabola<Number> * size_of_terms(frame_, i));
   frame_.valid = true;
 }
 
 // D = (<c,c>/<d,c>) d and Q = p - t D with <Q - o, c> near 0, for the middle line (o, c).
 template <class Lines>
-bool ParabolicFit<Lines>::tuple(std::size_t i, LineTuple<Number>& result, double& error) const {
+[[gnu::always_inline]] inline bool ParabolicFit<Lines>::tuple(std::size_t i, LineTuple<Number>& result, double& error) const {
   const Vec3<Number> d = lines_.direction(i), p = lines_.point(i);
   const Number along = fathom::dot(d, c_);
   if (!(along > cc_ * 0.25)) return false;
@@ -111,10 +129,10 @@ bool ParabolicFit<Lines>::tuple(std::size_t i, LineTuple<Number>& result, double
 
 // The place along the chord.
 template <class Lines>
-typename Lines::Number ParabolicFit<Lines>::parameter(const LineTuple<Number>& x) const {
-  LineTuple<Number> y;
-  for (std::size_t i = 0; i < 6; ++i) y[i] = x[i] - chord_m_[i];
-  return std::clamp<Number>(dot6(y, frame_.e) * inverse_ee_, -1.0, 1.0);
+[[gnu::always_inline]] inline typename Lines::Number ParabolicFit<Lines>::parameter(const LineTuple<Number>& x) const {
+  const auto part = [&](std::size_t i) { return (x[i] - chord_m_[i]) * frame_.e[i]; };
+  const Number along = ((part(0) + part(1)) + (part(2) + part(3))) + (part(4) + part(5));
+  return std::clamp<Number>(along * inverse_ee_, -1.0, 1.0);
 }
 
 // From the chord to the parabola through the middle line.
@@ -134,13 +152,8 @@ bool ParabolicFit<Lines>::place(std::size_t i, Place& place) const {
   double error = 0;
   if (!frame_.valid || !tuple(i, x, error)) return false;
   place.s = parameter(x);
-  double size = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    place.residual[k] = x[k] - (frame_.m[k] + (frame_.e[k] + frame_.k[k] * place.s) * place.s);
-    size = std::max(size, std::fabs(truncated(frame_.m[k])) + std::fabs(truncated(frame_.e[k])) + std::fabs(truncated(frame_.k[k])) +
-                              std::fabs(truncated(x[k])));
-  }
-  place.error = taylor::rounded_up(error + error_bound::parabola<Number> * size);
+  for (std::size_t k = 0; k < 6; ++k) place.residual[k] = x[k] - (frame_.m[k] + (frame_.e[k] + frame_.k[k] * place.s) * place.s);
+  place.error = error + error_of_terms_;
   return true;
 }
 
@@ -158,26 +171,24 @@ LineFrame<typename Lines::Number> line_frame(const Lines& lines, std::span<const
   return frame;
 }
 
-// |w| <= (1 + 256u) (y0 + (y1^2 + y2^2) / (2 y0)) for the components y of w in the basis, if y0 > 0.
+// |w| <= (1 + 256u) (y0 + (y1^2 + y2^2) / (2 y0)) for the components y of w in the basis, if y0 > 0. In this basis little else than what
+// matters varies, so that the models cut off little.
 template <class Number>
 std::optional<TaylorModel<Number>> margin_model(const LineFrame<Number>& a, const LineFrame<Number>& b, const Number& bound) {
   if (!a.valid || !b.valid) return std::nullopt;
-  Models<Number> d, e, s;
-  for (std::size_t i = 0; i < 3; ++i) {
-    d[i] = model(a, i, false);
-    e[i] = model(b, i, true);
-    s[i] = model(b, i + 3, true) - model(a, i + 3, false);
-  }
-  const Models<Number> w = cross(d, e);
-  std::array<Vec3<Number>, 3> basis;
-  if (!orthonormal<Number>({w[0].c[0], w[1].c[0], w[2].c[0]}, basis)) return std::nullopt;
-  const TaylorModel<Number> y0 = along(w, basis[0]), y1 = along(w, basis[1]), y2 = along(w, basis[2]);
-  const Number shortest = taylor::least(y0);
+  const Vec3<Number> of_a{a.m[0], a.m[1], a.m[2]}, of_b{b.m[0], b.m[1], b.m[2]};
+  Basis<Number> basis;
+  if (!orthonormal<Number>(fathom::cross(of_a, of_b), of_a, basis)) return std::nullopt;
+  const Models<Number> y = cross(turned(a, 0, basis, false), turned(b, 0, basis, true));
+  const Number shortest = taylor::least(y[0]);
   if (!(truncated(shortest) > 0x1p-500)) return std::nullopt;
   const Number half = 0.5 / shortest * error_bound::raised_quotient;
-  const TaylorModel<Number> length = combination<Number>(1, y0, half, y1 * y1 + y2 * y2);
+  const TaylorModel<Number> length = combination<Number>(1, y[0], half, y[1] * y[1] + y[2] * y[2]);
+  const Models<Number> p = turned(a, 3, basis, false), q = turned(b, 3, basis, true);
   const Number rho = sqrt(bound) * (1 + Number(error_bound::frame_length<Number>));
-  return combination<Number>(1, dot(s, w), -rho, length);
+  TaylorModel<Number> margin = combination<Number>(1, dot<Number>({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, y), -rho, length);
+  margin.radius = taylor::rounded_up(margin.radius + error_bound::frame_volume<Number> * (margin.norm() + margin.radius));
+  return margin;
 }
 
 bool frames_beyond(const LineFrame<double>& a, const LineFrame<double>& b, double bound) {

@@ -42,7 +42,8 @@ class ParabolicFit {
 
   /// m, e and k; r is 0.
   [[nodiscard]] const LineFrame<Number>& frame() const { return frame_; }
-  /// A line's tuple is the parabola's point at s in [-1, 1] and the residual. Each coordinate of that errs by at most `error`.
+  /// A line's tuple is the parabola's point at s in [-1, 1] and the residual. Each coordinate of that errs by at most `error`, and 8u
+  /// of itself.
   struct Place {
     Number s;
     LineTuple<Number> residual;
@@ -62,6 +63,7 @@ class ParabolicFit {
   LineTuple<Number> chord_m_{};
   Number inverse_ee_ = 0;  // 0 if the chord is a point
   LineFrame<Number> frame_;
+  double error_of_terms_ = 0;
 };
 
 /// The frame of the given lines. Linear.

@@ -148,6 +148,10 @@ void not_farther(const LineImages& lines, std::size_t one, const LineImages& man
   collect(Farther(lines, one, bound), many, run, unsure);
 }
 
+bool surely_farther(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j, double bound) {
+  return Farther(a, i, bound).margin<double>(b, j) > 0;
+}
+
 void ArcImages::push_back(const Vector& from, const Vector& to) {
   const Vec3<double> f = direction_image(from), t = direction_image(to);
   fx.push_back(f.x);

@@ -67,6 +67,9 @@ struct LineRun {
 void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, LineRun run, double bound,
                  std::vector<std::uint32_t>& unsure);
 
+/// The same for one pair: true only if line i of `a` is proved to be strictly farther from line j of `b` than the bound.
+bool surely_farther(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j, double bound);
+
 /// Images of arcs: the nodes at both ends, scaled like directions.
 class ArcImages {
  public:

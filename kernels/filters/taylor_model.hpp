@@ -33,21 +33,28 @@ namespace taylor {
 // Each radius is a sum of fewer than 30 products of non-negative numbers: this makes up for its own rounding, and for underflow.
 inline double rounded_up(double radius) { return radius * error_bound::raised_radius + error_bound::underflow; }
 
+// What a product cuts off, rounds, and inherits.
 template <class Number>
-TaylorModel<Number> operator*(const TaylorModel<Number>& f, const TaylorModel<Number>& g) {
-  TaylorModel<Number> h;
-  h.c = {f.c[0] * g.c[0],
-         f.c[0] * g.c[1] + f.c[1] * g.c[0],
-         f.c[0] * g.c[2] + f.c[2] * g.c[0],
-         f.c[0] * g.c[3] + f.c[3] * g.c[0] + f.c[1] * g.c[1],
-         f.c[0] * g.c[4] + f.c[4] * g.c[0] + f.c[1] * g.c[2] + f.c[2] * g.c[1],
-         f.c[0] * g.c[5] + f.c[5] * g.c[0] + f.c[2] * g.c[2]};
+double radius_of_product(const TaylorModel<Number>& f, const TaylorModel<Number>& g) {
   const double fl = f.linear(), fq = f.quadratic(), gl = g.linear(), gq = g.quadratic();
   const double fn = std::fabs(truncated(f.c[0])) + fl + fq, gn = std::fabs(truncated(g.c[0])) + gl + gq;
   const double cut_off = fl * gq + fq * gl + fq * gq;
   const double rounding = error_bound::taylor_product<Number> * fn * gn;
-  h.radius = rounded_up(cut_off + rounding + fn * g.radius + gn * f.radius + f.radius * g.radius);
-  return h;
+  return rounded_up(cut_off + rounding + fn * g.radius + gn * f.radius + f.radius * g.radius);
+}
+
+template <class Number>
+TaylorModel<Number> operator*(const TaylorModel<Number>& f, const TaylorModel<Number>& g) {
+  return {{f.c[0] * g.c[0], f.c[0] * g.c[1] + f.c[1] * g.c[0], f.c[0] * g.c[2] + f.c[2] * g.c[0],
+           f.c[0] * g.c[3] + f.c[3] * g.c[0] + f.c[1] * g.c[1], f.c[0] * g.c[4] + f.c[4] * g.c[0] + f.c[1] * g.c[2] + f.c[2] * g.c[1],
+           f.c[0] * g.c[5] + f.c[5] * g.c[0] + f.c[2] * g.c[2]},
+          radius_of_product(f, g)};
+}
+
+/// The product where f is a model in s alone, and g in t alone.
+template <class Number>
+TaylorModel<Number> product_of_sides(const TaylorModel<Number>& f, const TaylorModel<Number>& g) {
+  return {{f.c[0] * g.c[0], f.c[1] * g.c[0], f.c[0] * g.c[2], f.c[3] * g.c[0], f.c[1] * g.c[2], f.c[0] * g.c[5]}, radius_of_product(f, g)};
 }
 
 /// f plus g, or f minus g: of_pair(x, y) is x + y, or x - y.

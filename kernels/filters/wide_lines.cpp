@@ -11,6 +11,7 @@ WideLine wide_line(const Vector& point, const Vector& direction, long exponent) 
 }
 
 const WideLine& WideLines::operator[](std::size_t i) const {
+  if (place_.empty()) place_.resize(size_);
   if (place_[i] == 0) {
     made_.push_back(make_(i));
     place_[i] = static_cast<std::uint32_t>(made_.size());

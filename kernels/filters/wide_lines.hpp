@@ -17,6 +17,8 @@ namespace fathom::kernels {
 /// largest component lies in [1/2, 1]; either is within 2^-120 a coordinate.
 struct WideLine {
   Vec3<WideFloat> point, direction;
+
+  void reverse() { direction = -direction; }
 };
 
 /// |coordinates of point| <= 2^exponent; direction not zero.
@@ -28,16 +30,17 @@ class WideLines {
   using Number = WideFloat;
   using Make = std::function<WideLine(std::size_t)>;
 
-  WideLines(std::size_t size, Make make) : make_(std::move(make)), place_(size, 0) {}
+  WideLines(std::size_t size, Make make) : size_(size), make_(std::move(make)) {}
 
-  [[nodiscard]] std::size_t size() const { return place_.size(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const WideLine& operator[](std::size_t i) const;
   [[nodiscard]] const Vec3<WideFloat>& point(std::size_t i) const { return (*this)[i].point; }
   [[nodiscard]] const Vec3<WideFloat>& direction(std::size_t i) const { return (*this)[i].direction; }
 
  private:
+  std::size_t size_;
   Make make_;
-  mutable std::vector<std::uint32_t> place_;  // one more than the index among those made, or 0
+  mutable std::vector<std::uint32_t> place_;  // one more than the index among those made, or 0; empty before the first
   mutable std::deque<WideLine> made_;         // which stay where they are
 };
 

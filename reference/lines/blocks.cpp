@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/lines/blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fathom::lines {
@@ -11,11 +12,12 @@ using Node = CellNode;
 // A frame test costs as much as some hundred pairs; and where it seldom clears, it is tried on few blocks only.
 constexpr std::uint64_t worth_a_frame = 1024;
 
-// What tests cost, in pairs scanned: about two nanoseconds.
-constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 400, offer_cost = 256;
+// What tests cost, in pairs scanned: about two nanoseconds. An offer is a pair that the filter in binary64 has left.
+constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 800, offer_cost = 96;
 
-// Smaller margins are near the end of binary64's digits. Where they are larger, it is cheaper to cut blocks than to compute long numbers.
-constexpr double small_margin = 0x1p-40;
+// How far below 0 margins may be for wide floats to help: that of the smooth frames, by rounding in binary64, and that with the lines' own
+// noise. Beyond, the block is too large, or it holds pairs that are nearer than the best.
+constexpr double rounding_margin = 0x1p-43, noise_margin = 0x1p-30;
 
 // The offset test may leave this many pairs for each line of a block.
 constexpr std::size_t left_for_each = 4;
@@ -31,7 +33,6 @@ Blocks::Blocks(const Grid& grid, std::uint64_t allowance)
       frames_{{trees_[0], clearing_.rows()}, {trees_[1], clearing_.columns()}} {
   const std::uint64_t crossings = std::uint64_t{grid.rows()} * grid.columns();
   test_account_.free = crossings / 8 + allowance;
-  wide_account_.free = 16 * wide_cost + wide_line_cost * (grid.rows() + grid.columns()) / 4;
 }
 
 std::uint64_t Blocks::credit(const LineSearch& search) const {
@@ -71,24 +72,38 @@ bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
   ++frames_tried_;
   spend(test_account_, frame_cost, search);
   const double bound = search.bound().above;
-  if (kernels::frames_beyond(frames_.rows.sketch(row), frames_.columns.sketch(column), bound) &&
-      kernels::frames_beyond(frames_.rows.whole(row), frames_.columns.whole(column), bound)) {
+  if (!std::isfinite(bound)) return false;
+  const auto sketched = kernels::frames_margin(frames_.rows.sketch(row), frames_.columns.sketch(column), bound);
+  if (!sketched || *sketched < -noise_margin) return false;
+  if (*sketched > 0 && kernels::frames_beyond(frames_.rows.whole(row), frames_.columns.whole(column), bound)) {
     ++counters.frame_clears;
     ++frames_held_;
     return true;
   }
-  if (!nearly_tied(row, column, bound)) return false;
+  const std::uint64_t offers = offers_expected(row, column, bound);
+  if (offers == 0 || !nearly_tied(row, column, bound)) return false;
   ++frames_held_;
+  const std::size_t lines = tree(GridAxis::rows).size(row) + tree(GridAxis::columns).size(column);
+  if (offers * offer_cost < wide_cost + wide_line_cost * lines) return false;
+  wide_account_.free = std::max(wide_account_.free, 16 * wide_cost + offers * offer_cost / 8);
   if (!wide_account_.worth_trying(credit(search)) || !wide_clears(row, column, search)) return false;
-  // Most of these pairs would have come through the filter in binary64.
-  wide_account_.saved += tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) * (offer_cost / 4);
+  wide_account_.saved += offers * offer_cost;
   return true;
 }
 
+// By the pairs of few lines; 0 if these are too few to tell.
+std::uint64_t Blocks::offers_expected(Node row, Node column, double bound) const {
+  std::uint64_t left = 0;
+  const auto rows = frames_.rows.few_lines(row), columns = frames_.columns.few_lines(column);
+  for (const std::uint32_t i : rows) {
+    for (const std::uint32_t j : columns) left += !kernels::surely_farther(clearing_.rows(), i, clearing_.columns(), j, bound);
+  }
+  return left < 4 ? 0 : left * tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) / (rows.size() * columns.size());
+}
+
 bool Blocks::nearly_tied(Node row, Node column, double bound) {
-  if (!std::isfinite(bound)) return false;
   const auto smooth = kernels::frames_margin(frames_.rows.sketch(row).smooth(), frames_.columns.sketch(column).smooth(), bound);
-  return smooth && std::fabs(*smooth) < small_margin;
+  return smooth && *smooth > -rounding_margin;
 }
 
 // Sketches tell whether a test of the whole may hold.

@@ -50,6 +50,8 @@ class Blocks {
 
   [[nodiscard]] bool frames_promise(const LineSearch& search) const;
   bool frames_clear(CellNode row, CellNode column, LineSearch& search);
+  // How many of the block's pairs the filter in binary64 would leave.
+  [[nodiscard]] std::uint64_t offers_expected(CellNode row, CellNode column, double bound) const;
   bool nearly_tied(CellNode row, CellNode column, double bound);
   bool wide_clears(CellNode row, CellNode column, LineSearch& search);
   bool whole_clears(CellNode row, CellNode column, LineSearch& search);

@@ -80,14 +80,14 @@ kernels::LineImages Grid::column_images(const std::array<std::size_t, 3>& chosen
 
 kernels::WideLines Grid::wide_rows() const {
   return {rows(), [grid = *this](std::size_t i) {
-            return kernels::wide_line(grid.row_point(i), grid.row_direction(i), grid.scene().a.images().exponent());
+            kernels::WideLine line = grid.scene_->a.wide(grid.row(i));
+            if (grid.rows_turned()) line.reverse();
+            return line;
           }};
 }
 
 kernels::WideLines Grid::wide_columns() const {
-  return {columns(), [grid = *this](std::size_t j) {
-            return kernels::wide_line(grid.column_point(j), grid.column_direction(j), grid.scene().b.images().exponent());
-          }};
+  return {columns(), [grid = *this](std::size_t j) { return grid.scene_->b.wide(grid.column(j)); }};
 }
 
 kernels::Report validate(const Grid& grid) {

@@ -16,11 +16,15 @@ ChartLines<c>::ChartLines(const chart::ColourChart& chart, const EdgeLines<c>& l
 }
 
 template <gaussian::Colour c>
+kernels::WideLine ChartLines<c>::wide(Arc i) const {
+  kernels::WideLine line = kernels::wide_line(point(i), lines_->direction(edge(i)), images_.exponent());
+  if (arc(i).flipped) line.reverse();
+  return line;
+}
+
+template <gaussian::Colour c>
 kernels::WideLines ChartLines<c>::wide() const {
-  return {images_.size(), [this](std::size_t i) {
-            const Arc arc(static_cast<std::uint32_t>(i));
-            return kernels::wide_line(point(arc), direction(arc), images_.exponent());
-          }};
+  return {images_.size(), [this](std::size_t i) { return wide(Arc(static_cast<std::uint32_t>(i))); }};
 }
 
 template class ChartLines<gaussian::Colour::a>;

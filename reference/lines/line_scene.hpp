@@ -22,7 +22,8 @@ class ChartLines {
   [[nodiscard]] const Vector& point(Arc i) const { return lines_->point(edge(i)); }
   [[nodiscard]] Vector direction(Arc i) const { return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i)); }
   [[nodiscard]] const kernels::LineImages& images() const { return images_; }
-  /// In wide floats. They refer to this.
+  /// In wide floats: one, or all. These refer to this.
+  [[nodiscard]] kernels::WideLine wide(Arc i) const;
   [[nodiscard]] kernels::WideLines wide() const;
   [[nodiscard]] const EdgeLines<c>& lines() const { return *lines_; }
 

@@ -4,6 +4,14 @@
 #include <limits>
 
 namespace fathom::lines {
+namespace {
+
+// Of the pairs that the filter in binary64 leaves, so many may turn out to be farther before wide floats look at them first: most searches
+// leave few pairs, and nearly all of these are nearer.
+constexpr std::uint64_t few_farther = 64;
+
+}  // namespace
+
 LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed)
     : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed) {
   counters().seed = seed;
@@ -44,9 +52,12 @@ void LineSearch::scan(const Clearing& clearing, kernels::LineRun rows, kernels::
 
 void LineSearch::offer(chart::ChartArcOfA e, chart::ChartArcOfB f) {
   ++offers_;
-  if (!nearest_.empty() && kernels::surely_farther(wide_a_[e.value], wide_b_[f.value], wide_bound_)) return;
+  if (farther_ >= few_farther && kernels::surely_farther(wide_a_[e.value], wide_b_[f.value], wide_bound())) return;
   ++counters().pairs_exact;
-  if (!offer_arcs(scene_, e, f, nearest_)) return;
+  if (!offer_arcs(scene_, e, f, nearest_)) {
+    ++farther_;
+    return;
+  }
   // A tie comes as one more direction; only a nearer plane leaves a single one.
   if (nearest_.directions().size() == 1) {
     ++improvements_;
@@ -64,7 +75,12 @@ void LineSearch::work(std::uint64_t amount) {
 void LineSearch::tighten() {
   bound_ = nearest_.empty() ? kernels::LineBound{std::numeric_limits<double>::infinity(), 0}
                             : kernels::line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
-  if (!nearest_.empty()) wide_bound_ = kernels::wide_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  wide_bound_.reset();
+}
+
+const kernels::WideFloat& LineSearch::wide_bound() {
+  if (!wide_bound_) wide_bound_ = kernels::wide_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  return *wide_bound_;
 }
 
 }  // namespace fathom::lines

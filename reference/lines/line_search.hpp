@@ -19,12 +19,12 @@ class LineSearch {
   void scan(std::span<const chart::ChartArcOfA> of_a, std::span<const chart::ChartArcOfB> of_b);
   /// All pairs of a run of rows and a run of columns.
   void scan(const Clearing& clearing, kernels::LineRun rows, kernels::LineRun columns);
-  /// One pair, in exact arithmetic, unless wide floats show already that it is farther.
+  /// One pair, in exact arithmetic; or, where many turn out to be farther, in wide floats first.
   void offer(chart::ChartArcOfA e, chart::ChartArcOfB f);
 
   /// The squared distance of the nearest planes so far, in images, in wide floats (if there are any planes), and exact.
   [[nodiscard]] const kernels::LineBound& bound() const { return bound_; }
-  [[nodiscard]] const kernels::WideFloat& wide_bound() const { return wide_bound_; }
+  [[nodiscard]] const kernels::WideFloat& wide_bound();
   [[nodiscard]] const kernels::NearestPlanes& nearest() const { return nearest_; }
   [[nodiscard]] Counters& counters() const { return context_.counters; }
   /// How many pairs the filter in binary64 has left.
@@ -43,9 +43,10 @@ class LineSearch {
   const LineScene& scene_;
   kernels::NearestPlanes& nearest_;
   kernels::LineBound bound_;
-  kernels::WideFloat wide_bound_;
+  std::optional<kernels::WideFloat> wide_bound_;  // computed when it is asked for
   kernels::WideLines wide_a_, wide_b_;
   std::uint64_t offers_ = 0;
+  std::uint64_t farther_ = 0;  // those that only exact arithmetic has shown to be farther
   kernels::LineImages block_;
   std::vector<std::uint32_t> unsure_;
   std::mt19937_64 random_;

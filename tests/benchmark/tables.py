@@ -139,18 +139,20 @@ def exact(pair):
 
 LINES = [("crossed_fans", (1024, 4096, 16384, 65536)), ("crossed_parabolas", (16384,)), ("crossed_random_parabolas", (16384,)),
          ("crossed_ties", (16384,)), ("crossed_shrinking_ties", (16384, 65536)), ("crossed_twists", (16384,)),
-         ("crossed_fillets", (16384,)), ("crossed_random_prisms", (16384,)), ("crossed_vanishing_ties", (1024, 16384, 65536))]
-SLOW_SAMPLED = {"crossed_vanishing_ties": 2000, "crossed_shrinking_ties": 20000}  # the engine without frames compares these pair by pair
+         ("crossed_fillets", (16384,)), ("crossed_random_prisms", (16384,)), ("crossed_vanishing_ties", (1024, 65536)),
+         ("crossed_vanishing_ties, turned", (1024, 65536)), ("crossed_noisy_ties", (65536,))]
+# The engine without wide frames compares these pair by pair.
+SLOW_SAMPLED = {"crossed_vanishing_ties": 2000, "crossed_noisy_ties": 2000, "crossed_shrinking_ties": 20000}
 
 
 def lines_growth(build):
     """Figures of lines_growth_benchmark under (family, edges of a bundle, column)."""
     figures = {}
     for family, sizes in LINES:
-        limits = ["--naive-up-to", "3e8", "--sampled-up-to", str(SLOW_SAMPLED.get(family, 70000))]
-        if family == "crossed_vanishing_ties":
-            limits[1] = "2e6"
-        text = run([build / "tests/benchmark/lines_growth_benchmark", *limits, family, *sizes])
+        name, *turned = family.split(", ")
+        slow = SLOW_SAMPLED.get(name, 70000)
+        limits = ["--naive-up-to", "2e6" if slow == 2000 else "3e8", "--sampled-up-to", slow, "--turned", len(turned), "--repeat", 3]
+        text = run([build / "tests/benchmark/lines_growth_benchmark", *limits, name, *sizes])
         for line in text.splitlines():
             parts = [part.split() for part in line.split("|")]
             if len(parts) < 6 or not parts[0] or not parts[0][0].isdigit():
@@ -160,14 +162,14 @@ def lines_growth(build):
             for engine, part in zip(("cutting", "sampled", "naive"), parts[2:5]):
                 if part[0] != "-":
                     figures[family, size, engine] = float(part[0]) * 1e-3
-                    figures[family, size, engine, "work"] = float(part[1])
+                    figures[family, size, engine, "pairs"] = float(part[2])
     return figures
 
 
 def lines(pair):
     p = pair(lines_growth)
-    table(["family", "n", "crossings", "work", "bound", "time", "sampled", "naive"],
-          [[family, f"{size:,}", p.cell((family, size, "crossings"), count).split(" (")[0], p.cell((family, size, "cutting", "work"), count),
+    table(["family", "n", "crossings", "pairs", "bound", "time", "sampled", "naive"],
+          [[family, f"{size:,}", p.cell((family, size, "crossings"), count).split(" (")[0], p.cell((family, size, "cutting", "pairs"), count),
             p.cell((family, size, "bound"), count).split(" (")[0], p.cell((family, size, "cutting")),
             p.ratio((family, size, "sampled"), (family, size, "cutting")), p.ratio((family, size, "naive"), (family, size, "cutting"))]
            for family, sizes in LINES for size in sizes])

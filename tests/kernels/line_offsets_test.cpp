@@ -73,6 +73,10 @@ Block block(Random& random, int n, long reach, const Noise& noise) {
   return {chain(random, false, n, reach, noise), chain(random, true, n, reach, noise)};
 }
 
+Block turned_block(Random& random, int n, long reach, const Noise& noise) {
+  return {turned(chain(random, false, n, reach, noise)), turned(chain(random, true, n, reach, noise))};
+}
+
 TEST(PairsLeft, HoldEveryPairThatIsAsNear) {
   Random random(8);
   std::size_t tests = 0, kept = 0, all = 0;
@@ -80,7 +84,7 @@ TEST(PairsLeft, HoldEveryPairThatIsAsNear) {
     const int size = 2 + n % 12;
     const long reach = 1L << (22 + n % 16);
     const Noise noise{n % 3 == 0 ? 0 : std::min(1L << (n % 30), reach / (8 * size)), n % 2 == 0 ? 0 : 1L << (n % 36)};
-    const Block b = block(random, size, reach, noise);
+    const Block b = n % 4 < 2 ? block(random, size, reach, noise) : turned_block(random, size, reach, noise);
     for (int k = 0; k < 6; ++k) {
       const std::size_t i = random() % b.row_run.size(), j = random() % b.column_run.size();
       const mpq_class bound = b.squared(i, j);
@@ -109,7 +113,8 @@ TEST(PairsLeft, AreFewWhereNoFrameClears) {
   Random random(9);
   int tests = 0;
   for (int n = 0; n < 40; ++n) {
-    const Block b = block(random, 32, 1L << 30, {0, 1L << 20});
+    const Noise noise{0, 1L << 20};
+    const Block b = n % 2 == 0 ? block(random, 32, 1L << 30, noise) : turned_block(random, 32, 1L << 30, noise);
     mpq_class least = b.squared(0, 0);
     for (const std::uint32_t i : b.row_run)
       for (const std::uint32_t j : b.column_run) least = std::min(least, b.squared(i, j));

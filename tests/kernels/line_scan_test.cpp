@@ -143,6 +143,7 @@ TEST(NotFarther, LeavesOutNearlyEverything) {
   std::vector<std::uint32_t> unsure;
   for (std::size_t i = 0; i < a.size(); ++i) {
     not_farther(a, i, b, least, unsure);
+    for (std::uint32_t j = 0; j < b.size(); ++j) EXPECT_NE(surely_farther(a, i, b, j, least), std::ranges::binary_search(unsure, j));
     back += unsure.size();
   }
   EXPECT_GE(back, 1U);

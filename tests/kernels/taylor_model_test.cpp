@@ -89,6 +89,18 @@ TYPED_TEST(TaylorModels, OperationsHoldWhatTheyShould) {
   }
 }
 
+TYPED_TEST(TaylorModels, ProductOfSidesIsTheProduct) {
+  using Number = TypeParam;
+  Random random(4);
+  for (int n = 0; n < 20000; ++n) {
+    TaylorModel<Number> f = any_model<Number>(random), g = any_model<Number>(random);
+    f.c[2] = f.c[4] = f.c[5] = g.c[1] = g.c[3] = g.c[4] = 0;
+    const RoundingMode mode(rounding_modes[n % 4]);
+    const TaylorModel<Number> product = taylor::product_of_sides(f, g), any = f * g;
+    EXPECT_TRUE(product.c == any.c && product.radius == any.radius);
+  }
+}
+
 // Not just sound: where the square's minimum is known the bound attains it, up to rounding.
 TYPED_TEST(TaylorModels, LeastIsAttained) {
   const auto least_of = [](std::array<TypeParam, 6> c) {

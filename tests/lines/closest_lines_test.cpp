@@ -104,7 +104,7 @@ TEST(ClosestLines, TheFirstBitsOfLongCoordinatesLeaveFewPairs) {
   families::Bodies bodies{input.a, input.b};
   for (const long k : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L})
     bodies = families::rotated(bodies, families::rotation((1L << 30) + k, (1L << 29) - k, (1L << 30) - 7 * k, (1L << 28) + 3 * k));
-  const Options exact{.method = Method::exact};
+  const Options exact{.method = Method::exact, .closest_lines = ClosestLines::naive};
   const Depth depth = penetration_depth(bodies.a.points, bodies.b.points, exact);
   const Depth unturned = penetration_depth(input.a.points, input.b.points, exact);
   EXPECT_EQ(depth.squared(), unturned.squared());

@@ -13,6 +13,12 @@
 
 namespace fathom::testing {
 
+/// The case in general position: both bodies turned about O by the same exact rotation.
+inline Case turned(const Case& input) {
+  families::Bodies bodies = families::rotated({input.a, input.b}, families::rotation(7, 2, -3, 4));
+  return {input.id, std::move(bodies.a), std::move(bodies.b)};
+}
+
 /// The canonical pairs of a case, and the lines, of both hemispheres. Scenes refer to the lines.
 struct PreparedGrids {
   std::unique_ptr<Prepared> prepared;

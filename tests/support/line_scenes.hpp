@@ -68,6 +68,15 @@ inline kernels::WideLines wide_lines(const Scene& scene) {
           [scene](std::size_t i) { return kernels::wide_line(scene.lines[i].point, scene.lines[i].direction, scene.exponent); }};
 }
 
+/// The scene turned about O, along no axis, and 78 times as large.
+inline Scene turned(const Scene& scene) {
+  const Vector x{-20, -68, -26}, y{44, -26, -52}, z{58, 4, 52};
+  const auto turn = [&](const Vector& v) { return Vector{dot(x, v), dot(y, v), dot(z, v)}; };
+  Scene result{scene.exponent + 8, {}};
+  for (const Line& l : scene.lines) result.lines.push_back({turn(l.point), turn(l.direction)});
+  return result;
+}
+
 inline std::vector<std::uint32_t> all_indices(std::size_t n) {
   std::vector<std::uint32_t> all(n);
   std::iota(all.begin(), all.end(), 0U);
