@@ -23,14 +23,14 @@ Depth solve(const Case& single, const Body& b, const Request& request, Monitor& 
   options.monitor = &monitor;
   options.workspace = &workspace;
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);
-  return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a.points, b.points, options);
+  return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a, b, options);
 }
 
 Answer answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Body& b = has_one_body(request) ? single.a : single.b;
   Answer answer{single.id, solve(single, b, request, monitor, workspace)};
   if (!request.certificate.empty() || request.embed_certificate)
-    answer.certificate = certificate_text(single.a.points, b.points, answer.depth, single.id, &monitor);
+    answer.certificate = certificate_text(single.a, b, answer.depth, single.id, &monitor);
   return answer;
 }
 

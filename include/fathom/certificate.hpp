@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/point.hpp"
@@ -54,5 +55,6 @@ std::string certificate_text(std::span<const Point> a, std::span<const Point> b,
                              Monitor* monitor = nullptr);
 std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
                              std::string_view id = {}, Monitor* monitor = nullptr);
+std::string certificate_text(const Body& a, const Body& b, const Depth& answer, std::string_view id = {}, Monitor* monitor = nullptr);
 
 }  // namespace fathom

@@ -12,15 +12,10 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
-#include "fathom/point.hpp"
 
 namespace fathom {
-
-/// A finite, non-empty point set; it stands for its convex hull.
-struct Body {
-  std::vector<Point> points;
-};
 
 /// Two bodies about which a question is asked, with a name.
 struct Case {
