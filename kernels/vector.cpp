@@ -4,7 +4,9 @@
 namespace fathom {
 
 Vector primitive(const Vector& v) {
-  const mpz_class g = gcd(gcd(v.x, v.y), v.z);
+  mpz_class g;
+  mpz_gcd(g.get_mpz_t(), v.x.get_mpz_t(), v.y.get_mpz_t());
+  if (g != 1) mpz_gcd(g.get_mpz_t(), g.get_mpz_t(), v.z.get_mpz_t());
   if (g <= 1) return v;
   Vector r;
   mpz_divexact(r.x.get_mpz_t(), v.x.get_mpz_t(), g.get_mpz_t());

@@ -47,8 +47,6 @@ std::optional<std::uint64_t> seed_of(const std::string& value) {
   return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
 }
 
-std::string check_threads(const std::string& value) { return threads_of(value) ? "" : expected_threads(value); }
-
 std::string check_optima(const std::string& value) {
   const std::optional<std::uint64_t> number = seed_of(value);
   return number && *number > 0 ? "" : fmt::format("expected an integer from 1 on, found {}", kernels::shown(value));

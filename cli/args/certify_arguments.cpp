@@ -8,14 +8,13 @@
 #include <charconv>
 
 #include "cli/args/second_method.hpp"
+#include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::cli {
 namespace {
-
-constexpr unsigned most_jobs = 1024;
 
 /// Numbers on the command line are meant as typed: decimals are exact.
 std::optional<mpq_class> exact_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
@@ -32,10 +31,6 @@ CLI::Validator rule(bool (*holds)(const std::string&), std::string expected) {
           "", ""};
 }
 
-bool is_jobs(const std::string& text) {
-  const auto jobs = typed_count<unsigned>(text);
-  return jobs && *jobs >= 1 && *jobs <= most_jobs;
-}
 bool is_time(const std::string& text) {
   const auto time = exact_number(text);
   return time && *time > 0;
@@ -83,9 +78,9 @@ void add_subject(CLI::App& app, CertifyRequest& certify) {
            "judge what others have published about pairs of bodies, without a\nsubject: one JSON object a line; - for standard input");
   app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
   app.add_option_function<std::string>(
-         "--jobs", [&certify](const std::string& text) { certify.jobs = typed_count<unsigned>(text); },
+         "--jobs", [&certify](const std::string& text) { certify.jobs = threads_of(text); },
          "subjects at once; as many as there are processors unless given")
-      ->check(rule(is_jobs, fmt::format("a number from 1 to {}", most_jobs)))
+      ->check(check_threads)
       ->type_name("N");
   app.add_option_function<std::string>(
          "--time-out", [&certify](const std::string& text) { certify.time_out = round_binary64(*exact_number(text), Rounding::ru); },

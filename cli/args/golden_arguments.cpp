@@ -11,12 +11,13 @@
 #include "cli/args/examples_first.hpp"
 #include "cli/args/golden_help.hpp"
 #include "cli/args/second_method.hpp"
+#include "cli/args/threads.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
 namespace {
 
-constexpr std::uint64_t most_jobs = 1024, most_parts = 1'000'000;
+constexpr std::uint64_t most_parts = 1'000'000;
 
 /// An integer in plain digits.
 std::optional<std::uint64_t> integer(std::string_view text, std::uint64_t low, std::uint64_t high) {
@@ -51,8 +52,10 @@ std::string check_part(const std::string& text) {
 }
 
 void add_jobs(CLI::App& app, GoldenRequest& request) {
-  app.add_option("--jobs", request.jobs, "threads; as many as there are cores unless given")
-      ->check(integer_from(1, most_jobs))
+  app.add_option_function<std::string>(
+         "--jobs", [&request](const std::string& text) { request.jobs = *threads_of(text); },
+         "threads; as many as there are cores unless given")
+      ->check(check_threads)
       ->type_name("N");
 }
 

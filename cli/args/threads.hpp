@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The number behind --threads.
+// The number behind --threads and --jobs.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,5 +27,8 @@ inline std::optional<unsigned> threads_of(const std::string& text) {
 inline std::string expected_threads(const std::string& text) {
   return fmt::format("expected an integer from 1 to {}, found {}", most_threads, kernels::shown(text));
 }
+
+/// The same, or "" for a number of threads: the check of an option.
+inline std::string check_threads(const std::string& text) { return threads_of(text) ? "" : expected_threads(text); }
 
 }  // namespace fathom::cli

@@ -114,7 +114,11 @@ class Certify {
   harness::Worker make_worker() {
     if (replay_) {
       const harness::Settings set = examiner_settings(certify_);
-      return {[this, set](const Case& pair) { return replay_->examine(pair, {set.tolerance, set.second, set.stop}); }, {}};
+      const auto workspace = std::make_shared<Workspace>();
+      return {[this, set, workspace](const Case& pair) {
+                return replay_->examine(pair, {set.tolerance, set.second, set.stop, workspace.get()});
+              },
+              {}};
     }
     if (elsewhere_.count > 0) return {[this](const Case& pair) { return elsewhere_.examine(pair, hello_text(info())); }, {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;

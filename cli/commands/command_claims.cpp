@@ -14,6 +14,7 @@
 #include "cli/io/output.hpp"
 #include "cli/output/claim_output.hpp"
 #include "fathom/certificate.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/files/source.hpp"
 #include "verify/claims/claims.hpp"
 
@@ -32,7 +33,7 @@ class Proofs {
   }
   void write(const PublishedClaim& claim, const JudgedClaim& judged) {
     if (!folder_ || judged.finding() != Finding::wrong) return;
-    const Shape a = claims::shape_of(claim.bodies.a), b = claims::shape_of(claim.bodies.b);
+    const Shape a = files::shape_of(claim.bodies.a), b = files::shape_of(claim.bodies.b);
     CertificateFile(folder_->file(claim.bodies.id)).write(certificate_text(a, b, judged.truth, claim.bodies.id, ShapeFormat::richest));
   }
 

@@ -11,6 +11,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/files/shape_names.hpp"
 #include "fathom/width.hpp"
 
 namespace fathom::cli {
@@ -30,14 +31,14 @@ Options options_of(const Request& request, Monitor& monitor, Workspace& workspac
 Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Options options = options_of(request, monitor, workspace);
   if (request.shallow) return shallow_depth(single.a.points, b.points, options);
-  return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a.points, b.points, options);
+  return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a, b, options);
 }
 
 Answer answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Body& b = has_one_body(request) ? single.a : single.b;
   Answer answer{single.id, solve(single, b, request, monitor, workspace)};
   if (!request.certificate.empty() || request.embed_certificate)
-    answer.certificate = certificate_text(single.a.points, b.points, answer.depth, single.id, &monitor);
+    answer.certificate = certificate_text(single.a, b, answer.depth, single.id, &monitor);
   return answer;
 }
 
@@ -61,15 +62,13 @@ class CertificatePlaces {
   std::optional<CertificateFolder> folder_;
 };
 
-Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
-
 /// Throws InputError if the request asks for what shapes do not have.
 ShapeAnswer shape_answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
   if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
   SignedDepthOptions options;
   options.cores = options_of(request, monitor, workspace);
-  const Shape a = shape_of(single.a), b = shape_of(single.b);
+  const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
     throw InputError(single.id, 0, "expected one half-space at most, found two: they have no depth");
   ShapeAnswer answer{single.id, signed_depth(a, b, options), is_flat(a), is_flat(b)};

@@ -26,7 +26,10 @@ std::string note_on(char body, const std::vector<Point>& points) {
 }  // namespace
 
 bool may_have_inner_points(const Case& input, bool one_body) {
-  return !kernels::all_seen_extreme(input.a.points) || (!one_body && !kernels::all_seen_extreme(input.b.points));
+  const auto all_extreme = [](const GivenPoints& points) {
+    return points.in_binary64() ? kernels::all_seen_extreme(points.binary64()) : kernels::all_seen_extreme(points.exact());
+  };
+  return !all_extreme(input.a.points) || (!one_body && !all_extreme(input.b.points));
 }
 
 std::optional<std::string> hull_note(const Case& input, bool one_body) {

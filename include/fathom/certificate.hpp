@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/point.hpp"
@@ -57,6 +58,7 @@ std::string certificate_text(std::span<const Point> a, std::span<const Point> b,
                              Monitor* monitor = nullptr);
 std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
                              std::string_view id = {}, Monitor* monitor = nullptr);
+std::string certificate_text(const Body& a, const Body& b, const Depth& answer, std::string_view id = {}, Monitor* monitor = nullptr);
 
 // ---- shapes: format 2 ----
 

@@ -19,6 +19,7 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/counters.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/point.hpp"
@@ -225,6 +226,9 @@ Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, cons
 /// is asked for. Throws std::invalid_argument if a body is empty or a coordinate is not finite, and Interrupted.
 Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Options& options = {});
 
+/// The same for bodies in the form in which they were given: in binary64 if both are, else as exact points.
+Depth penetration_depth(const Body& a, const Body& b, const Options& options = {});
+
 /// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its
 /// signed root is the least h(u) / |u| over all directions u, a continuous function of where the bodies are.
 mpq_class signed_square(const Depth& depth);
@@ -233,7 +237,10 @@ mpq_class signed_square(const Depth& depth);
 /// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method. Throws
 /// std::invalid_argument if it leaves optima unlisted.
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
-                                                Monitor* monitor = nullptr);
+                                                Monitor* monitor = nullptr, Workspace* workspace = nullptr);
+/// The same for bodies in the form in which they were given.
+std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration, Monitor* monitor = nullptr,
+                                                Workspace* workspace = nullptr);
 
 // The words for the values of an answer, the same in every format.
 

@@ -12,17 +12,10 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
-#include "fathom/point.hpp"
-#include "fathom/shape.hpp"
 
 namespace fathom {
-
-/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
-struct Body {
-  std::vector<Point> points;
-  std::optional<Shape> shape = std::nullopt;  ///< then there are no points
-};
 
 /// Two bodies about which a question is asked, with a name.
 struct Case {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/depth.hpp"
-#include "fathom/point.hpp"
 
 namespace fathom {
 
@@ -137,15 +137,16 @@ Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, cons
 
 /// Two bodies as the implementation saw them, and the exact answer.
 struct Truth {
-  std::vector<Point> a, b;
+  GivenPoints a, b;
   Depth depth;
 };
 
-/// Returns the points rounded to nearest, which is what an implementation of this precision sees; nullopt if a coordinate overflows.
-std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision);
+/// Returns the points rounded to nearest, which is what an implementation of this precision sees, in binary64; nullopt if a coordinate
+/// overflows.
+std::optional<GivenPoints> seen(const GivenPoints& points, Precision precision);
 
 /// Returns the truth about two bodies, to judge several replies by. Throws as penetration_depth does.
-Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options = {});
+Truth truth_about(GivenPoints a, GivenPoints b, const Options& options = {});
 
 /// Judges the reply by a truth that is known.
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "kernels/filters/error_bounds.hpp"
@@ -29,6 +31,7 @@ Triple minus(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1
 
 double size_of(const Triple& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
+double quotient(double c) { return c; }
 double quotient(const mpq_class& q) {
   const mpz_srcptr num = q.get_num_mpz_t(), den = q.get_den_mpz_t();
   if (mpz_size(num) <= 1 && mpz_size(den) == 1) {
@@ -39,27 +42,43 @@ double quotient(const mpq_class& q) {
   return std::isfinite(above) && std::isfinite(below) ? above / below : q.get_d();
 }
 
+const mpq_class& coordinate(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+double coordinate(const Triple& p, int axis) { return p[static_cast<std::size_t>(axis)]; }
+
+// Doubles are compared as bits: small ones may be flushed to zero. So 0 and -0 differ, and then nothing is said.
+bool is_zero(const mpq_class& c) { return c == 0; }
+bool is_zero(double c) { return std::bit_cast<std::uint64_t>(c) == 0; }
+bool equal(const Point& p, const Point& q) { return p == q; }
+bool equal(const Triple& p, const Triple& q) {
+  using Bits = std::array<std::uint64_t, 3>;
+  return std::bit_cast<Bits>(p) == std::bit_cast<Bits>(q);
+}
+
+/// P is Point, or Triple.
+template <class P>
 struct Image {
   Triple at;
-  const Point* exact;
-  [[nodiscard]] bool same_as(const Image& other) const { return exact == other.exact || (at == other.at && *exact == *other.exact); }
+  const P* exact;
+  [[nodiscard]] bool same_as(const Image& other) const { return exact == other.exact || (at == other.at && equal(*exact, *other.exact)); }
 };
 
 /// Scales one coordinate of all points. False if its numbers are too large or too small for doubles.
-bool scale(std::vector<Image>& points, int axis, mpq_class Point::*coordinate) {
+template <class P>
+bool scale(std::vector<Image<P>>& points, int axis) {
   double size = 0;
-  for (Image& p : points) {
-    p.at[axis] = quotient(p.exact->*coordinate);
+  for (Image<P>& p : points) {
+    p.at[axis] = quotient(coordinate(*p.exact, axis));
     size = std::max(size, std::abs(p.at[axis]));
   }
   if (!std::isfinite(size)) return false;
-  if (size < least_size) return std::ranges::all_of(points, [&](const Image& p) { return p.exact->*coordinate == 0; });
+  if (size < least_size) return std::ranges::all_of(points, [&](const Image<P>& p) { return is_zero(coordinate(*p.exact, axis)); });
   const double unit = std::ldexp(1, -std::ilogb(size) - 1);  // to multiply by it rounds as ldexp does
-  for (Image& p : points) p.at[axis] *= unit;
+  for (Image<P>& p : points) p.at[axis] *= unit;
   return true;
 }
 
 /// Points in boxes within boxes. The computed value of a box's corner is no less than that of any point in it: rounding is monotone.
+template <class Image>
 class Boxes {
  public:
   /// Puts the points in another order: those of a box lie together.
@@ -132,6 +151,7 @@ class Boxes {
 /// The inverse of the points' covariance, which is kept away from singular: times(v) by its Cholesky factor.
 class Metric {
  public:
+  template <class Image>
   Metric(const std::vector<Image>& points, const Triple& centre) {
     for (const Image& p : points) {
       const Triple d = minus(p.at, centre);
@@ -163,7 +183,8 @@ class Metric {
   std::array<Triple, 3> factor_{};  // lower triangle; the inverses of the diagonal
 };
 
-bool seen_extreme(const Image& self, const Boxes& boxes, Triple u, const Metric& metric) {
+template <class Image>
+bool seen_extreme(const Image& self, const Boxes<Image>& boxes, Triple u, const Metric& metric) {
   for (int turn = 0; turn < turns; ++turn) {
     const double size = size_of(u);
     if (!(size > 0)) return false;
@@ -179,19 +200,23 @@ bool seen_extreme(const Image& self, const Boxes& boxes, Triple u, const Metric&
   return false;
 }
 
-}  // namespace
-
-bool all_seen_extreme(std::span<const Point> exact) {
-  std::vector<Image> points;
+template <class P>
+bool all_seen(std::span<const P> exact) {
+  std::vector<Image<P>> points;
   points.reserve(exact.size());
-  for (const Point& p : exact) points.push_back({{}, &p});
-  if (!scale(points, 0, &Point::x) || !scale(points, 1, &Point::y) || !scale(points, 2, &Point::z)) return false;
+  for (const P& p : exact) points.push_back({{}, &p});
+  if (!scale(points, 0) || !scale(points, 1) || !scale(points, 2)) return false;
   Triple centre{};
-  for (const Image& p : points)
+  for (const Image<P>& p : points)
     for (int c = 0; c < 3; ++c) centre[c] += p.at[c] / static_cast<double>(points.size());
   const Boxes boxes(points);
   const Metric metric(points, centre);
-  return std::ranges::all_of(points, [&](const Image& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
+  return std::ranges::all_of(points, [&](const Image<P>& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
 }
+
+}  // namespace
+
+bool all_seen_extreme(std::span<const Point> points) { return all_seen(points); }
+bool all_seen_extreme(std::span<const std::array<double, 3>> points) { return all_seen(points); }
 
 }  // namespace fathom::kernels

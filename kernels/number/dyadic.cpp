@@ -2,6 +2,7 @@
 #include "kernels/number/dyadic.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -21,6 +22,21 @@ std::optional<Dyadic> dyadic(const mpq_class& value) {
   const auto shift = static_cast<long>(64 * highest) + std::countr_zero(top);
   if (shift == 0) return normalised(mantissa, 0);
   return magnitude % 2 != 0 ? std::optional(Dyadic{mantissa, -shift}) : std::nullopt;
+}
+
+double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+// Numbers of the format are m 2^e with |m| < 2^53, e >= -1074 and |m 2^e| < 2^1024.
+std::optional<double> in_binary64(const mpq_class& value) {
+  const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
+  if (mpz_sgn(n) == 0) return 0;
+  if (mpz_popcount(d) != 1) return std::nullopt;
+  const auto length = static_cast<long>(mpz_sizeinbase(n, 2)), zeros = static_cast<long>(mpz_scan1(n, 0));
+  const auto shift = static_cast<long>(mpz_sizeinbase(d, 2)) - 1;
+  if (length - zeros > 53 || zeros - shift < -1074 || length - shift > 1024) return std::nullopt;
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, n);
+  return std::ldexp(mantissa, static_cast<int>(exponent - shift));
 }
 
 }  // namespace fathom::kernels

@@ -39,4 +39,11 @@ inline Dyadic dyadic(double value) {
 /// of 2^63 or more.
 std::optional<Dyadic> dyadic(const mpq_class& value);
 
+/// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its range. Not in line: there g++ 12.2 leaves
+/// two out of three coordinates as they are.
+double nearest_binary32(double value);
+
+/// The number in binary64; nullopt if it is none.
+std::optional<double> in_binary64(const mpq_class& value);
+
 }  // namespace fathom::kernels

@@ -133,4 +133,10 @@ std::string certificate_text(std::span<const std::array<double, 3>> a, std::span
   return certificate::text_of_depth(id, a, b, *penetration);
 }
 
+std::string certificate_text(const Body& a, const Body& b, const Depth& answer, std::string_view id, Monitor* monitor) {
+  if (a.points.in_binary64() && b.points.in_binary64())
+    return certificate_text(a.points.binary64(), b.points.binary64(), answer, id, monitor);
+  return certificate_text(a.points.exact(), b.points.exact(), answer, id, monitor);
+}
+
 }  // namespace fathom

@@ -4,68 +4,155 @@
 #include "reference/depth/gap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <vector>
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/ratio.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
+#include "reference/expanding/workspace.hpp"
 #include "reference/polytope/differences.hpp"
+#include "reference/polytope/narrow_differences.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {
 namespace {
 
+template <class Integer>
+using Vectors = std::vector<Vec3<Integer>>;
+
 // The directions of the edges of a face with these extreme points, counter-clockwise seen against n; a segment has two: there and back.
-std::vector<Vector> edge_directions(const std::vector<Vector>& points, const Vector& n) {
+template <class Integer>
+Vectors<Integer> edge_directions(const Vectors<Integer>& points, const Vec3<Integer>& n) {
   if (points.size() == 1) return {};
   if (points.size() == 2) return {points[1] - points[0], points[0] - points[1]};
-  const polytope::Polytope face = polytope::convex_hull(points);
-  const bool reversed = dot(face.facets.front().normal, n) < 0;
-  std::vector<Vector> directions;
+  if (points.size() == 3) {
+    const Vec3<Integer> u = points[1] - points[0], v = points[2] - points[0];
+    return sgn(det(u, v, n)) > 0 ? Vectors<Integer>{u, v - u, -v} : Vectors<Integer>{v, u - v, -u};
+  }
+  std::vector<Vector> exact;
+  exact.reserve(points.size());
+  for (const Vec3<Integer>& p : points) exact.push_back(expanding::to_vector(p));
+  const polytope::Polytope face = polytope::convex_hull(exact);
+  const bool reversed = dot(face.facets.front().normal, expanding::to_vector(n)) < 0;
+  Vectors<Integer> directions;
   directions.reserve(face.edges.size());
   for (const polytope::Edge& edge : face.edges) {
     const Vector along = face.vertices[edge.to] - face.vertices[edge.from];
-    directions.push_back(reversed ? -along : along);
+    const Vec3<Integer> d{Integer(along.x), Integer(along.y), Integer(along.z)};
+    directions.push_back(reversed ? -d : d);
   }
   return directions;
 }
 
-const Vector& extreme(const std::vector<Vector>& points, const Vector& u) {
-  return *std::ranges::max_element(points, {}, [&u](const Vector& p) { return dot(u, p); });
+// The one of the points that is farthest in direction u.
+template <class Integer>
+std::size_t extreme(const Vectors<Integer>& points, const Vec3<Integer>& u) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (sgn(dot(u, points[i] - points[best])) > 0) best = i;
+  return best;
 }
 
 // The squared distance of the plane <normal, x> = <normal, p>.
-mpq_class squared_distance(const Vector& normal, const Vector& p) {
-  const mpz_class height = dot(normal, p);
-  return kernels::ratio(height * height, dot(normal, normal));
+template <class Integer>
+mpq_class squared_distance(const Vec3<Integer>& normal, const Vec3<Integer>& p) {
+  const Integer height = dot(normal, p);
+  return kernels::ratio(expanding::to_mpz(Integer(height * height)), expanding::to_mpz(dot(normal, normal)));
 }
 
 // The normal of the facet beyond the edge of the facet with normal n that runs through p along d, counter-clockwise seen from outside: the
 // first plane about the edge, turned away from n, that has no point of P above it. Every step turns farther back.
-Vector normal_beyond(polytope::Differences& differences, const Vector& n, const Vector& p, const Vector& d) {
-  Vector normal = cross(differences[differences.extreme(-n)] - p, d);
+template <class Differences, class Integer>
+Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, const Vec3<Integer>& p, const Vec3<Integer>& d) {
+  Vec3<Integer> normal = cross(differences[differences.extreme(-n)] - p, d);
   for (;;) {
-    const Vector highest = differences[differences.extreme(normal)] - p;
-    if (dot(normal, highest) <= 0) return normal;
+    const Vec3<Integer> highest = differences[differences.extreme(normal)] - p;
+    if (sgn(dot(normal, highest)) <= 0) return normal;
     normal = cross(highest, d);
   }
 }
 
 // The least squared distance, other than `nearest`, of the facets that share an edge with the nearest facet `optimum`.
-void look_around(polytope::Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
-  const Vector& n = optimum.direction;
-  std::vector<Vector> minus_a, b;
-  for (const std::uint32_t i : optimum.contact.a) minus_a.push_back(-differences.a[i]);
-  for (const std::uint32_t i : optimum.contact.b) b.push_back(differences.b[i]);
-  for (const std::vector<Vector>* face : {&minus_a, &b}) {
-    for (const Vector& d : edge_directions(*face, n)) {
-      const Vector outwards = cross(d, n), p = extreme(minus_a, outwards) + extreme(b, outwards);
+template <class Differences>
+void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
+  using Integer = typename Differences::Integer;
+  const auto& [n_x, n_y, n_z] = optimum.direction;
+  const Vec3<Integer> n{Integer(n_x), Integer(n_y), Integer(n_z)};
+  const std::vector<std::uint32_t>&of_a = optimum.contact.a, &of_b = optimum.contact.b;
+  Vectors<Integer> minus_a, b;  // each with the first corner of the other face added
+  for (const std::uint32_t i : of_a) minus_a.push_back(differences[{i, of_b.front()}]);
+  for (const std::uint32_t i : of_b) b.push_back(differences[{of_a.front(), i}]);
+  for (const Vectors<Integer>* face : {&minus_a, &b}) {
+    for (const Vec3<Integer>& d : edge_directions(*face, n)) {
+      const Vec3<Integer> outwards = cross(d, n), p = differences[{of_a[extreme(minus_a, outwards)], of_b[extreme(b, outwards)]}];
       const mpq_class squared = squared_distance(normal_beyond(differences, n, p, d), p);
       if (squared != nearest && (!least || squared < *least)) least = squared;
     }
   }
+}
+
+// The answer on one lattice, in its unit: all neighbours, then what `expand` finds, given the depth and the nearest neighbour's distance.
+template <class Differences, class Expand>
+std::optional<mpq_class> second_nearest(Differences& differences, const Penetration& penetration, const mpq_class& nearest, Expand expand) {
+  std::optional<mpq_class> least;
+  for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
+  return least ? expand(*least) : std::nullopt;  // without one, whatever can be reached from a nearest facet is one
+}
+
+std::optional<mpq_class> in_unit(std::optional<mpq_class> squared, const mpq_class& unit) {
+  if (squared) *squared /= unit;
+  return squared;
+}
+
+// On a narrow lattice; false if the integers there are too short.
+bool second_nearest_narrow(kernels::Context& context, const Penetration& penetration, Workspace& workspace,
+                           std::optional<mpq_class>& result) {
+  const polytope::NarrowPair& pair = workspace.parts->pair;
+  const mpq_class unit(mpz_class(1) << (2 * pair.shift)), nearest = penetration.squared() * unit;
+  polytope::NarrowDifferences differences(pair, workspace.parts->scan);
+  bool held = true;
+  result = in_unit(second_nearest(differences, penetration, nearest,
+                                  [&](const mpq_class& least) {
+                                    auto next = expanding::next_nearest_by_expansion(context, pair, nearest, least, workspace);
+                                    held = next.has_value();
+                                    return next;
+                                  }),
+                   unit);
+  return held;
+}
+
+std::optional<mpq_class> second_nearest_anywhere(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
+                                                 const Penetration& penetration) {
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared() * unit;
+  polytope::Differences differences{pair.a, pair.b};
+  return in_unit(second_nearest(differences, penetration, nearest,
+                                [&](const mpq_class& least) {
+                                  return std::optional(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, least));
+                                }),
+                 unit);
+}
+
+std::span<const Point> exact(std::span<const Point> points) { return points; }
+std::vector<Point> exact(std::span<const std::array<double, 3>> points) { return polytope::exact_points(points); }
+
+// P is Point, or three doubles.
+template <class P>
+std::optional<mpq_class> second_nearest(std::span<const P> a, std::span<const P> b, const Penetration& penetration, Monitor* monitor,
+                                        Workspace* workspace) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (penetration.unlisted > 0)
+    throw std::invalid_argument("the second nearest facet is looked for from all optima, and some are not listed");
+  kernels::Context context(monitor);
+  std::optional<Workspace> own;
+  if (workspace == nullptr) workspace = &own.emplace();
+  std::optional<mpq_class> result;
+  const bool narrow = polytope::place_narrow(a, b, workspace->parts->pair);
+  if (narrow && second_nearest_narrow(context, penetration, *workspace, result)) return result;
+  return second_nearest_anywhere(context, exact(a), exact(b), penetration);
 }
 
 }  // namespace
@@ -82,7 +169,7 @@ std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, 
   for (const polytope::Facet& facet : p.facets) {
     const Vector& corner = p.vertices[p.corners[facet.begin]];
     if (p.rank < 3 || dot(facet.normal, corner) <= 0) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
-    squares.push_back(squared_distance(facet.normal, corner));
+    squares.push_back(squared_distance<mpz_class>(facet.normal, corner));
   }
   if (squares.empty()) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
   std::ranges::sort(squares);
@@ -96,18 +183,15 @@ std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, 
 namespace fathom {
 
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
-                                                Monitor* monitor) {
-  const kernels::DefaultFloatEnvironment environment;
-  if (penetration.unlisted > 0)
-    throw std::invalid_argument("the second nearest facet is looked for from all optima, and some are not listed");
-  kernels::Context context(monitor);
-  const polytope::PlacedPair pair = polytope::place(a, b);
-  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared() * unit;
-  polytope::Differences differences{pair.a, pair.b};
-  std::optional<mpq_class> least;
-  for (const Optimum& optimum : penetration.optima) depth::look_around(differences, optimum, nearest, least);
-  if (!least) return std::nullopt;  // whatever can be reached from a nearest facet is one
-  return mpq_class(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, *least) / unit);
+                                                Monitor* monitor, Workspace* workspace) {
+  return depth::second_nearest(a, b, penetration, monitor, workspace);
+}
+
+std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration, Monitor* monitor,
+                                                Workspace* workspace) {
+  if (a.points.in_binary64() && b.points.in_binary64())
+    return depth::second_nearest(a.points.binary64(), b.points.binary64(), penetration, monitor, workspace);
+  return second_nearest_squared(a.points.exact(), b.points.exact(), penetration, monitor, workspace);
 }
 
 }  // namespace fathom

@@ -21,12 +21,14 @@ void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) 
   }
 }
 
+// Whether narrow integers hold everything, for coordinates up to 2^w and squared distances to compare with of so many bits.
+bool fits(long w, long bits) { return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20; }
+
 // Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances that are compared with, at most.
 template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits, F f) {
   require_clouds(a, b);
-  const long w = a.exponent();
-  if (w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20) {
+  if (fits(a.exponent(), bits)) {
     NarrowDifferences differences(a, b, parts.scan);
     return f(differences, parts.narrow);
   }
@@ -60,6 +62,16 @@ Expansion nearest(kernels::Context& context, Differences& differences, Memory<ty
   result.sides = expander.sides().calls;
   result.sides_exact = expander.sides().exact;
   return result;
+}
+
+template <class Differences>
+mpq_class next_nearest(kernels::Context& context, Differences& differences, Memory<typename Differences::Integer>& memory,
+                       const mpq_class& nearest, const mpq_class& bound) {
+  Expander expander(context, differences, memory, unlimited);
+  mpq_class next = bound;
+  const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
+  if (end != ExpansionEnd::proved) throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");
+  return next;
 }
 
 // The caller's workspace, or one for this call.
@@ -121,13 +133,15 @@ mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::Po
                                     const mpq_class& nearest, const mpq_class& bound) {
   const Scratch scratch(nullptr);
   const long bits = std::max(own_bits(a), bits_of(bound));
-  return with_integers(a, b, *scratch, bits, [&](auto& differences, auto& memory) {
-    Expander expander(context, differences, memory, unlimited);
-    mpq_class next = bound;
-    const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
-    if (end != ExpansionEnd::proved) throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");
-    return next;
-  });
+  return with_integers(a, b, *scratch, bits,
+                       [&](auto& differences, auto& memory) { return next_nearest(context, differences, memory, nearest, bound); });
+}
+
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, const mpq_class& nearest,
+                                                   const mpq_class& bound, Workspace& workspace) {
+  if (!fits(pair.exponent, bits_of(bound))) return std::nullopt;
+  NarrowDifferences differences(pair, workspace.parts->scan);
+  return next_nearest(context, differences, workspace.parts->narrow, nearest, bound);
 }
 
 }  // namespace fathom::expanding

@@ -73,5 +73,8 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
 /// lemma 2]
 mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                     const mpq_class& nearest, const mpq_class& bound);
+/// The same on a narrow lattice, in the workspace that the pair may be a part of. Returns nullopt if `bound` has too many bits for it.
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, const mpq_class& nearest,
+                                                   const mpq_class& bound, Workspace& workspace);
 
 }  // namespace fathom::expanding

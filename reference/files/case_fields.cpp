@@ -141,7 +141,7 @@ std::string Listener::path() const {
 mpq_class* Listener::target(CasePlace place) {
   const std::size_t index = frames_.back().index;
   if (place == CasePlace::coordinate && index < 3) {
-    Point& point = body().vertices.back();
+    Point& point = body().vertices.edit().back();
     return index == 0 ? &point.x : index == 1 ? &point.y : &point.z;
   }
   if (place != CasePlace::pose_entry || index >= 4) return nullptr;
@@ -199,7 +199,7 @@ bool Listener::start_array(std::size_t) {
   const CasePlace place = next_place();
   const bool ours = place == CasePlace::vertices || place == CasePlace::vertex || place == CasePlace::pose || place == CasePlace::pose_row;
   if (!ours) return skip(place, "an array");
-  if (place == CasePlace::vertex) body().vertices.emplace_back();
+  if (place == CasePlace::vertex) body().vertices.push_back({});
   if (place == CasePlace::pose) body().pose.emplace();
   return enter(place);
 }

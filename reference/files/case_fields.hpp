@@ -6,16 +6,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "kernels/vector.hpp"
+#include "fathom/body.hpp"
 #include "reference/files/pose.hpp"
 
 namespace fathom::files {
 
 /// One of the two bodies as it is written.
 struct BodyFields {
-  std::vector<Point> vertices;
+  GivenPoints vertices;
   std::optional<Pose> pose;
   bool rounded = false;   ///< "pose_rounding": "binary64"
   bool is_shape = false;  ///< it has a shape's name, a margin or a quaternion: shape_fields.hpp reads it

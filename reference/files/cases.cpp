@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases as JSON: the text of one, and one after another from a stream.
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
@@ -14,14 +16,20 @@ namespace {
 
 /// Places the vertices of `fields`. Returns a sentence on what went wrong, or "".
 std::string place(BodyFields& fields, bool rounded, const char* name, Body& body) {
+  rounded = rounded || fields.rounded;
   body.points = std::move(fields.vertices);
-  for (std::size_t i = 0; i < body.points.size(); ++i) {
-    Point& point = body.points[i];
+  if (!fields.pose && (!rounded || body.points.in_binary64())) return "";
+  std::vector<Point>& points = body.points.edit();
+  std::vector<std::array<double, 3>> in_binary64;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Point& point = points[i];
     if (fields.pose) point = placed(point, *fields.pose);
-    if ((rounded || fields.rounded) && !round_to_binary64(point)) {
+    if (!rounded) continue;
+    if (!round_to_binary64(point))
       return std::string(name) + ".vertices[" + std::to_string(i) + "]: expected a point within binary64 once placed, found a larger one";
-    }
+    in_binary64.push_back({point.x.get_d(), point.y.get_d(), point.z.get_d()});
   }
+  if (rounded) body.points = GivenPoints(std::move(in_binary64));
   return "";
 }
 

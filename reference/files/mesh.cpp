@@ -6,6 +6,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "kernels/number/quick_number.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/mesh_formats.hpp"
@@ -47,22 +48,21 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 
 }  // namespace
 
-void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value) {
-  if (kernels::quick_number(token, decimals, value)) return;
+Coordinate parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals) {
+  if (const std::optional<double> quick = kernels::quick_number(token, decimals)) return *quick;
   if (token.empty()) scanner.fail("a number", token);
   ParsedNumber number = parse_number(token, decimals);
   if (!number.value) throw InputError(scanner.file(), scanner.line(), number.error);
-  value = *std::move(number.value);
+  if (const std::optional<double> same = kernels::in_binary64(*number.value)) return *same;
+  return *std::move(number.value);
 }
 
-void read_coordinate(TextScanner& scanner, Decimals decimals, mpq_class& value) {
-  parse_coordinate(scanner.next_token(), scanner, decimals, value);
-}
+Coordinate read_coordinate(TextScanner& scanner, Decimals decimals) { return parse_coordinate(scanner.next_token(), scanner, decimals); }
 
-void read_point(TextScanner& scanner, Decimals decimals, Point& point) {
-  read_coordinate(scanner, decimals, point.x);
-  read_coordinate(scanner, decimals, point.y);
-  read_coordinate(scanner, decimals, point.z);
+void read_point(TextScanner& scanner, Decimals decimals, CollectedPoints& points) {
+  std::array<Coordinate, 3> point;
+  for (Coordinate& c : point) c = read_coordinate(scanner, decimals);
+  points.add(std::move(point));
 }
 
 }  // namespace fathom::files

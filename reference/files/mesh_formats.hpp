@@ -9,6 +9,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/files/collected_points.hpp"
 #include "reference/files/text_scanner.hpp"
 
 namespace fathom::files {
@@ -22,18 +23,18 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
 /// Returns whether the size is that which the header of a binary STL announces.
 bool is_binary_stl(std::string_view bytes);
 
-/// Sets `value` to the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is not a number.
-void parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals, mpq_class& value);
+/// Returns the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is not a number.
+Coordinate parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals);
 
 /// The same with the next token of the line.
-void read_coordinate(TextScanner& scanner, Decimals decimals, mpq_class& value);
+Coordinate read_coordinate(TextScanner& scanner, Decimals decimals);
 
-/// The same with the next three tokens.
-void read_point(TextScanner& scanner, Decimals decimals, Point& point);
+/// Adds the point of the next three tokens.
+void read_point(TextScanner& scanner, Decimals decimals, CollectedPoints& points);
 
 /// Reserves room for the items that a file announces, but never for more than `bytes_left` bytes can hold at `bytes_each` an item.
-template <class T>
-void reserve_within(std::vector<T>& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
+template <class Items>
+void reserve_within(Items& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
   const std::uint64_t possible = bytes_left / bytes_each + 1;
   items.reserve(static_cast<std::size_t>(announced < possible ? announced : possible));
 }

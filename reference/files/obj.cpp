@@ -40,20 +40,20 @@ void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex
 
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#', .continuation = true});
-  Body body;
+  CollectedPoints points;
   HighestIndex highest;
   while (scanner.next_line()) {
     const std::string_view keyword = scanner.next_token();
-    if (keyword == "v") read_point(scanner, decimals, body.points.emplace_back());
-    if (keyword == "f") read_face(scanner, body.points.size(), highest);
+    if (keyword == "v") read_point(scanner, decimals, points);
+    if (keyword == "f") read_face(scanner, points.size(), highest);
   }
-  if (body.points.empty()) scanner.fail_at_end("at least one vertex 'v x y z'");
-  if (highest.index > body.points.size()) {
+  if (points.empty()) scanner.fail_at_end("at least one vertex 'v x y z'");
+  if (highest.index > points.size()) {
     throw InputError(
         name, highest.line,
-        "expected a vertex index of at most " + std::to_string(body.points.size()) + ", found '" + std::to_string(highest.index) + "'");
+        "expected a vertex index of at most " + std::to_string(points.size()) + ", found '" + std::to_string(highest.index) + "'");
   }
-  return body;
+  return {points.take()};
 }
 
 }  // namespace fathom::files

@@ -41,18 +41,18 @@ Body parse_off(std::string_view text, const std::string& name, Decimals decimals
   const std::uint64_t faces = scanner.count("the number of faces");
   if (vertices == 0) scanner.fail("at least one vertex", "0");
 
-  Body body;
-  reserve_within(body.points, vertices, scanner.bytes_left(), 6);  // "0 0 0\n"
+  CollectedPoints points;
+  reserve_within(points, vertices, scanner.bytes_left(), 6);  // "0 0 0\n"
   for (std::uint64_t i = 0; i < vertices; ++i) {
     if (!scanner.next_line()) scanner.fail_at_end(ordinal("vertex", i, vertices));
-    read_point(scanner, decimals, body.points.emplace_back());
+    read_point(scanner, decimals, points);
   }
   for (std::uint64_t i = 0; i < faces; ++i) {
     if (!scanner.next_line()) scanner.fail_at_end(ordinal("face", i, faces));
     read_face(scanner, vertices);
   }
   if (scanner.next_line()) scanner.fail("the end of the file after " + std::to_string(faces) + " faces", scanner.rest_of_line());
-  return body;
+  return {points.take()};
 }
 
 }  // namespace fathom::files

@@ -2,6 +2,8 @@
 // PLY: the header (ply_header.hpp) says what follows; text and binary bodies differ only in how one value is taken (ply_values.hpp).
 // Values are exact whatever their declared type: a binary float is itself, a text "0.1" is read like any other decimal.
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/ply_header.hpp"
@@ -21,15 +23,14 @@ void skip_property(Values& values, const PlyProperty& property) {
 }
 
 template <class Values>
-void read_vertex(Values& values, const PlyElement& element, Point& point) {
+void read_vertex(Values& values, const PlyElement& element, CollectedPoints& points) {
+  std::array<Coordinate, 3> point;
   for (const PlyProperty& property : element.properties) {
-    mpq_class* const target = property.name == "x" ? &point.x : property.name == "y" ? &point.y : property.name == "z" ? &point.z : nullptr;
-    if (target == nullptr) {
-      skip_property(values, property);
-    } else {
-      values.coordinate(property.type, *target);
-    }
+    const bool is_coordinate = property.name == "x" || property.name == "y" || property.name == "z";
+    if (is_coordinate) point[static_cast<std::size_t>(property.name[0] - 'x')] = values.coordinate(property.type);
+    else skip_property(values, property);
   }
+  points.add(std::move(point));
 }
 
 template <class Values>
@@ -59,14 +60,14 @@ std::size_t least_size(const PlyElement& element, PlyEncoding encoding) {
 
 template <class Values>
 Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertices) {
-  Body body;
+  CollectedPoints points;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no room, whatever its count
-    if (element.name == "vertex") reserve_within(body.points, vertices, values.bytes_left(), least_size(element, header.encoding));
+    if (element.name == "vertex") reserve_within(points, vertices, values.bytes_left(), least_size(element, header.encoding));
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values.begin({&element, i});
       if (element.name == "vertex") {
-        read_vertex(values, element, body.points.emplace_back());
+        read_vertex(values, element, points);
       } else if (element.name == "face") {
         read_face(values, element, vertices);
       } else {
@@ -76,7 +77,7 @@ Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertice
     }
   }
   values.finish();
-  return body;
+  return {points.take()};
 }
 
 // Checks the shape of what will be read; returns the number of vertices.

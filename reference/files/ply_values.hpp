@@ -36,7 +36,7 @@ class TextValues {
   void begin(const PlyItem& item) {
     if (!scanner_.next_line()) scanner_.fail_at_end(described(item));
   }
-  void coordinate(PlyType, mpq_class& value) { read_coordinate(scanner_, decimals_, value); }
+  Coordinate coordinate(PlyType) { return read_coordinate(scanner_, decimals_); }
   std::int64_t integer(PlyType) {
     const std::string_view token = scanner_.next_token();
     std::int64_t value = 0;
@@ -69,15 +69,11 @@ class BinaryValues {
 
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - next_; }
   void begin(const PlyItem& item) { item_ = item; }
-  void coordinate(PlyType type, mpq_class& value) {
-    if (is_integer(type)) {
-      static_assert(sizeof(long) >= sizeof(integer(type)), "GMP takes a long: a shorter one would cut a coordinate");
-      value = static_cast<long>(integer(type));
-      return;
-    }
+  Coordinate coordinate(PlyType type) {
+    if (is_integer(type)) return static_cast<double>(integer(type));  // at most 32 bits
     const double number = type == PlyType::float32 ? static_cast<double>(take<float>()) : take<double>();
     if (!std::isfinite(number)) fail("a finite number", std::isnan(number) ? "nan" : "inf");
-    value = number;
+    return number;
   }
   std::int64_t integer(PlyType type) {
     switch (type) {

@@ -7,16 +7,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <cstdint>
 #include <cstring>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "reference/files/case_places.hpp"
+#include "reference/files/collected_points.hpp"
 
 namespace fathom::files {
 namespace {
@@ -87,62 +87,50 @@ std::optional<double> binary64_of(std::string_view token) {
   return error == std::errc() && end == token.data() + token.size() ? std::optional(value) : std::nullopt;
 }
 
-/// `to = value`, which goes through numbers of more limbs.
-void assign(mpq_class& to, double value) {
-  constexpr int fraction_bits = 52, bias = 1075, most_bits = 63;
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
-  const int biased = static_cast<int>(bits >> fraction_bits) & 0x7ff;
-  const std::uint64_t mantissa = std::uint64_t{1} << fraction_bits | (bits & ((std::uint64_t{1} << fraction_bits) - 1));
-  const int zeros = std::countr_zero(mantissa), exponent = biased - bias + zeros;  // |value| = (mantissa >> zeros) 2^exponent
-  if (biased == 0 || exponent < -most_bits || exponent > most_bits - fraction_bits - 1) {
-    to = value;
-    return;
-  }
-  static_assert(sizeof(unsigned long) == sizeof(std::uint64_t));
-  to.get_num() = (mantissa >> zeros) << std::max(exponent, 0);
-  to.get_den() = std::uint64_t{1} << std::max(-exponent, 0);
-  if (value < 0) mpz_neg(to.get_num_mpz_t(), to.get_num_mpz_t());
-}
-
 /// A coordinate, or an entry of a pose: the one place where numbers are made of their texts.
-bool read_number(Value number, mpq_class& to) {
+bool read_number(Value number, Coordinate& to) {
   // In a text of at most 20 characters simdjson reads every number right; of more digits after "0." version 3.0.1 may lose some.
   constexpr std::size_t longest_short = 20;
   const std::string_view token = token_of(number);
   if (double value = 0; !token.starts_with('"') && token.size() <= longest_short) {
     if (number.get_double().get(value)) return false;
-    assign(to, value);
+    to = value;
     return true;
   }
   if (const std::optional<std::string_view> exact = content_of(token)) {
     std::optional<mpq_class> value = parse_number(*exact, Decimals::exact).value;
-    if (value) to = *std::move(value);
-    return value.has_value();
+    if (!value) return false;
+    if (const std::optional<double> same = kernels::in_binary64(*value)) to = *same;
+    else to = *std::move(value);
+    return true;
   }
   const std::optional<double> value = binary64_of(token);
-  if (value) assign(to, *value);
+  if (value) to = *value;
   return value.has_value();
 }
 
 template <std::size_t n>
-bool read_row(Value row, const std::array<mpq_class*, n>& to) {
+bool read_row(Value row, std::array<Coordinate, n>& to) {
   ondemand::array numbers;
   std::size_t count = 0;
   if (row.get_array().get(numbers)) return false;
   for (const Value number : numbers)
-    if (count == n || !read_number(number, *to[count++])) return false;
+    if (count == n || !read_number(number, to[count++])) return false;
   return count == n;
 }
 
-bool read_vertices(Value value, std::vector<Point>& vertices) {
+bool read_vertices(Value value, GivenPoints& vertices) {
   ondemand::array rows;
   std::size_t count = 0;
   if (value.get_array().get(rows) || rows.count_elements().get(count)) return false;
-  vertices.reserve(count);
+  CollectedPoints points;
+  points.reserve(count);
   for (const Value row : rows) {
-    Point& point = vertices.emplace_back();
-    if (!read_row<3>(row, {&point.x, &point.y, &point.z})) return false;
+    std::array<Coordinate, 3> point;
+    if (!read_row(row, point)) return false;
+    points.add(std::move(point));
   }
+  vertices = points.take();
   return !vertices.empty();
 }
 
@@ -154,8 +142,10 @@ bool read_pose(Value value, std::optional<Pose>& pose) {
   pose.emplace();
   for (const Value row : rows) {
     if (count == pose->size()) return false;
-    auto& [x, y, z, t] = (*pose)[count++];
-    if (!read_row<4>(row, {&x, &y, &z, &t})) return false;
+    std::array<Coordinate, 4> numbers;
+    if (!read_row(row, numbers)) return false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) (*pose)[count][i] = exact(std::move(numbers[i]));
+    ++count;
   }
   return count == pose->size();
 }

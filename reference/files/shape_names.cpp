@@ -94,6 +94,8 @@ std::string list_of_shapes() {
   return list;
 }
 
+Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
+
 Body body_of(Shape shape) {
   const std::optional<std::vector<Point>> points = shape.radius == 0 ? points_of(shape) : std::nullopt;
   Body body;

@@ -67,6 +67,9 @@ Shape made_shape(const ShapeName& shape, const ShapeFields& fields);
 /// The atoms' points, if the core is the hull of points, with no term beside it.
 std::optional<std::vector<Point>> points_of(const Shape& shape);
 
+/// The body as a shape: a polytope is the hull of its points.
+Shape shape_of(const Body& body);
+
 /// The body that this shape is: its points, if it is the hull of points and has no radius.
 Body body_of(Shape shape);
 

@@ -2,8 +2,11 @@
 // STL, text or binary. "solid" at the start does not tell them apart (binary headers begin so too): the size does, 84 + 50 n.
 // A corner is a vertex of its own each time it is written; normals are not read (many programs write zeros or nan).
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "reference/files/mesh_formats.hpp"
 
@@ -20,12 +23,9 @@ std::uint32_t read_word(std::string_view bytes, std::size_t offset) {
 
 std::uint64_t announced_size(std::string_view bytes) { return header_size + facet_size * std::uint64_t{read_word(bytes, 80)}; }
 
-void read_float(std::string_view bytes, std::size_t offset, const std::string& name, mpq_class& value) {
+double read_float(std::string_view bytes, std::size_t offset, const std::string& name) {
   const float number = std::bit_cast<float>(read_word(bytes, offset));
-  if (std::isfinite(number)) {
-    value = static_cast<double>(number);
-    return;
-  }
+  if (std::isfinite(number)) return static_cast<double>(number);
   throw InputError(
       name, 0,
       std::string("expected a finite number, found ") + (std::isnan(number) ? "nan" : "inf") + " at byte " + std::to_string(offset));
@@ -45,18 +45,15 @@ Body parse_binary(std::string_view bytes, const std::string& name) {
     throw InputError(name, 0, "expected " + expected + ", found " + std::to_string(bytes.size()) + " bytes");
   }
   if (bytes.size() == header_size) throw InputError(name, 0, "expected at least one triangle, found 0");
-  Body body;
-  body.points.reserve((bytes.size() - header_size) / facet_size * corners);
+  std::vector<std::array<double, 3>> points;
+  points.reserve((bytes.size() - header_size) / facet_size * corners);
   for (std::size_t facet = header_size; facet < bytes.size(); facet += facet_size) {
     for (std::size_t corner = 0; corner < corners; ++corner) {
       const std::size_t at = facet + normal_size + 12 * corner;
-      Point& point = body.points.emplace_back();
-      read_float(bytes, at, name, point.x);
-      read_float(bytes, at + 4, name, point.y);
-      read_float(bytes, at + 8, name, point.z);
+      points.push_back({read_float(bytes, at, name), read_float(bytes, at + 4, name), read_float(bytes, at + 8, name)});
     }
   }
-  return body;
+  return {GivenPoints(std::move(points))};
 }
 
 // Keywords are compared without case.
@@ -78,7 +75,7 @@ void expect_keyword(TextScanner& scanner, std::string_view keyword) {
 }
 
 // After "facet".
-void read_facet(TextScanner& scanner, Decimals decimals, Body& body) {
+void read_facet(TextScanner& scanner, Decimals decimals, CollectedPoints& points) {
   expect_keyword(scanner, "normal");
   for (int i = 0; i < 3; ++i)
     if (scanner.next_token().empty()) scanner.fail("three components of a normal", {});
@@ -86,34 +83,34 @@ void read_facet(TextScanner& scanner, Decimals decimals, Body& body) {
   expect_keyword(scanner, "loop");
   for (std::size_t i = 0; i < corners; ++i) {
     expect_keyword(scanner, "vertex");
-    read_point(scanner, decimals, body.points.emplace_back());
+    read_point(scanner, decimals, points);
   }
   expect_keyword(scanner, "endloop");
   expect_keyword(scanner, "endfacet");
 }
 
 // After "solid"; the rest of that line is a name.
-void read_solid(TextScanner& scanner, Decimals decimals, Body& body) {
+void read_solid(TextScanner& scanner, Decimals decimals, CollectedPoints& points) {
   scanner.next_line();
   while (true) {
     const std::string_view token = scanner.next_token_anywhere();
     if (is_keyword(token, "endsolid")) break;
     if (token.empty()) scanner.fail_at_end("'facet' or 'endsolid'");
     if (!is_keyword(token, "facet")) scanner.fail("'facet' or 'endsolid'", token);
-    read_facet(scanner, decimals, body);
+    read_facet(scanner, decimals, points);
   }
 }
 
 Body parse_text(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name);
-  Body body;
+  CollectedPoints points;
   while (scanner.next_line()) {
     const std::string_view token = scanner.next_token();
-    if (!is_keyword(token, "solid")) scanner.fail(body.points.empty() ? "'solid'" : "'solid' or the end of the file", token);
-    read_solid(scanner, decimals, body);
+    if (!is_keyword(token, "solid")) scanner.fail(points.empty() ? "'solid'" : "'solid' or the end of the file", token);
+    read_solid(scanner, decimals, points);
   }
-  if (body.points.empty()) scanner.fail_at_end("at least one facet");
-  return body;
+  if (points.empty()) scanner.fail_at_end("at least one facet");
+  return {points.take()};
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plain points, one a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
 // A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
+#include <array>
 #include <optional>
+#include <utility>
 
 #include "reference/files/mesh_formats.hpp"
 
@@ -35,7 +37,7 @@ std::string number_of(std::size_t columns) { return std::to_string(columns) + (c
 
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#'});
-  Body body;
+  CollectedPoints points;
   std::optional<std::uint64_t> announced;
   std::vector<std::string_view> columns;
   std::size_t width = 0;
@@ -44,7 +46,7 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
     std::uint64_t count = 0;
     if (width == 0 && !announced && columns.size() == 1 && parse_count(columns[0], count)) {
       announced = count;
-      reserve_within(body.points, count, scanner.bytes_left(), 6);  // "0 0 0\n"
+      reserve_within(points, count, scanner.bytes_left(), 6);  // "0 0 0\n"
       continue;
     }
     const std::string expected = width ? number_of(width) + " as in the lines before" : "three numbers x y z";
@@ -52,16 +54,15 @@ Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals
       throw InputError(name, scanner.line(), "expected " + expected + ", found " + number_of(columns.size()));
     }
     width = columns.size();
-    Point& point = body.points.emplace_back();
-    parse_coordinate(columns[0], scanner, decimals, point.x);
-    parse_coordinate(columns[1], scanner, decimals, point.y);
-    parse_coordinate(columns[2], scanner, decimals, point.z);
+    std::array<Coordinate, 3> point;
+    for (std::size_t i = 0; i < point.size(); ++i) point[i] = parse_coordinate(columns[i], scanner, decimals);
+    points.add(std::move(point));
   }
-  if (body.points.empty()) scanner.fail_at_end("at least one point x y z");
-  if (announced && *announced != body.points.size()) {
-    scanner.fail("the number of points announced, " + std::to_string(*announced), std::to_string(body.points.size()));
+  if (points.empty()) scanner.fail_at_end("at least one point x y z");
+  if (announced && *announced != points.size()) {
+    scanner.fail("the number of points announced, " + std::to_string(*announced), std::to_string(points.size()));
   }
-  return body;
+  return {points.take()};
 }
 
 }  // namespace fathom::files

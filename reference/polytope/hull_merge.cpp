@@ -44,11 +44,47 @@ std::vector<Index> twins(const Surface& s) {
   return twin;
 }
 
+/// Primitive normals of triangles, one after another, in integers that are used again: expressions would take new ones at each step.
+class Normals {
+ public:
+  /// Sets n to (q - p) x (r - p), divided by the greatest common divisor of its components.
+  void find(const Vector& p, const Vector& q, const Vector& r, Vector& n) {
+    subtract(q, p, u_);
+    subtract(r, p, v_);
+    two_by_two(u_.y, v_.z, u_.z, v_.y, n.x);
+    two_by_two(u_.z, v_.x, u_.x, v_.z, n.y);
+    two_by_two(u_.x, v_.y, u_.y, v_.x, n.z);
+    mpz_gcd(divisor_.get_mpz_t(), n.x.get_mpz_t(), n.y.get_mpz_t());
+    if (divisor_ != 1) mpz_gcd(divisor_.get_mpz_t(), divisor_.get_mpz_t(), n.z.get_mpz_t());
+    if (divisor_ == 1) return;
+    for (mpz_class* c : {&n.x, &n.y, &n.z}) mpz_divexact(c->get_mpz_t(), c->get_mpz_t(), divisor_.get_mpz_t());
+  }
+
+ private:
+  static void subtract(const Vector& a, const Vector& b, Vector& difference) {
+    mpz_sub(difference.x.get_mpz_t(), a.x.get_mpz_t(), b.x.get_mpz_t());
+    mpz_sub(difference.y.get_mpz_t(), a.y.get_mpz_t(), b.y.get_mpz_t());
+    mpz_sub(difference.z.get_mpz_t(), a.z.get_mpz_t(), b.z.get_mpz_t());
+  }
+  /// a b - c d.
+  static void two_by_two(const mpz_class& a, const mpz_class& b, const mpz_class& c, const mpz_class& d, mpz_class& result) {
+    mpz_mul(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+    mpz_submul(result.get_mpz_t(), c.get_mpz_t(), d.get_mpz_t());
+  }
+
+  Vector u_, v_;
+  mpz_class divisor_;
+};
+
 Surface make_surface(std::span<const Vector> points, std::span<const HullTriangle> triangles) {
   Surface s;
   s.triangles = triangles;
-  s.normals.reserve(triangles.size());
-  for (const auto& [p, q, r] : triangles) s.normals.push_back(primitive(cross(points[q] - points[p], points[r] - points[p])));
+  s.normals.resize(triangles.size());
+  Normals normals;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [p, q, r] = triangles[t];
+    normals.find(points[p], points[q], points[r], s.normals[t]);
+  }
   s.twin = twins(s);
   s.border.resize(s.twin.size());
   // Neighbours share an edge, so equal normals mean equal planes.

@@ -9,6 +9,7 @@
 
 #include "kernels/float_environment.hpp"
 #include "reference/polytope/affine_span.hpp"
+#include "reference/polytope/hull_few.hpp"
 #include "reference/polytope/hull_hash.hpp"
 #include "reference/polytope/hull_merge.hpp"
 #include "reference/polytope/hull_triangles.hpp"
@@ -85,7 +86,7 @@ Polytope convex_hull(std::span<const Vector> points) {
     case 0: return point(points);
     case 1: return segment(points, ids);
     case 2: return polygon(points, ids, span.normal);
-    default: return merge_coplanar(points, hull_triangles(points, ids));
+    default: return merge_coplanar(points, ids.size() <= few_points ? hull_triangles_of_few(points, ids) : hull_triangles(points, ids));
   }
 }
 

@@ -46,4 +46,9 @@ Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<cons
   return depth_on_any_lattice(context, polytope::exact_points(a), polytope::exact_points(b), options, narrow.end);
 }
 
+Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
+  if (a.points.in_binary64() && b.points.in_binary64()) return penetration_depth(a.points.binary64(), b.points.binary64(), options);
+  return penetration_depth(a.points.exact(), b.points.exact(), options);
+}
+
 }  // namespace fathom

@@ -96,7 +96,7 @@ TEST(Metric, EqualsTheHullOfAllDifferencesOnEveryFamily) {
 // Boxes: along axes the octahedron's norm sees the least overlap, the cube's norm the same; twice the ball, half the depth.
 TEST(Metric, OfTwoBoxes) {
   Case input{"boxes", {cube(1)}, {cube(1)}};
-  for (Point& p : input.b.points) p = {p.x + 1, p.y + mpq_class(3, 2), p.z + mpq_class(1, 4)};
+  for (Point& p : input.b.points.edit()) p = {p.x + 1, p.y + mpq_class(3, 2), p.z + mpq_class(1, 4)};
   const MetricResult one = fathom::metric_depth(input.a.points, input.b.points, unit_ball(octahedron()));
   EXPECT_EQ(one.depth(), mpq_class(1, 2));
   ASSERT_EQ(one.optima().size(), 1U);

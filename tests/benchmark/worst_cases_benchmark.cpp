@@ -20,7 +20,7 @@ Case of_family(const char* name, unsigned size) { return families::find_family(n
 template <class F>
 Case with_each_point(Case input, F change) {
   for (Body* body : {&input.a, &input.b})
-    for (Point& p : body->points) change(p);
+    for (Point& p : body->points.edit()) change(p);
   return input;
 }
 

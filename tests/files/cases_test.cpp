@@ -25,7 +25,7 @@ Point first_vertex(const std::string& text) {
     ADD_FAILURE() << item.error().what();
     return {};
   }
-  return item.value().a.points.at(0);
+  return item.value().a.points.exact().at(0);
 }
 
 std::vector<CaseItem> all(CaseStream stream) {

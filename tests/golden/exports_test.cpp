@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
@@ -51,7 +52,7 @@ std::vector<Record> sample() {
 
 TEST(Include, IsWhatTheSampleHolds) {
   std::string text = include_head();
-  for (const Record& record : sample()) text += exports_of(record.line).include_entry;
+  for (const Record& record : sample()) text += record.exports.include_entry;
   text += include_tail();
   std::ifstream file(FATHOM_TEST_DATA "/../golden/sample.inc");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), text);
@@ -102,7 +103,7 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
     return row[static_cast<std::size_t>(at - header.begin())];
   };
   for (const Record& record : sample()) {
-    const std::string text = exports_of(record.line).csv_row;
+    const std::string text = record.exports.csv_row;
     ASSERT_EQ(!text.empty(), record.in_binary64) << record.id;
     if (text.empty()) continue;
     const std::vector<std::string> row = fields(text);
@@ -133,22 +134,31 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
 TEST(Exports, LeaveOutWhatIsNotBinary64) {
   const std::vector<Record> records = records_of({Source::family, "boxes_posed", 8, 5});
   ASSERT_EQ(records.size(), 3u);
-  EXPECT_EQ(exports_of(records[0].line).csv_row, "");
-  EXPECT_EQ(exports_of(records[0].line).include_entry, "");
+  EXPECT_EQ(records[0].exports.csv_row, "");
+  EXPECT_EQ(records[0].exports.include_entry, "");
   for (const std::size_t i : {1U, 2U}) {
-    EXPECT_NE(exports_of(records[i].line).csv_row, "");
-    EXPECT_NE(exports_of(records[i].line).include_entry, "");
+    EXPECT_NE(records[i].exports.csv_row, "");
+    EXPECT_NE(records[i].exports.include_entry, "");
   }
-  for (const char* bad : {"", "{}", "[]", "{\"id\":1}", "{\"id\":\"x\",\"formats\":[\"binary64\"]}"})
-    EXPECT_THROW(exports_of(bad), std::invalid_argument) << bad;
 }
 
 TEST(Include, WritesInfinityAsCpp) {
-  const Record record = records_of({Source::family, "boxes_aligned", 8, 1}).front();
-  std::string line = record.line;
-  const std::string depth = Json::parse(line)["expected"]["depth"]["f64"]["ru"];
-  line.replace(line.find("\"ru\":\"" + depth) + 6, depth.size(), "inf");
-  EXPECT_NE(exports_of(line).include_entry.find(", std::numeric_limits<double>::infinity(), {"), std::string::npos);
+  constexpr double largest = std::numeric_limits<double>::max();
+  const Body box{GivenPoints(std::vector<std::array<double, 3>>{{-largest, -largest, -largest},
+                                                                {largest, largest, largest},
+                                                                {-largest, largest, largest},
+                                                                {largest, -largest, largest},
+                                                                {largest, largest, -largest},
+                                                                {largest, -largest, -largest},
+                                                                {-largest, largest, -largest},
+                                                                {-largest, -largest, largest}})};
+  const Record record = record_of({Source::family, "by_hand", 0, 0}, Form::given, {"by_hand", box, box});
+  const std::string infinity = "std::numeric_limits<double>::infinity()";
+  EXPECT_NE(record.exports.include_entry.find("\"penetrating\", " + infinity + ", 0x1.fffffffffffffp+1023, " + infinity + ", {"),
+            std::string::npos)
+      << record.exports.include_entry;
+  EXPECT_NE(record.exports.include_entry.find("-" + infinity), std::string::npos) << "of a translation";
+  EXPECT_NE(record.exports.csv_row.find(",inf,0x1.fffffffffffffp+1023,inf,"), std::string::npos);
 }
 
 }  // namespace

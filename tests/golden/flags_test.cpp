@@ -29,12 +29,12 @@ Body body(const std::string& text) {
 }
 
 Body scaled(Body body, const mpq_class& by) {
-  for (Point& p : body.points) p = {p.x * by, p.y * by, p.z * by};
+  for (Point& p : body.points.edit()) p = {p.x * by, p.y * by, p.z * by};
   return body;
 }
 
 Body moved(Body body, const mpq_class& x) {
-  for (Point& p : body.points) p.x += x;
+  for (Point& p : body.points.edit()) p.x += x;
   return body;
 }
 

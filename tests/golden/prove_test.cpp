@@ -162,10 +162,13 @@ TEST(Prove, AnIdStandsForItsOwnPointsOnly) {
 }
 
 TEST(Prove, IdsAreReadFromWhatTheyCanBeReadFrom) {
-  EXPECT_EQ(id_in(R"({"id":"x"})"), "x");
-  EXPECT_EQ(id_in(R"({"id":1})"), "");
-  EXPECT_EQ(id_in("[]"), "");
-  EXPECT_EQ(id_in("{\"id\":"), "");
+  const std::string before = R"({"schema":"fathom/case/1","golden":"fathom/golden/1","id":")";
+  EXPECT_EQ(id_in(before + "x\","), "x");
+  EXPECT_EQ(id_in(before + "x"), "");
+  EXPECT_EQ(id_in(R"({"id":"x"})"), "");
+  EXPECT_EQ(id_in(""), "");
+  const Record record = records_of({Source::family, "random_ball", 5, 1}).front();
+  EXPECT_EQ(id_in(record.line), record.id);
 }
 
 }  // namespace

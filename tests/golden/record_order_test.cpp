@@ -15,9 +15,10 @@ TEST(Order, IdsAreThoseOfTheRecords) {
   for (const ShardPlan& shard : plan(Level::L0, 1)) {
     const std::vector<Recipe> recipes = shard.recipes();
     for (std::size_t i = 0; i < recipes.size(); i += 7) {
-      std::vector<std::string> ids;
+      std::vector<std::string> ids, made;
       for (const Record& record : records_of(recipes[i])) ids.push_back(record.id);
-      EXPECT_EQ(ids_of(recipes[i]), ids);
+      for (const FormedCase& one : cases_of(recipes[i])) made.push_back(one.points.id);
+      EXPECT_EQ(made, ids);
       rounded += ids.size() - 1;
     }
   }

@@ -61,7 +61,8 @@ TEST(Shrink, NoPointOfTheResultCanBeDropped) {
   for (Body Case::*body : {&Case::a, &Case::b})
     for (std::size_t i = 0; (smallest.*body).points.size() > 1 && i < (smallest.*body).points.size(); ++i) {
       Case less = smallest;
-      (less.*body).points.erase((less.*body).points.begin() + static_cast<std::ptrdiff_t>(i));
+      std::vector<Point>& points = (less.*body).points.edit();
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
       EXPECT_NE(doubled(less).verdict, verdict) << i;
     }
 }
@@ -166,7 +167,7 @@ TEST(Shrink, KeepsOneUlpThatMatters) {
     if (reply.overlap && fine) reply.depth = *reply.depth / 2;
   });
   Case pair = family_case("random_ball", 30, 2);
-  pair.a.points[3].x += scaled(1, -50);
+  pair.a.points.edit()[3].x += scaled(1, -50);
   const Verdict verdict = picky(pair).verdict;
   ASSERT_TRUE(fails(verdict));
   const Case smallest = shrink(pair, verdict, picky).pair;
@@ -185,7 +186,7 @@ TEST(Shrink, OfAnAnswerThatAVariantChanges) {
       tolerance);
   const Examine swapped = examine_variant(lopsided, "swap", Precision::binary64, tolerance);
   Case pair = family_case("random_ball", 12, 3);
-  pair.b.points.pop_back();
+  pair.b.points.edit().pop_back();
   ASSERT_EQ(swapped(pair).verdict, Verdict::not_invariant);
   const Shrunk shrunk = shrink(pair, Verdict::not_invariant, swapped);
   EXPECT_EQ(shrunk.outcome.variant, "swap");

@@ -154,7 +154,7 @@ class NaiveJudge {
 
   [[nodiscard]] mpf_class extent() const {
     mpq_class result;
-    for (const std::vector<Point>* body : {&truth_.a, &truth_.b}) {
+    for (const GivenPoints* body : {&truth_.a, &truth_.b}) {
       for (const Point& p : *body) {
         for (const Point& q : *body) result = std::max({result, mpq_class(p.x - q.x), mpq_class(p.y - q.y), mpq_class(p.z - q.z)});
       }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "fathom/numbers.hpp"
@@ -48,6 +50,35 @@ TEST(Dyadic, OfRationals) {
   EXPECT_FALSE(dyadic(mpq_class(2, 4))) << "not in lowest terms";
   EXPECT_FALSE(dyadic(mpq_class(1, -4)));
   EXPECT_FALSE(dyadic(mpq_class(1, 0)));
+}
+
+TEST(Dyadic, InBinary64AreItsNumbersAlone) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = std::bit_cast<double>(i % 5 == 0 ? random() & 0x800fffffffffffffU : random());
+    if (!std::isfinite(x)) continue;
+    const mpq_class exact = exact_value(x), third = exact / 3;
+    ASSERT_EQ(in_binary64(exact), std::optional(x + 0.0)) << x;
+    const bool is_number = exact_value(round_binary64(third)) == third;
+    ASSERT_EQ(in_binary64(third).has_value(), is_number) << x;
+  }
+  const mpq_class top = value({1, 1024}), least = value({1, -1074});
+  for (const mpq_class& q : {top, mpq_class(-top), mpq_class(least / 2), mpq_class(3 * least / 2), value({(1L << 53) + 1, 0}),
+                             value({(1L << 53) + 1, 900}), mpq_class(1, 3), mpq_class(1, -4), mpq_class(1, 0)})
+    EXPECT_FALSE(in_binary64(q)) << q;
+  EXPECT_EQ(in_binary64(mpq_class(top - value({1, 971}))), std::numeric_limits<double>::max());
+  EXPECT_EQ(in_binary64(least), 0x1p-1074);
+}
+
+TEST(Dyadic, EachOfThreeIsRoundedToBinary32) {
+  for (const double x : {0.1, -0.7, 1e-42, 1e300}) {
+    std::array<double, 3> p{x, 2 * x, 3 * x};
+    for (double& c : p) c = nearest_binary32(c);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const mpq_class exact = exact_value(static_cast<double>(i + 1) * x);
+      EXPECT_EQ(p[i], static_cast<double>(round_binary32(exact))) << x;
+    }
+  }
 }
 
 }  // namespace

@@ -17,17 +17,16 @@ namespace {
 
 /// Whether the quick reader took the token; if so it must agree.
 bool quick(const std::string& token, Decimals decimals) {
-  mpq_class value(-12345);
-  if (!quick_number(token, decimals, value)) return false;
+  const std::optional<double> value = quick_number(token, decimals);
+  if (!value) return false;
   const ParsedNumber naive = parse_number(token, decimals);
   EXPECT_TRUE(naive.value.has_value()) << token;
-  EXPECT_EQ(value, naive.value.value_or(mpq_class(-54321))) << token;
-  EXPECT_EQ(gcd(value.get_num(), value.get_den()), 1) << token;
+  EXPECT_EQ(mpq_class(*value), naive.value.value_or(mpq_class(-54321))) << token;
   return true;
 }
 
 TEST(QuickNumber, TakesWhatMeshesHold) {
-  for (const char* token : {"0", "-0", "007", "9223372036854775807", "-9223372036854775808"}) {
+  for (const char* token : {"0", "-0", "007", "9007199254740992", "-9007199254740992"}) {
     EXPECT_TRUE(quick(token, Decimals::binary64)) << token;
     EXPECT_TRUE(quick(token, Decimals::exact)) << token;
   }
@@ -39,9 +38,30 @@ TEST(QuickNumber, TakesWhatMeshesHold) {
 }
 
 TEST(QuickNumber, LeavesTheRest) {
-  for (const char* token : {"",       "+1",    "-",      ".",   "inf", "-inf", "nan", "infinity", "1e400", "-1e400",
-                            "1e-400", "0x1p3", "0x1.8",  "1/2", "1e",  "1e+",  "1 ",  " 1",       "1,5",   "9223372036854775808",
-                            "1.5f",   "--1",   "nan(e1)"}) {
+  for (const char* token : {"",
+                            "+1",
+                            "-",
+                            ".",
+                            "inf",
+                            "-inf",
+                            "nan",
+                            "infinity",
+                            "1e400",
+                            "-1e400",
+                            "1e-400",
+                            "0x1p3",
+                            "0x1.8",
+                            "1/2",
+                            "1e",
+                            "1e+",
+                            "1 ",
+                            " 1",
+                            "1,5",
+                            "9007199254740993",
+                            "-9007199254740993",
+                            "1.5f",
+                            "--1",
+                            "nan(e1)"}) {
     EXPECT_FALSE(quick(token, Decimals::binary64)) << token;
     EXPECT_FALSE(quick(token, Decimals::exact)) << token;
   }
@@ -69,8 +89,7 @@ TEST(QuickNumber, AgreesOnWhateverIsWritten) {
 
 TEST(QuickNumber, LeavesDecimalsWhileRoundingIsNotToNearest) {
   std::fesetround(FE_UPWARD);
-  mpq_class value;
-  const bool decimal = quick_number("0.1", Decimals::binary64, value), integer = quick_number("12", Decimals::binary64, value);
+  const bool decimal = quick_number("0.1", Decimals::binary64).has_value(), integer = quick_number("12", Decimals::binary64).has_value();
   std::fesetround(FE_TONEAREST);
   EXPECT_FALSE(decimal);
   EXPECT_TRUE(integer);

@@ -124,7 +124,7 @@ TEST(NearestPoints, ValidateHasTeeth) {
 Depth depth_of(const Case& pair) { return testing::exact_depth(pair.a.points, pair.b.points); }
 
 Case moved(Case pair, const Point& t) {
-  for (Point& p : pair.a.points) p = {p.x + t.x, p.y + t.y, p.z + t.z};
+  for (Point& p : pair.a.points.edit()) p = {p.x + t.x, p.y + t.y, p.z + t.z};
   return pair;
 }
 

@@ -252,7 +252,7 @@ TEST(Study, StretchedBodiesAreStudiedLikeOthers) {
   Case pair = family.make(1, 60);
   const Study plain = study_of(pair.a, pair.b);
   for (Body* body : {&pair.a, &pair.b}) {
-    for (Point& p : body->points) {
+    for (Point& p : body->points.edit()) {
       p.x /= mpz_class(1) << 1000;
       p.z *= mpz_class(1) << 1000;
     }

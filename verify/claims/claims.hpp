@@ -54,9 +54,6 @@ struct JudgedClaim {
 /// "right", "wrong", "undecided", "not-judgeable".
 std::string_view verdict_name(const std::optional<Finding>& finding);
 
-/// The bodies as shapes.
-Shape shape_of(const Body& body);
-
 /// Judges each statement of the claim by exact comparison. A length is right if it is within the claim's tolerance; without one, within half
 /// a unit of its last decimal place. A direction is a line: it is right if the cheaper of its two senses costs at most the tolerance more
 /// than the depth, or no more than what the rounding of its components explains (proofs/judge.md: 2^-52 times the largest coordinate of P).

@@ -6,6 +6,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/claims/claims.hpp"
 
 namespace fathom::claims {
@@ -94,7 +95,7 @@ bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>
 
 /// Judges with bounds of the truth that are so many bits apart.
 JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
-  const Shape a = shape_of(claim.bodies.a), b = shape_of(claim.bodies.b);
+  const Shape a = files::shape_of(claim.bodies.a), b = files::shape_of(claim.bodies.b);
   SignedDepthOptions options;
   options.bits = bits;
   JudgedClaim judged{signed_depth(a, b, options), {}};
@@ -120,8 +121,6 @@ JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
 }
 
 }  // namespace
-
-Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
 
 std::optional<Finding> JudgedClaim::finding() const {
   if (statements.empty()) return std::nullopt;

@@ -12,7 +12,7 @@ Point as_point(const Vector& v) { return {v.x, v.y, v.z}; }
 
 template <class Map>
 Body mapped(Body body, Map map) {
-  for (Point& p : body.points) p = map(p);
+  for (Point& p : body.points.edit()) p = map(p);
   return body;
 }
 

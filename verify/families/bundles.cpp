@@ -57,7 +57,7 @@ Body twisted_fan(Random& random, unsigned n) {
   Body body = fan(chain, 2, 8);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const mpz_class t = times_power_of_two(chain[i].along, bits).get_num();
-    body.points[i].x = times_power_of_two(mpq_class(mpz_class((t * t * t) >> (3 * bits + 4 - fine))), -fine);
+    body.points.edit()[i].x = times_power_of_two(mpq_class(mpz_class((t * t * t) >> (3 * bits + 4 - fine))), -fine);
   }
   return body;
 }

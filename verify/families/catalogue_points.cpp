@@ -12,7 +12,8 @@ constexpr std::string_view extreme = "all points are extreme";
 Known deep(std::size_t optima, std::optional<ContactKind> kind = std::nullopt) { return {Status::penetrating, optima, kind}; }
 
 Body with(Body body, const std::vector<Point>& more) {
-  body.points.insert(body.points.end(), more.begin(), more.end());
+  std::vector<Point>& points = body.points.edit();
+  points.insert(points.end(), more.begin(), more.end());
   return body;
 }
 

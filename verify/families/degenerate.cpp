@@ -153,7 +153,7 @@ Bodies redundant_points(Random& random, unsigned n) {
       const Point deeper = moved(middle, difference(r, middle), ratio(1, 3));
       body->points.push_back(i % 3 == 0 ? p : i % 3 == 1 ? middle : deeper);
     }
-    std::reverse(body->points.begin(), body->points.end());
+    std::ranges::reverse(body->points.edit());
   }
   return bodies;
 }

@@ -36,7 +36,7 @@ Body flattened(const Body& body, Random& random) {
 Body reflected_half(const Body& body) {
   Body result = body;
   const std::size_t half = (body.points.size() + 1) / 2;
-  result.points.resize(std::min(body.points.size(), std::max<std::size_t>(3, half)));
+  result.points.edit().resize(std::min(body.points.size(), std::max<std::size_t>(3, half)));
   for (std::size_t i = 0, given = result.points.size(); i < given; ++i) {
     const Point p = result.points[i];
     result.points.push_back(combined(-1, p, 0, p));
@@ -129,7 +129,7 @@ void snapped_to_lattice(Bodies& bodies, Random&) {
       static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
   const long unit = exponent - 3;  // 2^(exponent - 1) < size < 2^(exponent + 1)
   for (Body* body : {&bodies.a, &bodies.b})
-    for (Point& p : body->points) p = {snapped(p.x, unit), snapped(p.y, unit), snapped(p.z, unit)};
+    for (Point& p : body->points.edit()) p = {snapped(p.x, unit), snapped(p.y, unit), snapped(p.z, unit)};
 }
 
 }  // namespace fathom::families

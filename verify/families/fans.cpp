@@ -43,7 +43,7 @@ Body fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
 
 Body opposing_fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
   Body body = fan(chain, side, below);
-  for (Point& p : body.points) p = {p.y, p.x, mpq_class(-p.z)};
+  for (Point& p : body.points.edit()) p = {p.y, p.x, mpq_class(-p.z)};
   return body;
 }
 

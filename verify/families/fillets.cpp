@@ -35,7 +35,7 @@ Body laid_along(const Body& body, int x, int y) {
 }
 
 Body upside_down(Body body) {
-  for (Point& p : body.points) p.z = -p.z;
+  for (Point& p : body.points.edit()) p.z = -p.z;
   return body;
 }
 

@@ -31,7 +31,7 @@ bool representable(const mpq_class& value, Precision precision);
 template <class Change>
 void for_each_coordinate(Case& pair, Change change) {
   for (Body* body : {&pair.a, &pair.b})
-    for (Point& p : body->points)
+    for (Point& p : body->points.edit())
       for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
 }
 template <class Look>

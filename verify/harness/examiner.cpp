@@ -211,7 +211,7 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
         fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), quoted(line)));
   answered_ = seen.id;
   unread_ = 0;
-  judge_answer(outcome, seen, *answer, info_, {settings_.tolerance, settings_.second, settings_.stop});
+  judge_answer(outcome, seen, *answer, info_, {settings_.tolerance, settings_.second, settings_.stop, &workspace_});
   return std::nullopt;
 }
 

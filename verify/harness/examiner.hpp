@@ -84,6 +84,7 @@ class Examiner {
   SubjectCommand command_;
   Settings settings_;
   SubjectInfo info_;
+  Workspace workspace_;
   std::unique_ptr<Process> process_;
   std::optional<std::string> answered_;     // the last case that this process answered
   std::uint64_t starts_ = 0, tickets_ = 0;  // tickets: of this process

@@ -5,8 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
-#include "fathom/numbers.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
@@ -14,17 +16,18 @@ namespace fathom::harness {
 namespace {
 
 /// Read by strtod or by strtof, or by strtod and then rounded, it is the same number.
-std::string number(const mpq_class& value, Precision precision) {
-  if (precision == Precision::binary32) return fmt::format("{}", static_cast<double>(round_binary32(value, Rounding::rn)));
-  return fmt::format("{}", round_binary64(value, Rounding::rn));
+void add_point(std::string& text, const std::array<double, 3>& p) {
+  fmt::format_to(std::back_inserter(text), "[{},{},{}]", p[0], p[1], p[2]);
 }
 
 void add_body(std::string& text, const Body& body, Precision precision, bool with_faces) {
   text += "{\"vertices\":";
   const char* before = "[";
-  for (const Point& p : body.points) {
-    text += fmt::format("{}[{},{},{}]", before, number(p.x, precision), number(p.y, precision), number(p.z, precision));
-    before = ",";
+  const std::optional<GivenPoints> rounded = seen(body.points, precision);
+  if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
+  for (const std::array<double, 3>& p : rounded->binary64()) {
+    text += std::exchange(before, ",");
+    add_point(text, p);
   }
   text += ']';
   const Faces faces = with_faces ? faces_of(body.points) : Faces();

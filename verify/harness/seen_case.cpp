@@ -58,7 +58,7 @@ void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<s
 }  // namespace
 
 std::optional<Case> as_seen(const Case& pair, Precision precision) {
-  std::optional<std::vector<Point>> a = seen(pair.a.points, precision), b = seen(pair.b.points, precision);
+  std::optional<GivenPoints> a = seen(pair.a.points, precision), b = seen(pair.b.points, precision);
   if (!a || !b) return std::nullopt;
   return Case{pair.id, {*std::move(a)}, {*std::move(b)}};
 }
@@ -111,6 +111,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
+  options.workspace = judging.workspace;
   outcome.reply = std::get<Reply>(answer.said);
   const auto judged = [&](const Truth& truth) { return judge(truth, *outcome.reply, info.conventions, info.precision, judging.tolerance); };
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);

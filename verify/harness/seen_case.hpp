@@ -29,6 +29,7 @@ struct Judging {
   Tolerance tolerance = {};
   std::vector<Solver> second = {};       ///< ways to find the truth and the judgement again
   std::function<bool()> stop = nullptr;  ///< ends the work with Interrupted; may be empty
+  Workspace* workspace = nullptr;        ///< of the thread that judges; may be null
 };
 
 /// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement if one of the second ways leads to

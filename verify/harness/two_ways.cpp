@@ -49,7 +49,7 @@ Solver solver_by(Method method) {
     Options options;
     options.method = method;
     options.monitor = monitor;
-    return penetration_depth(pair.a.points, pair.b.points, options);
+    return penetration_depth(pair.a, pair.b, options);
   };
   return {std::string(name(method)), depth};
 }

@@ -60,7 +60,7 @@ std::optional<Variant> translated(Variant variant) {
     if (const std::optional<mpq_class> step = shift(original, axis, variant.precision)) {
       moved = true;
       for (Body* body : {&variant.seen.a, &variant.seen.b})
-        for (Point& p : body->points) p.*axis += *step;
+        for (Point& p : body->points.edit()) p.*axis += *step;
     }
   return moved ? std::optional(variant) : std::nullopt;
 }
@@ -75,7 +75,7 @@ bool shuffle(std::vector<Point>& points, families::Random& random) {
 
 std::optional<Variant> permuted(Variant variant) {
   families::Random random(seed);
-  const bool a = shuffle(variant.seen.a.points, random), b = shuffle(variant.seen.b.points, random);
+  const bool a = shuffle(variant.seen.a.points.edit(), random), b = shuffle(variant.seen.b.points.edit(), random);
   return a || b ? std::optional(variant) : std::nullopt;
 }
 

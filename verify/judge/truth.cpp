@@ -1,33 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The points that the subject saw, and the exact answer for them.
-#include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {
 
-/// False if it overflows.
-bool round_to(mpq_class& x, Precision precision) {
+double rounded(const mpq_class& x, Precision precision) {
   kernels::require_lowest_terms(x);
-  const double rounded = precision == Precision::binary64 ? round_binary64(x, Rounding::rn) : round_binary32(x, Rounding::rn);
-  if (!std::isfinite(rounded)) return false;
-  x = exact_value(rounded);
-  return true;
+  return precision == Precision::binary64 ? round_binary64(x, Rounding::rn) : round_binary32(x, Rounding::rn);
+}
+double rounded(double x, Precision precision) { return precision == Precision::binary64 ? x : kernels::nearest_binary32(x); }
+
+/// nullopt if a coordinate overflows.
+template <class P>
+std::optional<GivenPoints> rounded(std::span<const P> points, Precision precision) {
+  std::vector<Triple> result;
+  result.reserve(points.size());
+  for (const auto& [x, y, z] : points) {
+    result.push_back({rounded(x, precision), rounded(y, precision), rounded(z, precision)});
+    if (!is_finite(result.back())) return std::nullopt;
+  }
+  return GivenPoints(std::move(result));
 }
 
-std::vector<Point> points_of(const std::vector<Triple>& body, Precision precision) {
-  std::vector<Point> points;
-  for (const Triple& p : body) {
-    if (!is_finite(p)) throw std::invalid_argument("a coordinate is not finite");
-    points.push_back(exact_point(p));
-  }
-  std::optional<std::vector<Point>> rounded = seen(points, precision);
+GivenPoints points_of(const std::vector<Triple>& body, Precision precision) {
+  std::optional<GivenPoints> rounded = seen(GivenPoints(body), precision);
   if (!rounded) throw std::invalid_argument("a coordinate is beyond the subject's precision");
   return std::move(*rounded);
 }
@@ -38,18 +46,15 @@ std::vector<Point> points_of(const std::vector<Triple>& body, Precision precisio
 
 namespace fathom {
 
-std::optional<std::vector<Point>> seen(const std::vector<Point>& points, Precision precision) {
-  std::vector<Point> result = points;
-  for (Point& p : result) {
-    if (!judging::round_to(p.x, precision) || !judging::round_to(p.y, precision) || !judging::round_to(p.z, precision)) return std::nullopt;
-  }
-  return result;
+std::optional<GivenPoints> seen(const GivenPoints& points, Precision precision) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (!points.in_binary64()) return judging::rounded(std::span<const Point>(points.exact()), precision);
+  return precision == Precision::binary64 ? points : judging::rounded(points.binary64(), precision);
 }
 
-Truth truth_about(std::vector<Point> a, std::vector<Point> b, const Options& options) {
-  Truth truth{std::move(a), std::move(b), {}};
-  truth.depth = penetration_depth(truth.a, truth.b, options);
-  return truth;
+Truth truth_about(GivenPoints a, GivenPoints b, const Options& options) {
+  Depth depth = penetration_depth(Body{a}, Body{b}, options);
+  return {std::move(a), std::move(b), std::move(depth)};
 }
 
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,

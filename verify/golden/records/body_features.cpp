@@ -44,8 +44,7 @@ Look::Look(const Facts& f)
     : facts(f),
       integers(integers_of(f.points.a.points, f.points.b.points)),
       a(integers.a, integers.denominator),
-      b(integers.b, integers.denominator),
-      depth(rounded_root(f.answer.squared())) {
+      b(integers.b, integers.denominator) {
   for (const std::vector<Vector>* points : {&integers.a, &integers.b}) {
     for (const Vector& p : *points) {
       for (const mpz_class* c : {&p.x, &p.y, &p.z}) {

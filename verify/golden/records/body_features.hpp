@@ -7,7 +7,6 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/record_facts.hpp"
-#include "verify/golden/records/rounded.hpp"
 
 namespace fathom::golden {
 
@@ -26,7 +25,6 @@ struct Look {
   const Facts& facts;
   Integers integers;
   BodyLook a, b;
-  Rounded depth;
   mpz_class greatest, least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
 
   explicit Look(const Facts& facts);

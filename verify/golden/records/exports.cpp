@@ -2,111 +2,102 @@
 #include "verify/golden/records/exports.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "fathom/numbers.hpp"
+#include "kernels/number/hex.hpp"
+#include "verify/golden/records/names.hpp"
 
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::json;
+using Triple = std::array<double, 3>;
 
-constexpr std::array<const char*, 3> modes{"rn", "rd", "ru"};
-
-/// A record and the place of its answer: the first optimum, else what separates the bodies or shows that they touch.
-struct Parts {
-  Json record;
-
-  explicit Parts(std::string_view line) try : record(Json::parse(line)) {
-    if (!record.at("id").is_string()) throw std::invalid_argument("this is no record: its id is no text");
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(std::string("this is no record: ") + error.what());
-  }
-
-  [[nodiscard]] static const std::string& text(const Json& value) { return value.get_ref<const std::string&>(); }
-  [[nodiscard]] const std::string& id() const { return text(record.at("id")); }
-  [[nodiscard]] const Json& expected() const { return record.at("expected"); }
-  [[nodiscard]] const std::string& status() const { return text(expected().at("status")); }
-  [[nodiscard]] const Json& depth() const { return expected().at("depth"); }
-  [[nodiscard]] const Json& answer() const { return status() == "penetrating" ? expected().at("optima").at(0) : expected(); }
-  [[nodiscard]] bool in_binary64() const {
-    const Json& formats = record.at("formats");
-    return std::find(formats.begin(), formats.end(), "binary64") != formats.end();
-  }
-  [[nodiscard]] bool in_binary32() const {
-    const Json& formats = record.at("formats");
-    return std::find(formats.begin(), formats.end(), "binary32") != formats.end();
-  }
-  /// The translation, rounded to nearest; zeros for touching bodies, what brings disjoint ones together.
-  [[nodiscard]] Json translation() const {
-    if (status() == "touching") return Json::array({"0x0p+0", "0x0p+0", "0x0p+0"});
-    const Json& holder = status() == "disjoint" ? expected().at("distance") : answer();
-    return holder.at("rounded").at("f64").at("rn");
-  }
-  [[nodiscard]] std::string distance() const {
-    return status() == "disjoint" ? text(expected().at("distance").at("f64").at("rn")) : "0x0p+0";
-  }
-};
-
-/// Texts of a list of lists, one after another.
-template <class Each>
-void for_each_text(const Json& value, Each each) {
-  if (value.is_string()) each(Parts::text(value));
-  else
-    for (const Json& part : value) for_each_text(part, each);
-}
-
-std::string joined(const Json& list, std::string_view separator) {
-  std::string result;
-  for_each_text(list, [&](const std::string& item) {
-    if (!result.empty()) result += separator;
-    result += item;
-  });
-  return result;
+std::string hex(double value) {
+  std::string text;
+  kernels::append_hex(value, text);
+  return text;
 }
 
 /// A hexadecimal float as C++ writes it.
-std::string literal(const std::string& hex) {
+void append_literal(double value, std::string& text) {
   constexpr std::string_view infinity = "std::numeric_limits<double>::infinity()";
-  return hex == "inf" ? std::string(infinity) : hex == "-inf" ? "-" + std::string(infinity) : hex;
+  if (!std::isinf(value)) kernels::append_hex(value, text);
+  else (text += value < 0 ? "-" : "") += infinity;
 }
 
-std::string literals(const Json& list) {
-  std::string result;
-  for_each_text(list, [&](const std::string& hex) { result += (result.empty() ? "" : ", ") + literal(hex); });
-  return "{" + result + "}";
+/// To nearest.
+Triple nearest(const RoundedVector& v) { return {v[0].binary64[0], v[1].binary64[0], v[2].binary64[0]}; }
+
+/// Of the first optimum; zeros for touching bodies, what brings disjoint ones together.
+Triple translation(const Facts& facts) {
+  return facts.rounded.translations.empty() ? Triple{} : nearest(facts.rounded.translations.front());
 }
 
-std::string points(const Json& body) {
-  std::string result;
-  for (const Json& vertex : body.at("vertices")) result += (result.empty() ? "" : ", ") + literals(vertex);
-  return "{" + result + "}";
-}
-
-std::string row_of(const Parts& parts) {
-  const Json &record = parts.record, &depth = parts.depth(), &optima = parts.expected().at("optima");
-  std::string row = parts.id() + "," + parts.status() + "," + (parts.in_binary32() ? "binary32" : "binary64") + "," +
-                    joined(record.at("flags"), " ") + "," + Parts::text(depth.at("squared"));
-  for (const char* format : {"f64", "f32"}) {
-    for (const char* mode : modes) row += "," + Parts::text(depth.at(format).at(mode));
+void append_joined(const Triple& p, char separator, std::string& text) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i > 0) text += separator;
+    kernels::append_hex(p[i], text);
   }
-  row += "," + joined(parts.answer().at("unit").at("f64").at("rn"), ",") + "," + joined(parts.translation(), ",");
-  row += "," + std::to_string(optima.size()) + ",";
-  if (!optima.empty()) row += Parts::text(optima[0].at("contact").at("kind"));
-  row += "," + parts.distance();
-  for (const char* body : {"a", "b"}) {
-    const Json& vertices = record.at(body).at("vertices");
-    row += "," + std::to_string(vertices.size()) + "," + joined(vertices, " ");
-  }
-  return row + "\n";
 }
 
-std::string entry_of(const Parts& parts) {
-  const Json& depth = parts.depth().at("f64");
-  std::string entry = "FATHOM_GOLDEN_CASE(\"" + parts.id() + "\", \"" + parts.status() + "\", ";
-  for (const char* mode : modes) entry += literal(Parts::text(depth.at(mode))) + ", ";
-  entry += literals(parts.answer().at("unit").at("f64").at("rn")) + ", " + literals(parts.translation()) + ", ";
-  entry += std::to_string(parts.expected().at("optima").size()) + ", " + literal(parts.distance()) + ", ";
-  return entry + points(parts.record.at("a")) + ", " + points(parts.record.at("b")) + ")\n";
+void append_literals(const Triple& p, std::string& text) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    text += i == 0 ? "{" : ", ";
+    append_literal(p[i], text);
+  }
+  text += '}';
+}
+
+std::string row_of(const Facts& facts) {
+  const std::vector<Optimum>& optima = facts.answer.optima();
+  std::string row = facts.points.id + ',';
+  ((row += name(facts.answer.status())) += ',') += facts.in_binary32 ? "binary32," : "binary64,";
+  for (std::size_t i = 0; i < facts.flags.size(); ++i) (row += i == 0 ? "" : " ") += facts.flags[i];
+  row += ',' + exact_text(facts.answer.squared());
+  for (const auto& format : {facts.rounded.depth.binary64, facts.rounded.depth.binary32})
+    for (const double value : format) row += ',' + hex(value);
+  row += ',';
+  append_joined(nearest(facts.rounded.units.front()), ',', row);
+  row += ',';
+  append_joined(translation(facts), ',', row);
+  row += ',' + std::to_string(optima.size()) + ',';
+  if (!optima.empty()) row += name(optima.front().contact.kind);
+  row += ',' + hex(facts.rounded.distance.binary64[0]);
+  for (const Body* body : {&facts.points.a, &facts.points.b}) {
+    row += ',' + std::to_string(body->points.size());
+    char before = ',';
+    for (const Triple& p : body->points.binary64()) {
+      row += std::exchange(before, ' ');
+      append_joined(p, ' ', row);
+    }
+  }
+  return row + '\n';
+}
+
+std::string entry_of(const Facts& facts) {
+  std::string entry = "FATHOM_GOLDEN_CASE(\"" + facts.points.id + "\", \"";
+  (entry += name(facts.answer.status())) += "\", ";
+  for (const double value : facts.rounded.depth.binary64) {
+    append_literal(value, entry);
+    entry += ", ";
+  }
+  append_literals(nearest(facts.rounded.units.front()), entry);
+  entry += ", ";
+  append_literals(translation(facts), entry);
+  entry += ", " + std::to_string(facts.answer.optima().size()) + ", ";
+  append_literal(facts.rounded.distance.binary64[0], entry);
+  for (const Body* body : {&facts.points.a, &facts.points.b}) {
+    const char* before = ", {";
+    for (const Triple& p : body->points.binary64()) {
+      entry += std::exchange(before, ", ");
+      append_literals(p, entry);
+    }
+    entry += '}';
+  }
+  return entry + ")\n";
 }
 
 }  // namespace
@@ -142,12 +133,9 @@ std::string include_head() {
 
 std::string include_tail() { return "#undef FATHOM_GOLDEN_CASE\n"; }
 
-Exports exports_of(std::string_view line) try {
-  const Parts parts(line);
-  if (!parts.in_binary64()) return {};
-  return {row_of(parts), entry_of(parts)};
-} catch (const Json::exception& error) {
-  throw std::invalid_argument(std::string("this is no record: ") + error.what());
+Exports exports_of(const Facts& facts) {
+  if (!facts.in_binary64) return {};
+  return {row_of(facts), entry_of(facts)};
 }
 
 }  // namespace fathom::golden

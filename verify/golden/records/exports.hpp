@@ -3,7 +3,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+
+#include "verify/golden/records/record_facts.hpp"
 
 namespace fathom::golden {
 
@@ -19,7 +20,6 @@ struct Exports {
   std::string csv_row, include_entry;
 };
 
-/// Throws std::invalid_argument if `line` is not a record.
-Exports exports_of(std::string_view line);
+Exports exports_of(const Facts& facts);
 
 }  // namespace fathom::golden

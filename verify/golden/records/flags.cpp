@@ -81,13 +81,13 @@ using Modes = std::array<double, 3> Rounded::*;
 // exact value lies.
 template <Modes Format>
 bool depth_in_format(const Look& look) {
-  return penetrating(look) && (look.depth.*Format)[1] == (look.depth.*Format)[2];
+  return penetrating(look) && (look.facts.rounded.depth.*Format)[1] == (look.facts.rounded.depth.*Format)[2];
 }
 
 template <Modes Format>
 bool depth_outside(const Look& look) {
   const double normal = Format == &Rounded::binary64 ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
-  return penetrating(look) && ((look.depth.*Format)[1] < normal || std::isinf((look.depth.*Format)[0]));
+  return penetrating(look) && ((look.facts.rounded.depth.*Format)[1] < normal || std::isinf((look.facts.rounded.depth.*Format)[0]));
 }
 
 /// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/records/json_text.hpp"
 
-#include "fathom/numbers.hpp"
+#include "kernels/number/hex.hpp"
 
 namespace fathom::golden {
 
@@ -77,6 +77,12 @@ JsonText& JsonText::exact(const mpq_class& q) {
   return *this;
 }
 
-JsonText& JsonText::hex(double value) { return text(hex_text(value)); }
+JsonText& JsonText::hex(double value) {
+  separate();
+  text_ += '"';
+  kernels::append_hex(value, text_);
+  text_ += '"';
+  return *this;
+}
 
 }  // namespace fathom::golden

@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -29,6 +30,7 @@ class JsonText {
   JsonText& exact(const Point& p) { return three(p.x, p.y, p.z); }
   /// A hexadecimal float, as text.
   JsonText& hex(double value);
+  JsonText& hex(const std::array<double, 3>& p) { return open('[').hex(p[0]).hex(p[1]).hex(p[2]).close(']'); }
 
   std::string take() { return std::move(text_); }
 

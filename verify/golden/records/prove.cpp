@@ -3,15 +3,15 @@
 // the definitions. Then the record is written anew, and must be the same text: so no field can be wrong, missing, repeated or unknown.
 #include "verify/golden/records/prove.hpp"
 
+#include <algorithm>
+
 #include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/faces.hpp"
-#include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
-#include "verify/golden/records/record_reader.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -136,21 +136,28 @@ Distance proved_distance(const Integers& bodies, const Vector& n, const Witness&
   return {sides.factor * sides.factor * dot(n, n), n, sides.translation, witness};
 }
 
-/// The points must be those that the source names: an id stands for one pair of bodies only.
-void prove_source(const Claimed& claimed) {
+}  // namespace
+
+/// The points must be those that the source names: an id stands for one pair of bodies only. Returns them.
+const Case& Prover::prove_source(const Claimed& claimed) {
   if (claimed.points.id != id_of(claimed.recipe, claimed.form)) throw Refusal("id: it is not that of its source");
   constexpr unsigned largest_size = 10'000;  // nobody's text may ask for more work
   if (claimed.recipe.size > largest_size) throw Refusal("source.size: it is larger than that of any record");
-  std::optional<Case> made = base_case(claimed.recipe);
-  if (claimed.form != Form::given) made = in_format(*made, claimed.form) ? std::nullopt : rounded_case(*made, claimed.form);
-  if (!made || made->a.points != claimed.points.a.points || made->b.points != claimed.points.b.points)
+  if (recipe_ != claimed.recipe) {
+    recipe_.reset();
+    cases_ = cases_of(claimed.recipe);
+    recipe_ = claimed.recipe;
+  }
+  const auto made = std::ranges::find(cases_, claimed.form, &FormedCase::form);
+  if (made == cases_.end() || made->points.a.points != claimed.points.a.points || made->points.b.points != claimed.points.b.points)
     throw Refusal("source: it does not yield these points");
+  return made->points;
 }
 
-Facts facts_from(const Claimed& claimed, const Proved& proved) {
-  prove_source(claimed);
-  const std::vector<Point>&a = claimed.points.a.points, &b = claimed.points.b.points;
-  const Integers bodies = integers_of(a, b);
+Facts Prover::facts_from(const Claimed& claimed, std::string_view certificate) {
+  const Proved proved = accepted(certificate, claimed);
+  const Case& points = prove_source(claimed);
+  const Integers bodies = integers_of(claimed.points.a.points, claimed.points.b.points);
   Depth answer;
   answer.flat_a = polytope::affine_rank(bodies.a) < 3;
   answer.flat_b = polytope::affine_rank(bodies.b) < 3;
@@ -160,26 +167,34 @@ Facts facts_from(const Claimed& claimed, const Proved& proved) {
     case Status::touching: answer.outcome = Touch{proved.directions.front(), proved.common}; break;
     case Status::disjoint: answer.outcome = proved_distance(bodies, proved.directions.front(), *claimed.witness); break;
   }
-  return facts_of_answer(claimed.recipe, claimed.form, claimed.points, std::move(answer));
+  return facts_of_answer(claimed.recipe, claimed.form, points, std::move(answer), nullptr, &workspace_);
 }
 
-std::optional<std::string> faults(std::string_view line, std::string_view certificate) {
+std::optional<std::string> Prover::faults(std::string_view line, std::string_view certificate) {
   const Claimed claimed = read_record(line);
-  Facts facts = facts_from(claimed, accepted(certificate, claimed));
+  Facts facts = facts_from(claimed, certificate);
   facts.certificate_sha256 = digest::digest_of(certificate).sha256;
   const std::string expected = line_of(facts);
-  if (expected == line) return std::nullopt;
-  return first_difference(expected, line);
+  if (expected != line) return first_difference(expected, line);
+  id_ = claimed.points.id;
+  exports_ = exports_of(facts);
+  return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<std::string> faults_of(std::string_view line, std::string_view certificate) {
+std::optional<std::string> Prover::faults_of(std::string_view line, std::string_view certificate) {
   try {
     return faults(line, certificate);
   } catch (const std::exception& fault) {
     return fault.what();
   }
 }
+
+std::vector<std::string> Prover::ids() const {
+  std::vector<std::string> ids;
+  for (const FormedCase& made : cases_) ids.push_back(made.points.id);
+  return ids;
+}
+
+std::optional<std::string> faults_of(std::string_view line, std::string_view certificate) { return Prover().faults_of(line, certificate); }
 
 }  // namespace fathom::golden

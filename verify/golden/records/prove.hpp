@@ -5,17 +5,44 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "verify/golden/records/exports.hpp"
+#include "verify/golden/records/record_facts.hpp"
+#include "verify/golden/records/record_reader.hpp"
 
 namespace fathom::golden {
 
-/// Returns nullopt if everything in the line is proved, else one sentence on what is not. `line` has no line feed, `certificate` holds
-/// exactly one certificate. What is proved: the certificate, by the checker that shares nothing with the rest; that it is about the points
-/// of the line, and that the source yields these points; that status, depth and directions are those of the certificate; every rounded
-/// value, translation, contact, witness, gap, format and flag by computing it again. Fields that are missing, repeated or unknown are
-/// refused. Throws nothing on bad input.  [proofs/golden.md]
-std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
+/// Proves one record after another, best those of one recipe together: its points are made once. One for each thread.
+class Prover {
+ public:
+  /// Returns nullopt if everything in the line is proved, else one sentence on what is not. `line` has no line feed, `certificate` holds
+  /// exactly one certificate. What is proved: the certificate, by the checker that shares nothing with the rest; that it is about the points
+  /// of the line, and that the source yields these points; that status, depth and directions are those of the certificate; every rounded
+  /// value, translation, contact, witness, gap, format and flag by computing it again. Fields that are missing, repeated or unknown are
+  /// refused. Throws nothing on bad input.  [proofs/golden.md]
+  std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
-/// Returns the id in a record's line, as far as it can be read, for messages.
-std::string id_in(std::string_view line);
+  // Of the record that was proved last.
+  [[nodiscard]] const std::string& id() const { return id_; }
+  [[nodiscard]] const Exports& exports() const { return exports_; }
+  /// The ids of all records of its recipe, in their order.
+  [[nodiscard]] std::vector<std::string> ids() const;
+
+ private:
+  std::optional<std::string> faults(std::string_view line, std::string_view certificate);
+  const Case& prove_source(const Claimed& claimed);
+  Facts facts_from(const Claimed& claimed, std::string_view certificate);
+
+  Workspace workspace_;
+  std::optional<Recipe> recipe_;
+  std::vector<FormedCase> cases_;  // of the recipe
+  std::string id_;
+  Exports exports_;
+};
+
+/// The same for a single record.
+std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
 }  // namespace fathom::golden

@@ -2,11 +2,15 @@
 #include "verify/golden/records/recipe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/release/real_cases.hpp"
@@ -16,36 +20,36 @@ namespace {
 
 std::string suffix(Form form) { return form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : ""; }
 
+using Triple = std::array<double, 3>;
+
+bool in_binary32(double value) { return kernels::nearest_binary32(value) == value; }
+
 double nearest(const mpq_class& value, Form format) {
   return format == Form::binary32 ? double{round_binary32(value, fathom::Rounding::rn)} : round_binary64(value, fathom::Rounding::rn);
 }
+double nearest(double value, Form format) { return format == Form::binary32 ? kernels::nearest_binary32(value) : value; }
 
-/// Numbers of a format are m 2^e with |m| < 2^precision, e >= least and |m 2^e| < 2^top.
-bool representable(const mpq_class& value, Form format) {
-  if (value == 0) return true;
-  const long precision = format == Form::binary32 ? 24 : 53, least = format == Form::binary32 ? -149 : -1074;
-  const long top = format == Form::binary32 ? 128 : 1024;
-  if (mpz_popcount(value.get_den_mpz_t()) != 1) return false;
-  const auto length = static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2));
-  const auto zeros = static_cast<long>(mpz_scan1(value.get_num_mpz_t(), 0));
-  const auto shift = static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2)) - 1;
-  return length - zeros <= precision && zeros - shift >= least && length - shift <= top;
+/// Not finite where a coordinate overflows.
+template <class P>
+std::vector<Triple> rounded(std::span<const P> points, Form form) {
+  std::vector<Triple> result;
+  result.reserve(points.size());
+  for (const auto& [x, y, z] : points) result.push_back({nearest(x, form), nearest(y, form), nearest(z, form)});
+  return result;
 }
 
-bool round_in_place(mpq_class& value, Form format) {
-  const double rounded = nearest(value, format);
-  if (!std::isfinite(rounded)) return false;
-  value = exact_value(rounded);
-  return true;
+std::optional<GivenPoints> rounded_points(const GivenPoints& points, Form form) {
+  std::vector<Triple> result = points.in_binary64() ? rounded(points.binary64(), form) : rounded(std::span<const Point>(points), form);
+  const auto finite = [](double c) { return std::isfinite(c); };
+  for (const Triple& p : result)
+    if (!std::ranges::all_of(p, finite)) return std::nullopt;
+  return GivenPoints(std::move(result));
 }
 
-bool one_point(const Body& body) {
-  return std::ranges::all_of(body.points, [&body](const Point& p) { return p == body.points.front(); });
-}
-
-template <class Function>
-bool all_coordinates(const Body& body, Function function) {
-  return std::ranges::all_of(body.points, [&](auto& p) { return function(p.x) && function(p.y) && function(p.z); });
+bool one_point(const GivenPoints& points) {
+  if (!points.in_binary64()) return std::ranges::all_of(points, [&](const Point& p) { return p == points.front(); });
+  const std::span<const Triple> all = points.binary64();
+  return std::ranges::all_of(all, [&](const Triple& p) { return p == all.front(); });
 }
 
 }  // namespace
@@ -64,7 +68,20 @@ std::string id_of(const Recipe& recipe, Form form) {
   return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix(form);
 }
 
+GivenPoints in_simplest_form(const GivenPoints& points) {
+  if (points.in_binary64()) return points;
+  std::vector<Triple> same;
+  same.reserve(points.size());
+  for (const Point& p : points) {
+    const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x, z = y ? kernels::in_binary64(p.z) : y;
+    if (!z) return points;
+    same.push_back({*x, *y, *z});
+  }
+  return GivenPoints(std::move(same));
+}
+
 Case base_case(const Recipe& recipe) {
+  const kernels::DefaultFloatEnvironment environment;
   const auto named = [&recipe](const auto* found) {
     if (found == nullptr) throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make a case from");
     return found;
@@ -76,24 +93,37 @@ Case base_case(const Recipe& recipe) {
     case Source::real: result = *named(find_real_case(recipe.name)); break;
   }
   result.id = id_of(recipe);
+  for (Body* body : {&result.a, &result.b}) body->points = in_simplest_form(body->points);
   return result;
 }
 
 std::optional<Case> rounded_case(const Case& base, Form form) {
-  Case result = base;
-  result.id += suffix(form);
-  for (const auto& [before, after] : {std::pair(&base.a, &result.a), std::pair(&base.b, &result.b)}) {
-    for (Point& p : after->points) {
-      if (!round_in_place(p.x, form) || !round_in_place(p.y, form) || !round_in_place(p.z, form)) return std::nullopt;
-    }
-    if (one_point(*after) && !one_point(*before)) return std::nullopt;
-  }
-  return result;
+  const kernels::DefaultFloatEnvironment environment;
+  std::optional<GivenPoints> a = rounded_points(base.a.points, form), b = rounded_points(base.b.points, form);
+  if (!a || !b) return std::nullopt;
+  if ((one_point(*a) && !one_point(base.a.points)) || (one_point(*b) && !one_point(base.b.points))) return std::nullopt;
+  return Case{base.id + suffix(form), {*std::move(a)}, {*std::move(b)}};
 }
 
 bool in_format(const Case& points, Form format) {
-  const auto fits = [format](const mpq_class& value) { return representable(value, format); };
-  return format == Form::given || (all_coordinates(points.a, fits) && all_coordinates(points.b, fits));
+  const kernels::DefaultFloatEnvironment environment;
+  const auto fits = [format](const Body& body) {
+    const GivenPoints given = in_simplest_form(body.points);
+    if (format != Form::binary32) return given.in_binary64();
+    return given.in_binary64() &&
+           std::ranges::all_of(given.binary64(), [](const Triple& p) { return std::ranges::all_of(p, in_binary32); });
+  };
+  return format == Form::given || (fits(points.a) && fits(points.b));
+}
+
+std::vector<FormedCase> cases_of(const Recipe& recipe) {
+  std::vector<FormedCase> cases;
+  cases.push_back({Form::given, base_case(recipe)});
+  for (const Form form : {Form::binary64, Form::binary32}) {
+    if (in_format(cases.back().points, form)) continue;  // it holds the very points that rounding would give
+    if (std::optional<Case> rounded = rounded_case(cases.front().points, form)) cases.push_back({form, *std::move(rounded)});
+  }
+  return cases;
 }
 
 }  // namespace fathom::golden

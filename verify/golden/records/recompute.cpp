@@ -15,7 +15,7 @@ std::string line_by(Method method, const Claimed& claimed, Monitor* monitor) {
   Options options;
   options.method = method;
   options.monitor = monitor;
-  Depth answer = penetration_depth(claimed.points.a.points, claimed.points.b.points, options);
+  Depth answer = penetration_depth(claimed.points.a, claimed.points.b, options);
   Facts facts = facts_of_answer(claimed.recipe, claimed.form, claimed.points, std::move(answer), monitor);
   facts.certificate_sha256 = claimed.certificate_sha256;
   return line_of(facts);

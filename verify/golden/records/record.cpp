@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
-#include "reference/certificate/certificate.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/names.hpp"
@@ -29,30 +29,30 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
 
 }  // namespace
 
-Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor) {
+Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor, Workspace* workspace) {
   Options options;
   options.monitor = monitor;
-  Depth answer = penetration_depth(points.a.points, points.b.points, options);
-  Record record{points.id, {}, certificate_text(points.a.points, points.b.points, answer, points.id, monitor)};
+  options.workspace = workspace;
+  Depth answer = penetration_depth(points.a, points.b, options);
+  Record record;
+  record.id = points.id;
+  record.certificate = certificate_text(points.a, points.b, answer, points.id, monitor);
   insist_on(record.id, record.certificate, answer);
-  Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor);
+  Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor, workspace);
   facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
   record.line = line_of(facts);
+  record.exports = exports_of(facts);
   record.in_binary64 = facts.in_binary64;
   record.in_binary32 = facts.in_binary32;
   return record;
 }
 
-std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor) {
+std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace* workspace) {
   kernels::Context context(monitor);
-  context.check();
-  const Case base = base_case(recipe);
-  std::vector<Record> records{record_of(recipe, Form::given, base, monitor)};
-  for (const Form form : {Form::binary64, Form::binary32}) {
+  std::vector<Record> records;
+  for (const auto& [form, points] : cases_of(recipe)) {
     context.check();
-    // The record before holds these very points if it fits the format.
-    if (form == Form::binary64 ? records.back().in_binary64 : records.back().in_binary32) continue;
-    if (const std::optional<Case> rounded = rounded_case(base, form)) records.push_back(record_of(recipe, form, *rounded, monitor));
+    records.push_back(record_of(recipe, form, points, monitor, workspace));
   }
   return records;
 }

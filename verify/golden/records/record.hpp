@@ -7,24 +7,26 @@
 #include <string>
 #include <vector>
 
+#include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
+#include "verify/golden/records/exports.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
 
 struct Record {
   std::string id;
-  std::string line;                               ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
-  std::string certificate;                        ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
+  std::string line;         ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
+  std::string certificate;  ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
+  Exports exports;
   bool in_binary64 = false, in_binary32 = false;  ///< whether every coordinate is one of that format
 };
 
-/// Returns the records of a base case: the exact one, then ".b64" if rounding to binary64 moves a point, then ".b32" if rounding to
-/// binary32 yields yet other points. Omits a rounded record if rounded_case returns nullopt. Throws std::logic_error if the certificate is
-/// not accepted or proves anything else than the record says, and Interrupted.
-std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr);
+/// Returns the records of a recipe, one for each of cases_of(recipe). Throws std::logic_error if the certificate is not accepted or proves
+/// anything else than the record says, and Interrupted.
+std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
 /// Returns the record of the base case in one form.
-Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr);
+Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
 }  // namespace fathom::golden

@@ -6,7 +6,6 @@
 #include "fathom/numbers.hpp"
 #include "verify/golden/records/json_text.hpp"
 #include "verify/golden/records/names.hpp"
-#include "verify/golden/records/rounded.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -39,9 +38,8 @@ void write(JsonText& out, std::string_view key, const RoundedVector& vector) {
 }
 
 /// The members of an object that tells a length.
-void write_length(JsonText& out, const mpq_class& squared) {
+void write_length(JsonText& out, const mpq_class& squared, const Rounded& root) {
   out.key("squared").exact(squared);
-  const Rounded root = rounded_root(squared);
   in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((root.*format)[mode]); });
 }
 
@@ -51,24 +49,24 @@ void write_indices(JsonText& out, std::string_view key, const std::vector<std::u
   out.close(']');
 }
 
-void write_direction(JsonText& out, const Vector& n) {
+void write_direction(JsonText& out, const Vector& n, const RoundedVector& unit) {
   out.key("direction").exact(n);
-  write(out, "unit", rounded_unit(n));
+  write(out, "unit", unit);
 }
 
-void write_translation(JsonText& out, const Point& t) {
+void write_translation(JsonText& out, const Point& t, const RoundedVector& rounded) {
   out.key("translation").exact(t);
-  write(out, "rounded", rounded_point(t));
+  write(out, "rounded", rounded);
 }
 
 void write_witness(JsonText& out, const Witness& witness) {
   out.key("witness").open('{').key("a").exact(witness.a).key("b").exact(witness.b).close('}');
 }
 
-void write_optimum(JsonText& out, const Optimum& optimum) {
+void write_optimum(JsonText& out, const Optimum& optimum, const RoundedVector& unit, const RoundedVector& rounded) {
   out.open('{');
-  write_direction(out, optimum.direction);
-  write_translation(out, optimum.translation());
+  write_direction(out, optimum.direction, unit);
+  write_translation(out, optimum.translation(), rounded);
   out.key("contact").open('{').key("kind").text(name(optimum.contact.kind));
   write_indices(out, "a", optimum.contact.a);
   write_indices(out, "b", optimum.contact.b);
@@ -85,10 +83,10 @@ void write_gap(JsonText& out, const Facts& facts) {
   out.open('{').key("squared").exact(*facts.gap).key("relative").hex(round_binary64(relative, Rounding::rn)).close('}');
 }
 
-void write_distance(JsonText& out, const Distance& distance) {
+void write_distance(JsonText& out, const Distance& distance, const RoundedResults& rounded) {
   out.key("distance").open('{');
-  write_length(out, distance.squared);
-  write_translation(out, distance.translation);
+  write_length(out, distance.squared, rounded.distance);
+  write_translation(out, distance.translation, rounded.translations.front());
   write_witness(out, distance.witness);
   out.close('}');
 }
@@ -96,17 +94,18 @@ void write_distance(JsonText& out, const Distance& distance) {
 void write_expected(JsonText& out, const Facts& facts) {
   out.key("expected").open('{').key("status").text(name(facts.answer.status()));
   out.key("depth").open('{');
-  write_length(out, facts.answer.squared());
+  write_length(out, facts.answer.squared(), facts.rounded.depth);
   out.close('}').key("flat").open('[');
   if (facts.answer.flat_a) out.text("a");
   if (facts.answer.flat_b) out.text("b");
   out.close(']').key("optima").open('[');
-  for (const Optimum& optimum : facts.answer.optima()) write_optimum(out, optimum);
+  const std::vector<Optimum>& optima = facts.answer.optima();
+  for (std::size_t i = 0; i < optima.size(); ++i) write_optimum(out, optima[i], facts.rounded.units[i], facts.rounded.translations[i]);
   out.close(']');
   if (facts.answer.status() == Status::penetrating) write_gap(out, facts);
-  if (facts.answer.status() != Status::penetrating) write_direction(out, facts.answer.direction());
+  if (facts.answer.status() != Status::penetrating) write_direction(out, facts.answer.direction(), facts.rounded.units.front());
   if (const std::optional<Witness> witness = facts.answer.witness()) write_witness(out, *witness);
-  if (facts.answer.distance()) write_distance(out, *facts.answer.distance());
+  if (facts.answer.distance()) write_distance(out, *facts.answer.distance(), facts.rounded);
   out.close('}');
 }
 
@@ -117,15 +116,13 @@ void write_source(JsonText& out, const Facts& facts) {
   out.key("form").text(name_of(facts.form)).close('}');
 }
 
+/// In binary64 if the record is.
 void write_body(JsonText& out, std::string_view key, const Body& body, bool hexadecimal) {
-  const auto write = [&](const mpq_class& c) { hexadecimal ? out.hex(round_binary64(c, Rounding::rn)) : out.exact(c); };
   out.key(key).open('{').key("vertices").open('[');
-  for (const Point& p : body.points) {
-    out.open('[');
-    write(p.x);
-    write(p.y);
-    write(p.z);
-    out.close(']');
+  if (hexadecimal) {
+    for (const std::array<double, 3>& p : body.points.binary64()) out.hex(p);
+  } else {
+    for (const Point& p : body.points) out.exact(p);
   }
   out.close(']').close('}');
 }

@@ -3,20 +3,6 @@
 
 namespace fathom::golden {
 
-std::vector<std::string> ids_of(const Recipe& recipe) {
-  const Case base = base_case(recipe);
-  std::vector<std::string> ids = {base.id};
-  Case last = base;
-  for (const Form form : {Form::binary64, Form::binary32}) {
-    if (in_format(last, form)) continue;  // it holds the very points that rounding would give
-    std::optional<Case> rounded = rounded_case(base, form);
-    if (!rounded) continue;
-    last = std::move(*rounded);
-    ids.push_back(last.id);
-  }
-  return ids;
-}
-
 std::string RecordOrder::expected() const {
   if (seen_ < awaited_.size()) return awaited_[seen_];
   return begun_ < recipes_->size() ? id_of((*recipes_)[begun_]) : "";

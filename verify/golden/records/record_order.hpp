@@ -12,15 +12,13 @@
 
 namespace fathom::golden {
 
-/// Returns the ids of all records of a recipe, in their order. Makes the points, but no answers.
-std::vector<std::string> ids_of(const Recipe& recipe);
-
 class RecordOrder {
  public:
   /// `recipes` must outlive this.
   explicit RecordOrder(const std::vector<Recipe>& recipes) : recipes_(&recipes) {}
 
-  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe, `ids` must be ids_of(recipe).
+  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe, `ids` must be those of all its
+  /// records: of cases_of(recipe).
   std::optional<std::string> next(std::string_view id, const std::vector<std::string>& ids);
   /// Returns what is missing at the end, or nullopt.
   [[nodiscard]] std::optional<std::string> at_end() const;

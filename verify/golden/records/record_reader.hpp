@@ -27,6 +27,9 @@ struct Claimed {
 /// Throws NotARecord.
 Claimed read_record(std::string_view line);
 
+/// Returns the id in a record's line where the writer puts it, or an empty text: nothing else is looked at.
+std::string_view id_in(std::string_view line);
+
 /// Returns where the two lines first differ, as one sentence: "expected.depth.f64.rn: expected .., found ..".
 std::string first_difference(std::string_view expected, std::string_view found);
 

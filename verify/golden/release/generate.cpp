@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/release/generate.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -32,13 +33,13 @@ class Assembly {
     tbb::parallel_pipeline(
         threads * recipes_in_flight,
         tbb::make_filter<void, Given>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
-            tbb::make_filter<Given, Entries>(filter_mode::parallel, [this](Given given) { return made(*given); }) &
-            tbb::make_filter<Entries, void>(filter_mode::serial_in_order, [this](const Entries& entries) { write(*entries); }));
+            tbb::make_filter<Given, Records>(filter_mode::parallel, [this](Given given) { return made(*given); }) &
+            tbb::make_filter<Records, void>(filter_mode::serial_in_order, [this](const Records& records) { write(*records); }));
   }
 
  private:
   using Given = std::shared_ptr<Recipe>;
-  using Entries = std::shared_ptr<std::vector<Entry>>;
+  using Records = std::shared_ptr<std::vector<Record>>;
 
   const ShardPlan& shard(std::size_t place) const { return (*shards_)[numbers_[place]]; }
 
@@ -54,12 +55,14 @@ class Assembly {
     return std::make_shared<Recipe>(std::move(recipes_[given_recipe_++]));
   }
 
-  Entries made(const Recipe& recipe) const { return std::make_shared<std::vector<Entry>>(entries_of(recipe, options_->monitor)); }
+  Records made(const Recipe& recipe) {
+    return std::make_shared<std::vector<Record>>(records_of(recipe, options_->monitor, &workspaces_.local()));
+  }
 
-  void write(const std::vector<Entry>& entries) {
+  void write(const std::vector<Record>& records) {
     const ShardPlan& now = shard(written_shard_);
     if (!writer_) writer_.emplace(options_->folder, now, options_->seed);
-    for (const Entry& entry : entries) writer_->add(entry);
+    for (const Record& record : records) writer_->add(record);
     if (++written_recipe_ == now.count()) {
       writer_->finish();
       writer_.reset();
@@ -78,6 +81,7 @@ class Assembly {
   std::size_t given_shard_ = 0, given_recipe_ = 0;
   std::size_t written_shard_ = 0, written_recipe_ = 0;  // of the last one
   std::optional<ShardWriter> writer_;
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
   Done done_;
 };
 

@@ -9,15 +9,6 @@
 
 namespace fathom::golden {
 
-std::vector<Entry> entries_of(const Recipe& recipe, Monitor* monitor) {
-  std::vector<Entry> entries;
-  for (Record& record : records_of(recipe, monitor)) {
-    Exports exports = exports_of(record.line);
-    entries.push_back({std::move(record), std::move(exports.csv_row), std::move(exports.include_entry)});
-  }
-  return entries;
-}
-
 ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed) : folder_(std::move(folder)) {
   manifest_.name = shard.name;
   manifest_.level = shard.level;
@@ -34,11 +25,12 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   writers_[3]->write(include_head());
 }
 
-void ShardWriter::add(const Entry& entry) {
-  writers_[0]->write(entry.record.line + '\n');
-  writers_[1]->write(entry.record.certificate);
-  writers_[2]->write(entry.csv);
-  writers_[3]->write(entry.include);
+void ShardWriter::add(const Record& record) {
+  writers_[0]->write(record.line);
+  writers_[0]->write("\n");
+  writers_[1]->write(record.certificate);
+  writers_[2]->write(record.exports.csv_row);
+  writers_[3]->write(record.exports.include_entry);
   ++manifest_.records;
 }
 

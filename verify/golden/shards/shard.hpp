@@ -7,28 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "fathom/monitor.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/shards/manifest.hpp"
 
 namespace fathom::golden {
 
-/// A record with its rows in the exports, each empty if it has none.
-struct Entry {
-  Record record;
-  std::string csv, include;
-};
-
-/// Returns the records of a recipe with their exports. Throws as records_of.
-std::vector<Entry> entries_of(const Recipe& recipe, Monitor* monitor);
-
 class ShardWriter {
  public:
   /// Removes the shard's old page, if there is one: from then on the shard is unfinished. Throws FileError, here and below.
   ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed);
 
-  void add(const Entry& entry);
+  void add(const Record& record);
 
   /// Syncs all files to disk, then renames them, then writes the page. Until the page is there, the shard is unfinished.
   void finish();

@@ -2,11 +2,11 @@
 #include "verify/golden/shards/verify_shard.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <atomic>
-#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -14,7 +14,6 @@
 #include "kernels/context.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
-#include "verify/golden/records/exports.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/recompute.hpp"
 #include "verify/golden/records/record_order.hpp"
@@ -22,7 +21,8 @@
 namespace fathom::golden {
 namespace {
 
-constexpr std::size_t records_in_flight = 32;  // for each thread
+constexpr std::size_t groups_in_flight = 32;  // for each thread
+constexpr std::size_t largest_group = 3;      // one record for each form
 constexpr std::size_t largest_certificate = std::size_t{512} << 20;
 
 /// A stream of the shard, with what goes wrong in it as a Refusal.
@@ -70,10 +70,19 @@ class Stream {
 
 struct Item {
   std::string line, certificate, record_place;  // read
-  std::optional<Refusal> refusal;               // found in reading or proving
-  std::string id, csv, include;                 // made
-  std::vector<std::string> ids;                 // of the recipe that the record is the first of
+  std::string id;                               // made
+  Exports exports;
 };
+
+/// Records of one recipe, unless the order is wrong.
+struct Group {
+  std::vector<Item> items;
+  std::optional<Refusal> refusal;  // found in reading or proving, behind the items
+  std::vector<std::string> ids;    // of all records of the recipe that the first one is of
+};
+
+/// Whether an id is that of a rounded record, whose exact one may stand before it.
+bool is_rounded(std::string_view id) { return id.ends_with(".b64") || id.ends_with(".b32"); }
 
 class Verification {
  public:
@@ -85,19 +94,17 @@ class Verification {
         records_(folder, manifest.files[0]),
         certificates_(folder, manifest.files[1]),
         csv_(folder, manifest.files[2]),
-        include_(folder, manifest.files[3]) {
-    for (const Recipe& recipe : planned_) recipes_.emplace(id_of(recipe), &recipe);
-  }
+        include_(folder, manifest.files[3]) {}
 
   std::optional<Refusal> run() {
     using tbb::filter_mode;
     csv_.expect(csv_header(), "the header");
     include_.expect(include_head(), "the head of an include file");
     tbb::parallel_pipeline(
-        static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * records_in_flight,
+        static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * groups_in_flight,
         tbb::make_filter<void, Shared>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
-            tbb::make_filter<Shared, Shared>(filter_mode::parallel, [this](const Shared& item) { return prove(item); }) &
-            tbb::make_filter<Shared, void>(filter_mode::serial_in_order, [this](const Shared& item) { accept(*item); }));
+            tbb::make_filter<Shared, Shared>(filter_mode::parallel, [this](const Shared& group) { return prove(group); }) &
+            tbb::make_filter<Shared, void>(filter_mode::serial_in_order, [this](const Shared& group) { accept(*group); }));
     if (refusal_) return refusal_;
     if (const auto fault = order_.at_end()) throw records_.refusal(*fault);
     if (count_ != manifest_->records) throw records_.refusal(fmt::format("{} records, and the page says {}", count_, manifest_->records));
@@ -107,21 +114,33 @@ class Verification {
   }
 
  private:
-  using Shared = std::shared_ptr<Item>;
+  using Shared = std::shared_ptr<Group>;
 
   Shared next(tbb::flow_control& control) {
-    if (stopped_) return control.stop(), nullptr;
-    auto item = std::make_shared<Item>();
+    if (ended_ || refused_) return control.stop(), nullptr;
+    auto group = std::make_shared<Group>();
     try {
-      const std::optional<std::string_view> line = records_.line();
-      if (!line) return control.stop(), nullptr;
-      item->line = *line;
-      item->record_place = records_.refusal("").place;
-      read_certificate(*item);
+      do {
+        std::optional<Item> item = std::exchange(ahead_, std::nullopt);
+        if (!item) item = read();
+        if (!item) break;
+        group->items.push_back(std::move(*item));
+      } while ((ahead_ = read()) && is_rounded(id_in(ahead_->line)) && group->items.size() < largest_group);
     } catch (Refusal& refusal) {
-      item->refusal = std::move(refusal);
-      stopped_ = true;
+      group->refusal = std::move(refusal);
+      ended_ = true;
     }
+    if (group->items.empty() && !group->refusal) return control.stop(), nullptr;
+    return group;
+  }
+
+  std::optional<Item> read() {
+    const std::optional<std::string_view> line = records_.line();
+    if (!line) return std::nullopt;
+    Item item;
+    item.line = *line;
+    item.record_place = records_.refusal("").place;
+    read_certificate(item);
     return item;
   }
 
@@ -135,51 +154,58 @@ class Verification {
     } while (true);
   }
 
-  Shared prove(const Shared& item) const {
-    kernels::Context(options_->monitor).check();
-    if (item->refusal || stopped_) return item;
-    if (auto fault = fault_in(*item)) {
-      item->refusal = {item->record_place, std::move(*fault)};
-    } else {
-      item->id = id_in(item->line);
-      if (const auto first = recipes_.find(item->id); first != recipes_.end()) item->ids = ids_of(*first->second);
-      Exports exports = exports_of(item->line);
-      item->csv = std::move(exports.csv_row);
-      item->include = std::move(exports.include_entry);
+  Shared prove(const Shared& group) {
+    Prover& prover = provers_.local();
+    for (std::size_t i = 0; i < group->items.size(); ++i) {
+      kernels::Context(options_->monitor).check();
+      if (refused_) return group;  // one before it is
+      Item& item = group->items[i];
+      if (auto fault = fault_in(prover, item)) {
+        group->refusal = {item.record_place, std::move(*fault)};
+        group->items.resize(i);
+        break;
+      }
+      item.id = prover.id();
+      item.exports = prover.exports();
+      if (i == 0) group->ids = prover.ids();
     }
-    return item;
+    return group;
   }
 
-  std::optional<std::string> fault_in(const Item& item) const {
-    std::optional<std::string> fault = faults_of(item.line, item.certificate);
+  std::optional<std::string> fault_in(Prover& prover, const Item& item) const {
+    std::optional<std::string> fault = prover.faults_of(item.line, item.certificate);
     for (const Method method : options_->methods)
       if (!fault) fault = disagreement_with(method, item.line, options_->monitor);
     return fault;
   }
 
-  void accept(Item& item) {
+  void accept(Group& group) {
     if (refusal_) return;
     try {
-      if (item.refusal) throw std::move(*item.refusal);
-      if (const auto fault = order_.next(item.id, item.ids)) throw Refusal{item.record_place, *fault};
-      csv_.expect(item.csv, "the row of this record");
-      include_.expect(item.include, "the entry of this record");
-      ++count_;
-      if (options_->proved) options_->proved();
+      for (const Item& item : group.items) {
+        if (const auto fault = order_.next(item.id, group.ids)) throw Refusal{item.record_place, *fault};
+        csv_.expect(item.exports.csv_row, "the row of this record");
+        include_.expect(item.exports.include_entry, "the entry of this record");
+        ++count_;
+        if (options_->proved) options_->proved();
+      }
+      if (group.refusal) throw std::move(*group.refusal);
     } catch (Refusal& refusal) {
       refusal_ = std::move(refusal);
-      stopped_ = true;
+      refused_ = true;
     }
   }
 
   const Manifest* manifest_;
   const ShardOptions* options_;
-  std::map<std::string, const Recipe*> recipes_;  // by the ids of their first records
   const std::vector<Recipe> planned_;
+  tbb::enumerable_thread_specific<Prover> provers_;
   RecordOrder order_;
   Stream records_, certificates_, csv_, include_;
+  std::optional<Item> ahead_;       // of the first stage: read, and not of the group before it
+  bool ended_ = false;              // likewise: nothing more can be read
   std::optional<Refusal> refusal_;  // of the last stage
-  std::atomic<bool> stopped_ = false;
+  std::atomic<bool> refused_ = false;
   std::size_t count_ = 0;
 };
 

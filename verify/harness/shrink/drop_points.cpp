@@ -33,7 +33,7 @@ bool drop_chunks(Search& search, Body Case::*body, std::size_t length) {
   std::size_t begin = 0;
   while (begin < (search.best().*body).points.size() && !search.over()) {
     Case candidate = search.best();
-    std::vector<Point>& points = (candidate.*body).points;
+    std::vector<Point>& points = (candidate.*body).points.edit();
     const auto first = points.begin() + static_cast<std::ptrdiff_t>(begin);
     points.erase(first, first + static_cast<std::ptrdiff_t>(std::min(length, points.size() - begin)));
     if (search.offer(std::move(candidate))) dropped = true;

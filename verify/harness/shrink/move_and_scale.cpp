@@ -32,7 +32,7 @@ std::vector<Point> centres(const Case& pair) {
 /// The case moved by -to. What is not exact is rounded.
 std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
   for (Body* body : {&pair.a, &pair.b})
-    for (Point& p : body->points)
+    for (Point& p : body->points.edit())
       for (const auto axis : axes) {
         const std::optional<mpq_class> value = rounded(mpq_class(p.*axis - to.*axis), precision);
         if (!value) return std::nullopt;

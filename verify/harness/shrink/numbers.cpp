@@ -35,7 +35,7 @@ void round_to_grids(Search& search, std::vector<Body Case::*> bodies, std::vecto
   for (const long bits : grid_bits) {
     Case candidate = before;
     for (Body Case::*body : bodies)
-      for (Point& p : (candidate.*body).points)
+      for (Point& p : (candidate.*body).points.edit())
         for (mpq_class Point::*axis : chosen) p.*axis = to_multiple(p.*axis, top - bits);
     if (search.over() || search.offer(std::move(candidate))) return;
   }
@@ -73,7 +73,7 @@ void simplify_everywhere(Search& search, mpq_class Point::*axis) {
     for (const mpq_class& other : replacements(value, values)) {
       Case candidate = search.best();
       for (Body* body : {&candidate.a, &candidate.b})
-        for (Point& p : body->points)
+        for (Point& p : body->points.edit())
           if (p.*axis == value) p.*axis = other;
       if (search.over() || search.offer(std::move(candidate))) break;
     }
@@ -84,7 +84,7 @@ void simplify_singly(Search& search, Body Case::*body, mpq_class Point::*axis) {
     const mpq_class value = (search.best().*body).points[i].*axis;
     for (const mpq_class& other : replacements(value, values_on(search.best(), axis))) {
       Case candidate = search.best();
-      (candidate.*body).points[i].*axis = other;
+      (candidate.*body).points.edit()[i].*axis = other;
       if (search.over() || search.offer(std::move(candidate))) break;
     }
   }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A body as it was given: points in binary64, or exact ones; or a shape.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fathom/point.hpp"
+#include "fathom/shape.hpp"
+
+namespace fathom {
+
+/// Points in the form in which they were given: in binary64, or as exact points. Read like a const std::vector<Point>: points in binary64
+/// become exact ones when these are first asked for, once, whoever asks; copies share them.
+class GivenPoints {
+ public:
+  using value_type = Point;
+  using const_iterator = const Point*;
+  using iterator = const_iterator;
+
+  GivenPoints() = default;
+  GivenPoints(std::vector<Point> points) : exact_(std::move(points)) {}  // NOLINT(google-explicit-constructor): it is one of the forms
+  GivenPoints(std::initializer_list<Point> points) : exact_(points) {}
+  /// Throws std::invalid_argument if a coordinate is not finite.
+  explicit GivenPoints(std::vector<std::array<double, 3>> points);
+
+  /// Whether they are in binary64; never if there are none.
+  [[nodiscard]] bool in_binary64() const { return given_ != nullptr; }
+  /// The points, if they are in binary64; else none. No coordinate is -0.
+  [[nodiscard]] std::span<const std::array<double, 3>> binary64() const;
+  /// The exact points. May be called from many threads at once.
+  [[nodiscard]] const std::vector<Point>& exact() const;
+  operator const std::vector<Point>&() const { return exact(); }  // NOLINT(google-explicit-constructor): it stands for them
+
+  [[nodiscard]] std::size_t size() const { return given_ ? binary64().size() : exact_.size(); }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] const Point* data() const { return exact().data(); }
+  [[nodiscard]] const_iterator begin() const { return data(); }
+  [[nodiscard]] const_iterator end() const { return data() + size(); }
+  [[nodiscard]] const Point& operator[](std::size_t i) const { return exact()[i]; }
+  [[nodiscard]] const Point& front() const { return exact().front(); }
+  [[nodiscard]] const Point& back() const { return exact().back(); }
+
+  /// The exact points, to be changed: from now on they are the form.
+  std::vector<Point>& edit();
+  void reserve(std::size_t count) { edit().reserve(count); }
+  void push_back(Point point) { edit().push_back(std::move(point)); }
+
+  /// Equal points, whatever the forms.
+  friend bool operator==(const GivenPoints& p, const GivenPoints& q);
+
+ private:
+  struct Given;
+  std::shared_ptr<const Given> given_;  // in binary64
+  std::vector<Point> exact_;            // else
+};
+
+/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
+struct Body {
+  GivenPoints points;
+  std::optional<Shape> shape = std::nullopt;  ///< then there are no points
+};
+
+}  // namespace fathom
