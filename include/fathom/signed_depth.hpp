@@ -122,10 +122,13 @@ struct SignedDepth {
   [[nodiscard]] std::optional<RoundedWitness> witness() const;
 };
 
+/// Bounds are not asked for more closely than to 2^-most_bound_bits.
+inline constexpr unsigned most_bound_bits = 1000;
+
 /// How to find a signed depth. Exact answers do not depend on it, except for the number of optima that are listed.
 struct SignedDepthOptions {
-  Options cores;                     ///< of the cores if both are polytopes; its monitor serves in any case
-  unsigned bits = 40;                ///< bounds: until high - low is at most 2^-bits of the value, or of the bodies' extent
+  Options cores;       ///< of the cores if both are polytopes; its monitor serves in any case
+  unsigned bits = 40;  ///< bounds: until high - low is at most 2^-bits of the value, or of the bodies' extent; at most most_bound_bits
   std::size_t support_calls = 5000;  ///< bounds: how often the cores' supports may be asked for; the bounds found until then are the answer
 };
 
@@ -134,7 +137,8 @@ inline constexpr std::size_t most_expanded_points = 10'000;
 
 /// Returns the signed depth of two shapes. A ball that is round, of rational radius and alone in its term counts as a point and a radius, so
 /// that spheres are exact. Throws std::invalid_argument if both are half-spaces, a core has no term or a term no atom, an atom has another
-/// number of axes than 0, 2 and 3, a normal is 0, a radius negative, or a number not in lowest terms; and Interrupted.
+/// number of axes than 0, 2 and 3, a normal is 0, a radius negative, or a number not in lowest terms; for bounds, if options.bits exceeds
+/// most_bound_bits; InputError if the numbers' denominators share so little that it would take too much memory; and Interrupted.
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options = {});
 
 }  // namespace fathom

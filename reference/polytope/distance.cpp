@@ -4,72 +4,17 @@
 // need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
 #include "reference/polytope/distance.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <optional>
 #include <stdexcept>
 
 #include "kernels/number/ratio.hpp"
+#include "reference/polytope/nearest_in_simplex.hpp"
 #include "reference/polytope/position_search.hpp"
 
 namespace fathom::polytope {
 namespace {
 
-struct Corner {
-  Difference ids;
-  Vector p;
-};
-
-/// point / denominator, a convex combination with weights / denominator.
-struct Foot {
-  Vector point;
-  std::vector<mpz_class> weights;
-  mpz_class denominator;
-};
-
-Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
-/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt unless all of its weights are positive.
-std::optional<Foot> foot(const std::vector<Corner>& corners) {
-  const Vector& p = corners[0].p;
-  if (corners.size() == 1) return Foot{p, {1}, 1};
-  const Vector e = corners[1].p - p;
-  if (corners.size() == 2) {
-    const mpz_class square = dot(e, e), w = -dot(p, e);
-    if (w <= 0 || w >= square) return std::nullopt;
-    return Foot{scaled(square, p) + scaled(w, e), {square - w, w}, square};
-  }
-  // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n, n>.
-  const Vector f = corners[2].p - p, n = cross(e, f);
-  const mpz_class square = dot(n, n), v = det(-p, f, n), w = det(e, -p, n);
-  mpz_class u = square - v - w;
-  if (u <= 0 || v <= 0 || w <= 0) return std::nullopt;
-  return Foot{scaled(dot(n, p), n), {std::move(u), v, w}, square};
-}
-
-bool nearest_of(const Foot& z, const std::vector<Corner>& corners) {
-  const mpz_class square = dot(z.point, z.point);
-  return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return z.denominator * dot(z.point, c.p) >= square; });
-}
-
-/// Keeps of two to four affinely independent corners those of the face that holds the point of their hull nearest to O in its relative
-/// interior. There is one such face; it has the last corner, and with O outside P at most three.
-Foot reduce(std::vector<Corner>& corners) {
-  const unsigned last = 1U << (corners.size() - 1);
-  for (unsigned subset = last; subset < 2 * last; ++subset) {
-    if (std::popcount(subset) > 3) continue;
-    std::vector<Corner> chosen;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (subset >> i & 1U) chosen.push_back(corners[i]);
-    std::optional<Foot> z = foot(chosen);
-    if (!z || !nearest_of(*z, corners)) continue;
-    corners = std::move(chosen);
-    return std::move(*z);
-  }
-  throw std::invalid_argument("nearest_points: the hulls have a point in common");
-}
-
-std::vector<Weight> shares(const std::vector<Corner>& corners, const Foot& z, std::uint32_t Difference::*side) {
+std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const SimplexFoot& z, std::uint32_t Difference::*side) {
   std::vector<Difference> differences;
   std::vector<mpq_class> weights;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -85,10 +30,11 @@ NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointC
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");
   if (a.exponent() != b.exponent()) throw std::invalid_argument("nearest_points: the clouds differ in their exponents");
   Differences differences{a, b};
-  std::vector<Corner> corners{{{0, 0}, differences[{0, 0}]}};
-  Foot z = *foot(corners);
+  std::vector<SimplexCorner> corners{{{0, 0}, differences[{0, 0}]}};
   while (true) {
-    if (is_zero(z.point)) throw std::invalid_argument("nearest_points: the hulls have a point in common");
+    const std::optional<SimplexFoot> nearest = nearest_in_simplex(corners);
+    if (!nearest || is_zero(nearest->point)) throw std::invalid_argument("nearest_points: the hulls have a point in common");
+    const SimplexFoot& z = *nearest;
     const Vector n = primitive(-z.point);
     const Difference ids = differences.extreme(n);
     const Vector p = differences[ids];
@@ -96,7 +42,6 @@ NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointC
       return {n, dot(n, p), shares(corners, z, &Difference::first), shares(corners, z, &Difference::second), differences.scans};
     }
     corners.push_back({ids, p});
-    z = reduce(corners);
   }
 }
 

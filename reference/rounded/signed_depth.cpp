@@ -3,11 +3,13 @@
 #include "fathom/signed_depth.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
+#include "reference/curved/curved_bounds.hpp"
 #include "reference/polytope/narrow_pair.hpp"
 #include "reference/rounded/half_space.hpp"
 #include "reference/rounded/optimal_cone.hpp"
@@ -60,6 +62,17 @@ std::optional<SignedDepth> exact_depth(const Shape& a, const Shape& b, const Sig
   return depth_of_points(*points_a, *points_b, a, b, options.cores);
 }
 
+// Of valid shapes.
+SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
+  if (options.bits > most_bound_bits) throw std::invalid_argument("more than " + std::to_string(most_bound_bits) + " bits are asked for");
+  kernels::Context context(options.cores.monitor);
+  curved::CurvedBounds bounds = curved::signed_bounds(context, a, b, options.bits, options.support_calls);
+  if (options.cores.validate) kernels::insist(curved::validate(bounds, a, b));
+  SignedDepth result{Bounds{bounds.low, bounds.high}, a.radius, b.radius, std::move(bounds.bracket), {}};
+  if (bounds.low == bounds.high) result.value = Surd{bounds.low, 0};
+  return result;
+}
+
 }  // namespace
 
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
@@ -73,8 +86,9 @@ SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOption
     throw std::invalid_argument("two half-spaces have no signed depth: it would be infinite, or that of one direction by convention");
   if (std::optional<SignedDepth> depth = exact_depth(a, b, options)) return std::move(*depth);
   // Spheres that were given as balls.
-  if (std::optional<SignedDepth> depth = exact_depth(shapes::simplified(a), shapes::simplified(b), options)) return std::move(*depth);
-  throw std::invalid_argument("a core has a disc or a ball, or it is a sum of too many points");
+  const Shape simple_a = shapes::simplified(a), simple_b = shapes::simplified(b);
+  if (std::optional<SignedDepth> depth = exact_depth(simple_a, simple_b, options)) return std::move(*depth);
+  return enclosed_depth(simple_a, simple_b, options);
 }
 
 }  // namespace fathom

@@ -33,6 +33,7 @@ ORDER = [
     ["reference/depth"],
     ["reference/solve"],
     ["reference/approximate", "reference/certificate", "reference/shapes"],
+    ["reference/curved"],
     ["reference/rounded"],
     ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/curved/assembly.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "kernels/number/ratio.hpp"
+#include "reference/polytope/differences.hpp"
+
+namespace fathom::curved {
+namespace {
+
+constexpr unsigned weight_bits = 12;  // more than the goal's
+
+// Numbers a list of points, each once.
+class Names {
+ public:
+  explicit Names(std::vector<InnerPoint>& points) : points_(points) {}
+
+  std::uint32_t operator()(InnerPoint point) {
+    const auto [place, fresh] = names_.try_emplace(std::move(point), static_cast<std::uint32_t>(points_.size()));
+    if (fresh) points_.push_back(place->first);
+    return place->second;
+  }
+
+ private:
+  struct Before {
+    bool operator()(const AtomPoint& p, const AtomPoint& q) const { return p.atom != q.atom ? p.atom < q.atom : p.local < q.local; }
+    bool operator()(const InnerPoint& p, const InnerPoint& q) const {
+      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), *this);
+    }
+  };
+
+  std::vector<InnerPoint>& points_;
+  std::map<InnerPoint, std::uint32_t, Before> names_;
+};
+
+// Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is larger than the weight.
+std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned bits) {
+  std::vector<mpz_class> result;
+  mpz_class rest = mpz_class(1) << bits;
+  for (const mpz_class& weight : z.weights) {
+    result.emplace_back((weight << bits) / z.denominator);
+    rest -= result.back();
+  }
+  *std::max_element(result.begin(), result.end()) += rest;
+  return result;
+}
+
+}  // namespace
+
+mpq_class signed_square(const mpq_class& height, const Vector& n) { return height * abs(height) / mpq_class(dot(n, n)); }
+
+std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, const Vector& n, const Goal& goal) {
+  const bool exact = std::all_of(heights.begin(), heights.end(), [](const TermHeight& h) { return h.exact; });
+  mpq_class sum;
+  for (const TermHeight& h : heights) sum += h.height;
+  const long spare = 4 + binary_order(mpq_class(mpz_class(heights.size()))) - binary_order(mpq_class(dot(n, n))) / 2;
+  const long finest = goal.finest(signed_square(sum, n)) + spare;
+  std::vector<mpq_class> result;
+  for (const TermHeight& h : heights)
+    result.push_back(exact ? h.height : shifted(mpq_class(rounded_up(shifted(h.height, finest))), -finest));
+  return result;
+}
+
+mpq_class Assembly::square_of(const polytope::SimplexFoot& z) const {
+  const mpq_class& unit = oracle_.lattice().fine_unit;
+  return -kernels::ratio(dot(z.point, z.point), mpz_class(z.denominator * z.denominator)) * unit * unit;
+}
+
+bool Assembly::met(const mpq_class& lower) const {
+  const Ceiling& ceiling = *oracle_.lowest();
+  const mpq_class upper = signed_square(ceiling.height * oracle_.lattice().fine_unit, ceiling.direction);
+  return lower == upper || goal_.met(goal_.from_below(lower), goal_.from_above(upper));
+}
+
+void Assembly::set_lower(const NearestFoot& nearest) {
+  const polytope::SimplexFoot& z = nearest.foot;
+  const mpq_class exact = square_of(z);
+  const Ceiling& ceiling = *oracle_.lowest();
+  Combination combination;
+  const auto take = [&](std::size_t i, mpq_class weight) {
+    if (weight == 0) return;
+    combination.a.push_back(oracle_.inner_point(nearest.corners[i].ids.first, true));
+    combination.b.push_back(oracle_.inner_point(nearest.corners[i].ids.first, false));
+    combination.weights.push_back(std::move(weight));
+  };
+  if (exact == 0 || exact == signed_square(ceiling.height * oracle_.lattice().fine_unit, ceiling.direction)) {
+    for (std::size_t i = 0; i < nearest.corners.size(); ++i) take(i, kernels::ratio(z.weights[i], z.denominator));
+    lower_ = exact;
+  } else {
+    const unsigned bits = oracle_.lattice().fine + weight_bits;
+    const std::vector<mpz_class> weights = rounded_weights(z, bits);
+    Vector sum;
+    for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
+      const Vector& p = nearest.corners[i].p;
+      sum = {sum.x + weights[i] * p.x, sum.y + weights[i] * p.y, sum.z + weights[i] * p.z};
+      take(i, shifted(mpq_class(weights[i]), -static_cast<long>(bits)));
+    }
+    const mpq_class unit = shifted(oracle_.lattice().fine_unit, -static_cast<long>(bits));
+    lower_ = -mpq_class(dot(sum, sum)) * unit * unit;
+  }
+  set_weights(combination);
+}
+
+void Assembly::set_weights(const Combination& combination) {
+  bracket_ = {};
+  Names name_a(bracket_.inner_a), name_b(bracket_.inner_b);
+  std::vector<polytope::Difference> ids;
+  for (std::size_t i = 0; i < combination.weights.size(); ++i) ids.emplace_back(name_a(combination.a[i]), name_b(combination.b[i]));
+  bracket_.weights_a = polytope::weights_of(ids, combination.weights, &polytope::Difference::first);
+  bracket_.weights_b = polytope::weights_of(ids, combination.weights, &polytope::Difference::second);
+}
+
+void Assembly::set_lower(const mpq_class& squared, InnerPolytope inner) {
+  lower_ = squared;
+  bracket_ = {};
+  Names name_a(bracket_.inner_a), name_b(bracket_.inner_b);
+  for (auto& [a, b] : inner.vertices) {
+    const std::uint32_t point = a;
+    a = name_a(oracle_.inner_point(point, true));
+    b = name_b(oracle_.inner_point(point, false));
+  }
+  bracket_.polytope = std::move(inner);
+}
+
+bool Assembly::meets_in_face() {
+  const Vector& n = oracle_.lowest()->direction;
+  const std::vector<TermHeight> heights = oracle_.heights(n);
+  if (!std::all_of(heights.begin(), heights.end(), [](const TermHeight& h) { return h.exact; })) return false;
+  const std::optional<Combination> foot = foot_in_face(context_, a_, b_, n, heights);
+  if (!foot) return false;
+  lower_ = signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class(),
+                                         [](const mpq_class& sum, const TermHeight& h) { return mpq_class(sum + h.height); }),
+                         n);
+  set_weights(*foot);
+  return true;
+}
+
+CurvedBounds Assembly::take() {
+  bracket_.direction = oracle_.lowest()->direction;
+  const std::vector<mpq_class> heights = short_heights(oracle_.heights(bracket_.direction), bracket_.direction, goal_);
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(a_.size());
+  bracket_.heights_a.assign(heights.begin(), middle);
+  bracket_.heights_b.assign(middle, heights.end());
+  const mpq_class upper = signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class()), bracket_.direction);
+  const bool equal = lower_ == upper;
+  return {equal ? goal_.exact_or_below(lower_) : goal_.from_below(lower_), equal ? goal_.exact_or_above(upper) : goal_.from_above(upper),
+          std::move(bracket_), oracle_.calls()};
+}
+
+}  // namespace fathom::curved

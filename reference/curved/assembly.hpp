@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the searches found, as bounds with their proof, in short numbers.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/curved/curved_bounds.hpp"
+#include "reference/curved/face.hpp"
+#include "reference/curved/goal.hpp"
+#include "reference/curved/nearest.hpp"
+#include "reference/curved/oracle.hpp"
+
+namespace fathom::curved {
+
+/// The square of height/|n| with the sign of the height.
+mpq_class signed_square(const mpq_class& height, const Vector& n);
+
+/// The heights as they are, if all are exact; else rounded up, so far that it does not show in the bounds.
+std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, const Vector& n, const Goal& goal);
+
+class Assembly {
+ public:
+  Assembly(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, Oracle& oracle, const Goal& goal)
+      : context_(context), a_(a), b_(b), oracle_(oracle), goal_(goal) {}
+
+  /// Takes a point of P as the lower side.
+  void set_lower(const NearestFoot& nearest);
+  /// Takes a polytope inside P, whose vertices name points of the oracle twice, with the squared distance of its nearest facet.
+  void set_lower(const mpq_class& squared, InnerPolytope inner);
+  /// Requires the lowest height to be at most 0. Whether the bounds meet there; if so that is the lower side.
+  bool meets_in_face();
+
+  /// -|z|^2 in the shapes' unit.
+  [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot& z) const;
+  /// Whether the goal is met by this lower bound and the lowest ceiling.
+  [[nodiscard]] bool met(const mpq_class& lower) const;
+
+  CurvedBounds take();
+
+ private:
+  void set_weights(const Combination& combination);
+
+  kernels::Context& context_;
+  const std::vector<Term>&a_, &b_;
+  Oracle& oracle_;
+  const Goal& goal_;
+  mpq_class lower_;  // signed square
+  Bracket bracket_;
+};
+
+}  // namespace fathom::curved

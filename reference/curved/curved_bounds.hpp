@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two shapes of which at most one is a half-space.
+// Output  rational low <= signed depth <= high, both proved: a direction with rational heights, and points inside the cores.
+//         The search is that of engines, GJK and EPA, on a support of which both sides are rational.        [proofs/shapes_curved.md]
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "fathom/signed_depth.hpp"
+#include "kernels/context.hpp"
+#include "kernels/report.hpp"
+
+namespace fathom::curved {
+
+struct CurvedBounds {
+  mpq_class low, high;            ///< of the signed depth; equal only if it is rational
+  Bracket bracket;                ///< the proof
+  std::size_t support_calls = 0;  ///< that the search took
+};
+
+/// Searches until high - low is at most 2^-bits of both bounds, where they have one sign, or of the extent, or until the support of P has
+/// been asked for `support_calls` times, at least once. The extent is the longest side of a box around P', in which each atom counts as its center +- the
+/// sums of its axes' magnitudes. The shapes keep the laws that signed_depth demands; bits is at most most_bound_bits. Bounds that are equal are most
+/// often found where a facet, an axis or the centers give the direction. Throws InputError
+/// as `lattice` does, and Interrupted.
+CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits = 40, std::size_t support_calls = 5000);
+
+/// Checks the proof by the definitions, in rationals: the naive twin of the checkers.
+[[nodiscard]] kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b);
+
+/// The text that checkers read: a certificate of format 2, verify/check/FORMAT.md. The id, percent-escaped, may be empty.
+std::string certificate_text(const CurvedBounds& bounds, const Shape& a, const Shape& b, std::string_view escaped_id = {});
+
+}  // namespace fathom::curved

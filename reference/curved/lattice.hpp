@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two cores on one lattice: the atoms of B and of -A as integers. P = B (+) (-A) is the sum of all their terms, those of A first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fathom/shape.hpp"
+#include "kernels/filters/support.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom::curved {
+
+/// The points center + sum of y_i axes[i], |y| <= 1, in the lattice's unit.
+struct LatticeAtom {
+  Vector center;  ///< from the term's anchor
+  std::vector<Vector> axes;
+  bool repeats = false;  ///< the axes are those of the atom before
+};
+
+/// The hull of its atoms and of its points, if these are too many to be looked at one by one.
+struct LatticeTerm {
+  Vector anchor;
+  std::vector<LatticeAtom> atoms;    ///< points[i] is the atom of index names[i]; all atoms, or all that are no points
+  std::vector<std::uint32_t> names;  ///< of the atoms: their indices in the term as it was given
+  kernels::PointCloud cloud;         ///< of point atoms, from the anchor
+  std::vector<std::uint32_t> cloud_names;
+};
+
+/// Points of P have integer coordinates in the fine unit, if their local parameters are multiples of 2^-fine.
+struct Lattice {
+  mpq_class unit;     ///< of the atoms
+  unsigned fine = 0;  ///< the fine unit is unit / 2^fine
+  std::vector<LatticeTerm> terms;
+  std::size_t terms_of_a = 0;
+  Vector offset;        ///< the sum of the anchors
+  long exponent = 0;    ///< |c| <= 2^exponent for the coordinates c of all points of P, in the fine unit
+  mpz_class extent;     ///< the longest side of a box around P, in the unit: of each atom, center +- the sum of the axes' magnitudes
+  mpq_class fine_unit;  ///< unit / 2^fine
+};
+
+/// An atom has no axes, two or three, every term an atom, and all numbers are in lowest terms. Throws InputError if all integers together
+/// would take more than 256 MB: the numbers' denominators share too little.
+Lattice lattice(const std::vector<Term>& a, const std::vector<Term>& b, unsigned fine);
+
+}  // namespace fathom::curved

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The naive check of proved bounds: in rationals, by the definitions, over all pairs of facets and vertices.
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <span>
+
+#include "kernels/vector.hpp"
+#include "reference/curved/curved_bounds.hpp"
+
+namespace fathom::curved {
+namespace {
+
+mpq_class product(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+Point times(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
+Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Point cross_product(const Point& p, const Point& q) { return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x}; }
+// The square with the sign.
+mpq_class square(const mpq_class& q) { return q * abs(q); }
+
+class Check {
+ public:
+  Check(const CurvedBounds& bounds, const Shape& a, const Shape& b)
+      : bounds_(bounds), p_(bounds.bracket), a_(a), b_(b), n_{p_.direction.x, p_.direction.y, p_.direction.z}, rho_(a.radius + b.radius) {}
+
+  kernels::Report run() {
+    report_.expect(bounds_.low <= bounds_.high, "the bounds are in the wrong order");
+    if (!report_.expect(product(n_, n_) > 0, "the direction is zero")) return report_;
+    const mpq_class height = height_of(a_, times(-1, n_), p_.heights_a) + height_of(b_, n_, p_.heights_b);
+    report_.expect(square(height) <= square(bounds_.high - rho_) * product(n_, n_), "the direction does not show the upper bound");
+    inner_points(a_, p_.inner_a, points_a_);
+    inner_points(b_, p_.inner_b, points_b_);
+    if (!report_.ok()) return report_;
+    if (std::holds_alternative<HalfSpace>(a_.core) || std::holds_alternative<HalfSpace>(b_.core)) half_space();
+    else if (p_.polytope.facets.empty()) weights();
+    else polytope();
+    return report_;
+  }
+
+ private:
+  mpq_class height_of(const Shape& shape, const Point& s, const std::vector<mpq_class>& heights) {
+    if (const auto* plane = std::get_if<HalfSpace>(&shape.core)) {
+      report_.expect(cross_product(s, plane->normal) == Point{} && product(s, plane->normal) > 0, "not the direction of the half-space");
+      return plane->offset * product(s, plane->normal) / product(plane->normal, plane->normal);
+    }
+    const auto& terms = std::get<std::vector<Term>>(shape.core);
+    if (!report_.expect(heights.size() == terms.size(), "not one height for each term")) return 0;
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      for (const Atom& atom : terms[t].atoms) {
+        mpq_class reach;
+        for (const Point& axis : atom.axes) reach += product(s, axis) * product(s, axis);
+        const mpq_class beyond = heights[t] - product(s, atom.center);
+        report_.expect(beyond >= 0 && beyond * beyond >= reach, "an atom is higher than its term");
+      }
+    }
+    return std::accumulate(heights.begin(), heights.end(), mpq_class());
+  }
+
+  void inner_points(const Shape& shape, const std::vector<InnerPoint>& inner, std::vector<Point>& points) {
+    if (std::holds_alternative<HalfSpace>(shape.core)) return;
+    const auto& terms = std::get<std::vector<Term>>(shape.core);
+    for (const InnerPoint& point : inner) {
+      Point place;
+      if (!report_.expect(point.size() == terms.size(), "an inner point without a part in each term")) return;
+      for (std::size_t t = 0; t < terms.size(); ++t) {
+        if (!report_.expect(point[t].atom < terms[t].atoms.size(), "an inner point of no atom")) return;
+        const Atom& atom = terms[t].atoms[point[t].atom];
+        if (!report_.expect(point[t].local.size() == atom.axes.size(), "an inner point with other parameters than its atom")) return;
+        mpq_class length;
+        place = sum(place, atom.center);
+        for (std::size_t k = 0; k < atom.axes.size(); ++k) {
+          length += point[t].local[k] * point[t].local[k];
+          place = sum(place, times(point[t].local[k], atom.axes[k]));
+        }
+        report_.expect(length <= 1, "an inner point outside its atom");
+      }
+      points.push_back(place);
+    }
+  }
+
+  void half_space() {
+    const bool plane_is_a = std::holds_alternative<HalfSpace>(a_.core);
+    const HalfSpace& plane = std::get<HalfSpace>(plane_is_a ? a_.core : b_.core);
+    const Point s = plane_is_a ? n_ : times(-1, n_);
+    const std::vector<Point>& points = plane_is_a ? points_b_ : points_a_;
+    if (!report_.expect(!points.empty(), "no inner point")) return;
+    mpq_class most = product(s, points.front());
+    for (const Point& p : points) most = std::max(most, product(s, p));
+    const mpq_class low = most + plane.offset * abs(product(n_, plane.normal)) / product(plane.normal, plane.normal);
+    report_.expect(square(low) >= square(bounds_.low - rho_) * product(n_, n_), "no inner point shows the lower bound");
+  }
+
+  Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
+    Point result;
+    mpq_class total;
+    for (const Weight& w : weights) {
+      if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
+      total += w.weight;
+      result = sum(result, times(w.weight, points[w.index]));
+    }
+    report_.expect(total == 1, "weights do not sum to 1");
+    return result;
+  }
+
+  void weights() {
+    const Point z = sum(combined(points_b_, p_.weights_b), times(-1, combined(points_a_, p_.weights_a)));
+    report_.expect(square(rho_ - bounds_.low) >= product(z, z), "the inner points are too far apart for the lower bound");
+  }
+
+  void polytope() {
+    const std::vector<std::vector<std::uint32_t>>& facets = p_.polytope.facets;
+    std::vector<Point> vertices;
+    for (const auto& [i, j] : p_.polytope.vertices) {
+      if (!report_.expect(i < points_a_.size() && j < points_b_.size(), "a vertex of Q has an index out of range")) return;
+      vertices.push_back(sum(points_b_[j], times(-1, points_a_[i])));
+    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const std::vector<std::uint32_t>& facet : facets) {
+      const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices.size(); });
+      if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return;
+      for (std::size_t k = 0; k < facet.size(); ++k)
+        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second, "two facets of Q run along an edge in one sense");
+      facet_of_q(vertices, facet);
+    }
+    for (const auto& [u, v] : edges) report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+  }
+
+  void facet_of_q(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& facet) {
+    Point normal;
+    for (std::size_t k = 0; k < facet.size(); ++k)
+      normal = sum(normal, cross_product(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]));
+    const mpq_class height = product(normal, vertices[facet.front()]), least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
+    report_.expect(height > 0 && height * height >= least * least * product(normal, normal), "a facet of Q is too near");
+    std::size_t on_plane = 0;
+    for (const Point& v : vertices) {
+      const int order = cmp(product(normal, v), height);
+      report_.expect(order <= 0, "a vertex of Q lies above a facet");
+      on_plane += order == 0 ? 1U : 0U;
+    }
+    report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
+    for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
+      const Point side = cross_product(vertices[facet[k]], vertices[facet[k + 1]]);
+      report_.expect(product(side, vertices[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
+    }
+  }
+
+  const CurvedBounds& bounds_;
+  const Bracket& p_;
+  const Shape &a_, &b_;
+  Point n_;
+  mpq_class rho_;
+  kernels::Report report_;
+  std::vector<Point> points_a_, points_b_;
+};
+
+}  // namespace
+
+kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b) { return Check(bounds, a, b).run(); }
+
+}  // namespace fathom::curved

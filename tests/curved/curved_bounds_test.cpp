@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds where the answer is known: where people put shapes on each other, in closed form, at the ends of numbers, and where they cannot meet.
+#include "reference/curved/curved_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
+#include "tests/support/prepared.hpp"
+#include "tests/support/random_shapes.hpp"
+
+namespace fathom::curved {
+namespace {
+
+using testing::ShapeMaker;
+
+CurvedBounds bounds_of(const Shape& a, const Shape& b, unsigned bits = 40, std::size_t support_calls = 5000) {
+  kernels::Context context;
+  CurvedBounds bounds = signed_bounds(context, a, b, bits, support_calls);
+  EXPECT_LE(bounds.support_calls, support_calls);
+  if (bounds.bracket.polytope.facets.size() < 300) {
+    const kernels::Report report = validate(bounds, a, b);
+    EXPECT_TRUE(report.ok()) << testing::text(report);
+  }
+  return bounds;
+}
+
+Shape at(const Shape& shape, const Point& p, const Quaternion& q = {1, 0, 0, 0}) { return moved(shape, rigid_pose(q, p)); }
+Shape ball(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}, {0, 0, r}}}); }
+Shape disc(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}}}); }
+
+const Quaternion quarter_x{1, 1, 0, 0}, half_x{0, 1, 0, 0};
+const Shape unit_box = box({1, 1, 1});
+
+struct Placed {
+  const char* what;
+  Shape a, b;
+};
+
+// Each in its place, and both in one pose that no machine number holds.
+void expect_exactly(const Placed& placed, const mpq_class& value) {
+  const Pose pose = rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
+  for (const bool turned : {false, true}) {
+    for (const bool swapped : {false, true}) {
+      const Shape a = turned ? moved(placed.a, pose) : placed.a, b = turned ? moved(placed.b, pose) : placed.b;
+      const CurvedBounds bounds = swapped ? bounds_of(b, a) : bounds_of(a, b);
+      EXPECT_EQ(bounds.low, value) << placed.what << (turned ? ", turned" : "") << (swapped ? ", swapped" : "");
+      EXPECT_EQ(bounds.high, value) << placed.what << (turned ? ", turned" : "") << (swapped ? ", swapped" : "");
+    }
+  }
+}
+
+TEST(CurvedBounds, DecideTouchingWherePeopleMeetIt) {
+  const mpq_class third(1, 3), half(1, 2);
+  const std::vector<Placed> touching{
+      {"a cylinder stands on a box", unit_box, at(cylinder(1, 2), {0, 0, 3})},
+      {"a cylinder stands on the rim of a box", unit_box, at(cylinder(1, 2), {mpq_class(3, 2), third, 3})},
+      {"a cylinder lies on a box", unit_box, at(cylinder(1, 2), {0, 0, 2}, quarter_x)},
+      {"a cylinder on a cylinder", cylinder(1, 1), at(cylinder(2, 1), {0, 0, 2})},
+      {"a cylinder beside a cylinder", cylinder(1, 1), at(cylinder(2, 1), {3, 0, half})},
+      {"a cylinder beside a cylinder, 3-4-5", cylinder(1, 1), at(cylinder(4, 1), {3, 4, half})},
+      {"cylinders cross", cylinder(1, 2), at(cylinder(1, 3), {2, 0, 0}, quarter_x)},
+      {"a ball on a face", unit_box, at(ball(1), {0, third, 2})},
+      {"an ellipsoid on a face", unit_box, at(ellipsoid({1, 2, 3}), {half, 0, 4})},
+      {"an ellipsoid on an ellipsoid", ellipsoid({1, 2, 3}), at(ellipsoid({3, 2, 1}), {0, 0, 4})},
+      {"the apex of a cone on a face", unit_box, at(cone(1, 2), {0, half, 3}, half_x)},
+      {"the base of a cone on a face", unit_box, at(cone(1, 2), {half, 0, 3})},
+      {"a rim on a face", box({4, 4, 1}), at(cylinder(5, 5), {0, 0, 8}, {3, 1, 0, 0})},
+      {"two balls", ball(2), at(ball(3), {3, 4, 0})},
+      {"a ball in the hollow of no box: beside a cylinder", cylinder(1, 1), at(ball(4), {3, -4, third})},
+      {"discs in one plane", disc(1), at(disc(1), {1, 0, 0})},
+      {"a disc on a cylinder's end", cylinder(1, 1), at(disc(3), {0, 1, 1})},
+      {"an ellipsoid with edges on a face", box({2, 2, 2}), at(minkowski_sum(ellipsoid({1, 2, 3}), unit_box), {0, 0, 6})},
+      {"a cylinder on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 3})},
+      {"a cylinder lies on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2}, quarter_x)},
+      {"a sphere on a slope", halfspace({1, 2, 2}, 3), at(ball(1), {mpq_class(2, 3), mpq_class(4, 3), mpq_class(4, 3)})}};
+  for (const Placed& placed : touching) expect_exactly(placed, 0);
+}
+
+TEST(CurvedBounds, MeetWhereTheNearestFeaturesAreRational) {
+  expect_exactly({"a gap between a cylinder and a box", unit_box, at(cylinder(1, 1), {0, 0, mpq_class(7, 3)})}, mpq_class(-1, 3));
+  expect_exactly({"a gap between balls", ball(1), at(ball(3), {3, 4, 0})}, -1);
+  expect_exactly({"a cylinder sunk into a box", box({3, 3, 3}), at(cylinder(1, 2), {0, 0, 4})}, 1);
+  expect_exactly({"coaxial cylinders, along the axis", cylinder(3, 1), at(cylinder(3, 1), {0, 0, mpq_class(3, 2)})}, mpq_class(1, 2));
+  expect_exactly({"boxes", unit_box, at(unit_box, {mpq_class(1, 2), 0, mpq_class(3, 2)})}, mpq_class(1, 2));
+  expect_exactly({"margins close a gap", with_margin(unit_box, mpq_class(1, 12)),
+                  at(with_margin(cylinder(1, 1), mpq_class(1, 4)), {0, 0, mpq_class(7, 3)})},
+                 0);
+  expect_exactly({"a plane cuts a cylinder", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2})}, 1);
+}
+
+// Whether low <= rational + signed root of x <= high.
+void expect_around(const CurvedBounds& bounds, const Surd& value, const char* what) {
+  EXPECT_LE(compare(Surd{bounds.low, 0}, value), 0) << what;
+  EXPECT_GE(compare(Surd{bounds.high, 0}, value), 0) << what;
+}
+
+TEST(CurvedBounds, OfEllipsoidsThatAreBallsHoldTheClosedForm) {
+  ShapeMaker make{families::Random(5), 10};
+  for (int i = 0; i < 60; ++i) {
+    const mpq_class r = make.length(), s = make.length();
+    const Point c = make.point(i % 3 == 0 ? 4 : 2);
+    const mpq_class square = c.x * c.x + c.y * c.y + c.z * c.z;
+    const Quaternion q = make.rotation(), p = make.rotation();
+    const CurvedBounds bounds = bounds_of(at(ball(r), {0, 0, 0}, q), at(ball(s), c, p));
+    expect_around(bounds, {r + s, -square}, "balls");
+    if (bounds.support_calls < 5000) {
+      EXPECT_LE((bounds.high - bounds.low) * (mpz_class(1) << 40), 6 * (r + s));
+    }
+  }
+}
+
+TEST(CurvedBounds, EndByTheirBudgetWhereOptimaFormAContinuum) {
+  const Shape bar = cylinder(1, 4);
+  const mpq_class tenth(1, 10), thousandth(1, 1000);
+  const std::vector<std::pair<Placed, mpq_class>> hard{
+      {{"coaxial cylinders", bar, bar}, 2},
+      {{"nearly coaxial cylinders", bar, at(bar, {thousandth / 100, 0, 0})}, 2 - thousandth / 100},
+      {{"balls with near centers", ball(1), at(ball(1), {thousandth, 0, 0})}, 2 - thousandth},
+      {{"concentric balls", ball(1), ball(1)}, 2}};
+  for (const auto& [placed, value] : hard) {
+    for (const std::size_t budget : {10U, 100U, 500U}) {
+      const CurvedBounds bounds = bounds_of(placed.a, placed.b, 40, budget);
+      expect_around(bounds, {value, 0}, placed.what);
+      EXPECT_GE(bounds.support_calls + 1, budget) << placed.what;
+      EXPECT_GE(bounds.low, budget < 100 ? mpq_class(0) : mpq_class(19, 10)) << placed.what;
+      EXPECT_LT(bounds.high - value, tenth / 100) << placed.what;
+    }
+  }
+}
+
+TEST(CurvedBounds, SayWhenTheyCannotDecide) {
+  const mpq_class near_root(mpz_class("14142135623730951"), mpz_class("10000000000000000"));  // of 2, a little above
+  const CurvedBounds grazing = bounds_of(ball(1), at(ball(1), {near_root, near_root, 0}));
+  EXPECT_LT(grazing.low, 0);
+  EXPECT_GT(grazing.high, 0);
+  expect_around(grazing, {2, -2 * near_root * near_root}, "grazing balls");
+  const CurvedBounds finer = bounds_of(ball(1), at(ball(1), {near_root, near_root, 0}), 80);
+  EXPECT_LT(finer.high, 0);
+  expect_around(finer, {2, -2 * near_root * near_root}, "grazing balls, looked at closely");
+}
+
+TEST(CurvedBounds, KeepTheirWidthWhateverItIs) {
+  const Shape a = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 2, 5}), b = at(ellipsoid({1, 2, 1}), {1, 1, mpq_class(1, 3)}, {1, 7, 3, 1});
+  mpq_class low = -100, high = 100;
+  for (const unsigned bits : {1U, 5U, 20U, 40U, 60U, 120U}) {
+    const CurvedBounds bounds = bounds_of(a, b, bits);
+    EXPECT_LE((bounds.high - bounds.low) * (mpz_class(1) << bits), 12) << bits;
+    EXPECT_LE(bounds.low, high) << bits;
+    EXPECT_GE(bounds.high, low) << bits;
+    low = std::max(low, bounds.low);
+    high = std::min(high, bounds.high);
+  }
+}
+
+TEST(CurvedBounds, OfSmallAndLargeNumbersAreThoseOfOrdinaryOnes) {
+  const mpq_class tiny = exact_value(0x1p-1000), large = exact_value(0x1p1000);
+  const auto pair_of = [](const mpq_class& s) {
+    return std::pair(at(cylinder(s, 2 * s), {0, 0, 0}, {3, 1, 2, 5}), at(ellipsoid({s, 2 * s, s}), {s, s, s / 3}, {1, 7, 3, 1}));
+  };
+  const auto [a, b] = pair_of(1);
+  const CurvedBounds ordinary = bounds_of(a, b);
+  for (const mpq_class& s : {tiny, large}) {
+    const auto [c, d] = pair_of(s);
+    const CurvedBounds bounds = bounds_of(c, d);
+    EXPECT_EQ(bounds.low, ordinary.low * s);
+    EXPECT_EQ(bounds.high, ordinary.high * s);
+  }
+  // Of both at once.
+  const CurvedBounds mixed = bounds_of(cylinder(large, tiny), at(cylinder(tiny, tiny), {large / 2, 0, 3 * tiny}));
+  EXPECT_LE(mixed.low, -tiny);
+  EXPECT_GE(mixed.high, -tiny);
+}
+
+TEST(CurvedBounds, OfDegenerateAtoms) {
+  const Shape point = ShapeMaker::one_atom({{1, 2, 3}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}});
+  EXPECT_EQ(bounds_of(point, point).high, 0);
+  EXPECT_EQ(bounds_of(point, point).low, 0);
+  const Shape segment = ShapeMaker::one_atom({{0, 0, 0}, {{1, 0, 0}, {0, 0, 0}}}),
+              same = ShapeMaker::one_atom({{0, 0, 0}, {{3, 0, 0}, {4, 0, 0}}});
+  EXPECT_EQ(bounds_of(segment, at(same, {6, 0, 0})).high, 0);  // the second reaches 5 to the left
+  EXPECT_EQ(bounds_of(segment, at(same, {7, 0, 0})).low, -1);
+  const CurvedBounds crossing = bounds_of(disc(1), at(disc(1), {mpq_class(1, 2), 0, 0}, quarter_x));
+  EXPECT_GT(crossing.low, 0);  // flat bodies overlap where no translation by less parts them
+  expect_around(crossing, {1, 0}, "crossing discs");
+}
+
+TEST(CurvedBounds, AreWhatSignedDepthSaysOfCurvedShapes) {
+  const SignedDepth standing = signed_depth(unit_box, at(cylinder(1, 2), {0, 0, 3}));
+  ASSERT_NE(standing.exact(), nullptr);
+  EXPECT_EQ(standing.status(), Status::touching);
+  EXPECT_EQ(standing.direction(), (Vector{0, 0, -1}));
+  const Shape leaning = at(cylinder(1, 2), {0, 0, 3}, {5, 1, 1, 0});
+  const SignedDepth deep = signed_depth(unit_box, leaning);
+  ASSERT_NE(deep.bounds(), nullptr);
+  EXPECT_EQ(deep.status(), Status::penetrating);
+  EXPECT_LT(deep.low_binary64(), deep.high_binary64());
+  EXPECT_TRUE(std::holds_alternative<Bracket>(deep.core));
+  SignedDepthOptions options;
+  options.cores.validate = true;
+  options.bits = 10;
+  EXPECT_LE(signed_depth(unit_box, leaning, options).bounds()->low, deep.bounds()->low);
+  options.support_calls = 0;  // still proved
+  EXPECT_GE(signed_depth(unit_box, leaning, options).bounds()->high, deep.bounds()->low);
+  options.bits = most_bound_bits + 1;
+  EXPECT_THROW(signed_depth(unit_box, leaning, options), std::invalid_argument);
+  const SignedDepth on_slope = signed_depth(halfspace({1, 2, 2}, 3), leaning);
+  ASSERT_NE(on_slope.bounds(), nullptr);
+  EXPECT_EQ(on_slope.status(), Status::penetrating);
+}
+
+TEST(CurvedBounds, RefuseNumbersThatShareNoDenominator) {
+  Term term{{{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}}}}};
+  for (int i = 0; i < 200; ++i) term.atoms.push_back({{mpq_class(1, (mpz_class(1) << 20000) + 2 * i + 1), 0, 0}, {}});
+  EXPECT_THROW(bounds_of(Shape{std::vector<Term>{term}, 0}, unit_box), InputError);
+}
+
+TEST(CurvedBounds, StopWhenTheMonitorSaysSo) {
+  struct Stopper : Monitor {
+    void report(std::string_view, double) override { ++reports; }
+    bool stopped() override { return reports > 20; }
+    int reports = 0;
+  } stopper;
+  kernels::Context context(&stopper);
+  EXPECT_THROW(signed_bounds(context, ball(1), at(ball(1), {mpq_class(1, 100), 0, 0})), Interrupted);
+}
+
+// Every part of a proof matters.
+TEST(CurvedBounds, ForgedAreRefused) {
+  const Shape a = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 2, 5}),
+              b = with_margin(at(ellipsoid({1, 2, 1}), {1, 1, 0}, {1, 7, 3, 1}), mpq_class(1, 8));
+  const Shape far = at(b, {5, 0, 0});
+  const CurvedBounds deep = bounds_of(a, b), apart = bounds_of(a, far);
+  const auto refused = [&](const CurvedBounds& bounds, const Shape& x, const Shape& y) { return !validate(bounds, x, y).ok(); };
+  const mpq_class step(1, mpz_class(1) << 30);
+  CurvedBounds forged = deep;
+  forged.low += step;
+  EXPECT_TRUE(refused(forged, a, b));
+  forged = deep;
+  forged.high -= step;
+  EXPECT_TRUE(refused(forged, a, b));
+  forged = deep;
+  forged.bracket.heights_a[0] *= mpq_class(999, 1000);
+  EXPECT_TRUE(refused(forged, a, b));
+  forged = deep;
+  for (InnerPoint& point : forged.bracket.inner_b) point[0].local[0] += mpq_class(1, 10);
+  EXPECT_TRUE(refused(forged, a, b));
+  forged = deep;
+  forged.bracket.polytope.facets.pop_back();
+  EXPECT_TRUE(refused(forged, a, b));
+  forged = apart;
+  forged.bracket.weights_a[0].weight += step;
+  EXPECT_TRUE(refused(forged, a, far));
+  forged = apart;
+  forged.low += step;
+  EXPECT_TRUE(refused(forged, a, far));
+  Shape without = b;
+  without.radius = 0;
+  EXPECT_TRUE(refused(deep, a, without));
+}
+
+}  // namespace
+}  // namespace fathom::curved
