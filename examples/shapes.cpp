@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Round bodies: a capsule leans into a rounded box, exactly. Spheres, half-spaces, poses by quaternions, cores that touch.
+#include <fathom/certificate.hpp>
 #include <fathom/shape.hpp>
 #include <fathom/signed_depth.hpp>
 #include <iostream>
+#include <string>
 
 int main() {
   using namespace fathom;
@@ -21,6 +23,9 @@ int main() {
   const RoundedWitness witness = *depth.witness();
   std::cout << "the pill's point: " << witness.a.core.y << " along y on its axis, then " << witness.a.distance << " n/|n|\n";
 
+  const std::string proof = certificate_text(pill, crate, depth, "pill");
+  std::cout << proof.substr(0, proof.find('\n')) << ", radius " << make_certificate(pill, crate, depth).a.radius << "\n";
+
   const SignedDepth resting = signed_depth(sphere(1), halfspace({0, 0, 1}, -1));
   std::cout << name(*resting.status()) << ", bounds: " << (resting.bounds() != nullptr) << "\n";
 
@@ -38,12 +43,14 @@ int main() {
                           triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1})};
   Shape all = others[0];
   for (const Shape& other : others) all = minkowski_sum(all, other);
-  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms\n";
+  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all) << ", a triangle: " << is_flat(others[6])
+            << "\n";
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5
 //> move by -1/50 n + 3/5 n/|n|, n = 0 4 3
 //> the pill's point: 27/25 along y on its axis, then -1/2 n/|n|
+//> fathom-certificate 2, radius 1/2
 //> touching, bounds: 0
 //> a line along z, 0 rays; -1 -1
-//> 8 terms
+//> 8 terms; flat: 0, a triangle: 1

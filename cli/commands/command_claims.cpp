@@ -6,12 +6,14 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "cli/io/certificate_file.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/output/claim_output.hpp"
-#include "kernels/printable.hpp"
+#include "fathom/certificate.hpp"
 #include "reference/files/source.hpp"
 #include "verify/claims/claims.hpp"
 
@@ -22,11 +24,28 @@ using claims::Finding;
 using claims::JudgedClaim;
 using claims::PublishedClaim;
 
+/// Writes the proofs of the truth about wrong claims, if they are wanted.
+class Proofs {
+ public:
+  explicit Proofs(const std::string& folder) {
+    if (!folder.empty()) folder_.emplace(folder);
+  }
+  void write(const PublishedClaim& claim, const JudgedClaim& judged) {
+    if (!folder_ || judged.finding() != Finding::wrong) return;
+    const Shape a = claims::shape_of(claim.bodies.a), b = claims::shape_of(claim.bodies.b);
+    CertificateFile(folder_->file(claim.bodies.id)).write(certificate_text(a, b, judged.truth, claim.bodies.id, ShapeFormat::richest));
+  }
+
+ private:
+  std::optional<CertificateFolder> folder_;
+};
+
 }  // namespace
 
 ExitCode judge_claims(const Request& request) {
   const std::string& path = request.certify.claims;
   const Working working;
+  Proofs proofs(request.certify.certificates);
   std::ifstream file;
   if (path != "-") {
     files::require_readable(path);
@@ -48,6 +67,7 @@ ExitCode judge_claims(const Request& request) {
     }
     const PublishedClaim& published = std::get<PublishedClaim>(claim);
     const JudgedClaim judged = claims::judge_claim(published);
+    proofs.write(published, judged);
     print(request.json ? claim_json(published, judged) : claim_text(published, judged));
     ++counts[claims::verdict_name(judged.finding())];
     ++judged_claims;

@@ -70,9 +70,11 @@ ShapeAnswer shape_answer_to(const Case& single, const Request& request, Monitor&
   SignedDepthOptions options;
   options.cores = options_of(request, monitor, workspace);
   const Shape a = shape_of(single.a), b = shape_of(single.b);
+  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
+    throw InputError(single.id, 0, "expected one half-space at most, found two: they have no depth");
   ShapeAnswer answer{single.id, signed_depth(a, b, options), is_flat(a), is_flat(b)};
   if (!request.certificate.empty() || request.embed_certificate)
-    throw InputError(single.id, 0, "certificates of shapes that are no polytopes are not written yet");
+    answer.certificate = certificate_text(a, b, answer.depth, single.id, ShapeFormat::shortest, &monitor);
   return answer;
 }
 

@@ -12,11 +12,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/point.hpp"
+#include "fathom/shape.hpp"
+#include "fathom/signed_depth.hpp"
 
 namespace fathom {
 
@@ -54,5 +57,55 @@ std::string certificate_text(std::span<const Point> a, std::span<const Point> b,
                              Monitor* monitor = nullptr);
 std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
                              std::string_view id = {}, Monitor* monitor = nullptr);
+
+// ---- shapes: format 2 ----
+
+/// Proves that a cone is the set of all optimal directions of bodies that touch: each of its facets is that of a difference.
+struct ConeProof {
+  OptimalCone cone;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;  ///< indices of a point a of A and a point b of B, for b - a
+};
+
+/// What a certificate of shapes proves, about the cores or about the bodies with their radii. depth: the cores overlap, of squared depth low
+/// = high. touching: the cores do. apart: the cores are at the squared distance low = high. signed_bounds: low <= signed depth of the bodies
+/// <= high. In the first three cases the signed depth of the bodies follows exactly.
+enum class ShapeClaim { depth, touching, apart, signed_bounds };
+
+/// Self-contained: it holds the shapes.
+struct ShapeCertificate {
+  std::string id;  ///< of the case; may be empty
+  /// As simple as they can be. Each core is one hull of points or a half-space, unless the claim is signed_bounds: then a sum of terms, or a
+  /// half-space.
+  Shape a, b;
+  ShapeClaim claim = ShapeClaim::depth;
+  mpq_class low, high;
+  std::vector<Vector> directions;    ///< optimal ones of the cores; signed_bounds: one that shows the upper bound
+  bool complete = false;             ///< depth of points: the directions are all optimal ones
+  std::vector<mpq_class> heights_a;  ///< signed_bounds: for each term of A, at least its support in the direction -n; likewise B, n
+  std::vector<mpq_class> heights_b;
+  std::vector<InnerPoint> inner_a, inner_b;  ///< signed_bounds: points of the cores
+  /// depth and signed_bounds: inside the P of the cores, and around O; its indices are those of points, or of inner points. Or empty.
+  InnerPolytope inner;
+  std::vector<Weight> weights_a,
+      weights_b;                  ///< else, unless a core is a half-space: convex weights of points whose distance is that of the cores
+  std::optional<ConeProof> cone;  ///< touching, of points: all optimal directions
+};
+
+/// Returns the certificate of an answer to signed_depth(a, b). Throws std::logic_error if the proof contradicts the answer,
+/// std::invalid_argument if a shape is none or a sum has more than most_expanded_points points, and Interrupted.
+ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDepth& answer, Monitor* monitor = nullptr);
+
+/// The text that checkers read: format 2.
+std::string certificate_text(const ShapeCertificate& certificate);
+
+/// Which format the text of two point sets without radii is in, which both can express. Shapes that format 1 cannot express are in format 2.
+enum class ShapeFormat {
+  shortest,  ///< format 1: it says that bodies are disjoint, not how far; and of bodies that touch one direction
+  richest    ///< format 2: the distance, and all directions
+};
+
+/// The text of make_certificate(a, b, answer), with this id.
+std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& answer, std::string_view id = {},
+                             ShapeFormat format = ShapeFormat::shortest, Monitor* monitor = nullptr);
 
 }  // namespace fathom

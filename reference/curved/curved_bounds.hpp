@@ -5,8 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <string_view>
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
@@ -29,8 +27,5 @@ CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shap
 
 /// Checks the proof by the definitions, in rationals: the naive twin of the checkers.
 [[nodiscard]] kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b);
-
-/// The text that checkers read: a certificate of format 2, verify/check/FORMAT.md. The id, percent-escaped, may be empty.
-std::string certificate_text(const CurvedBounds& bounds, const Shape& a, const Shape& b, std::string_view escaped_id = {});
 
 }  // namespace fathom::curved

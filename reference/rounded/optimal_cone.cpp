@@ -18,12 +18,23 @@ Vector combined(const mpz_class& p, const Vector& u, const mpz_class& q, const V
   return primitive({p * u.x + q * v.x, p * u.y + q * v.y, p * u.z + q * v.z});
 }
 
-// from -> to, times what makes it a primitive vector.
-Vector direction_between(const Point& from, const Point& to) {
-  const mpq_class x = to.x - from.x, y = to.y - from.y, z = to.z - from.z;
-  const mpz_class unit = lcm(lcm(x.get_den(), y.get_den()), z.get_den());
-  const auto scaled = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
-  return primitive({scaled(x), scaled(y), scaled(z)});
+// A point over its common denominator.
+struct Fraction {
+  mpz_class denominator;
+  Vector numerators;
+};
+
+Fraction fraction(const Point& p) {
+  const mpz_class &x = p.x.get_den(), &y = p.y.get_den(), &z = p.z.get_den();
+  if (x == y && y == z) return {x, {p.x.get_num(), p.y.get_num(), p.z.get_num()}};
+  const mpz_class unit = lcm(lcm(x, y), z);
+  return {unit, {p.x.get_num() * (unit / x), p.y.get_num() * (unit / y), p.z.get_num() * (unit / z)}};
+}
+
+// p - q, times both denominators.
+Vector between(const Fraction& q, const Fraction& p) {
+  const auto along = [&](const mpz_class& to, const mpz_class& from) { return mpz_class(to * q.denominator - from * p.denominator); };
+  return {along(p.numerators.x, q.numerators.x), along(p.numerators.y, q.numerators.y), along(p.numerators.z, q.numerators.z)};
 }
 
 // One line leaves the lineality: the half of it below g becomes a ray, everything else is moved along it into the plane of g.
@@ -38,13 +49,9 @@ void cut_line(ClippedCone& cone, std::size_t i, const Vector& g) {
 }
 
 void cut_rays(ClippedCone& cone, const Vector& g) {
+  if (std::all_of(cone.rays.begin(), cone.rays.end(), [&](const Vector& ray) { return dot(g, ray) <= 0; })) return;
   std::vector<mpz_class> height;
-  bool cuts = false;
-  for (const Vector& ray : cone.rays) {
-    height.push_back(dot(g, ray));
-    cuts = cuts || height.back() > 0;
-  }
-  if (!cuts) return;
+  for (const Vector& ray : cone.rays) height.push_back(dot(g, ray));
   std::vector<Vector> kept;
   const std::size_t size = cone.rays.size();
   for (std::size_t i = 0; i < size; ++i) {
@@ -94,16 +101,30 @@ OptimalCone canonical(const ClippedCone& cone) {
 OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Point& x) {
   context.report("optimal cone");
   ClippedCone cone = whole_space();
+  const Fraction common = fraction(x);
   const auto clip_all = [&](std::span<const Point> points, const auto& generator) {
     for (const Point& p : points) {
       clip(cone, generator(p));
       context.check();
     }
   };
-  clip_all(b, [&](const Point& p) { return direction_between(x, p); });
-  clip_all(a, [&](const Point& p) { return direction_between(p, x); });
+  clip_all(b, [&](const Point& p) { return between(common, fraction(p)); });
+  clip_all(a, [&](const Point& p) { return between(fraction(p), common); });
   if (cone.lines.empty() && cone.rays.empty()) throw std::logic_error("no plane separates bodies that touch");
   return canonical(cone);
+}
+
+std::vector<Vector> lineality_basis(const OptimalCone& cone) {
+  if (cone.lineality == Lineality::all) return whole_space().lines;
+  if (cone.lineality == Lineality::line) return {cone.axis};
+  std::vector<Vector> basis;
+  if (cone.lineality == Lineality::plane) {
+    for (const Vector& e : whole_space().lines) {
+      const Vector v = primitive(cross(cone.axis, e));
+      if (!is_zero(v) && (basis.empty() || (basis.size() == 1 && !is_zero(cross(basis.front(), v))))) basis.push_back(v);
+    }
+  }
+  return basis;
 }
 
 kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b) {
@@ -118,13 +139,7 @@ kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std:
     if (cone.lineality == Lineality::line) report.expect(dot(ray, cone.axis) == 0, "a ray is not orthogonal to the line");
     if (cone.lineality == Lineality::plane) report.expect(is_zero(cross(ray, cone.axis)), "a ray is not orthogonal to the plane");
   }
-  std::vector<Vector> lines;
-  if (cone.lineality == Lineality::line) lines = {cone.axis};
-  if (cone.lineality == Lineality::all) lines = whole_space().lines;
-  if (cone.lineality == Lineality::plane)
-    for (const Vector& e : whole_space().lines)
-      if (Vector v = cross(cone.axis, e); !is_zero(v)) lines.push_back(std::move(v));
-  for (const Vector& line : lines) optimal.insert(optimal.end(), {line, -line});
+  for (const Vector& line : lineality_basis(cone)) optimal.insert(optimal.end(), {line, -line});
   report.expect(!optimal.empty(), "no direction");
   for (const Vector& u : optimal) report.expect(support_sign(a, b, u) == 0, "a plane in an optimal direction does not separate the bodies");
   return report;

@@ -31,6 +31,9 @@ OptimalCone canonical(const ClippedCone& cone);
 /// {u : h(u) = 0}. Throws std::logic_error if it is empty: then x is no common point of bodies that touch.
 OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Point& x);
 
+/// Independent vectors that span the lineality: as many as its dimension.
+std::vector<Vector> lineality_basis(const OptimalCone& cone);
+
 /// Checks that h is 0 in every direction named, and that the form is canonical; not that no direction is missing.
 [[nodiscard]] kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b);
 

@@ -126,7 +126,7 @@ TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
     ++kinds[{static_cast<int>(cone.lineality), cone.rays.size()}];
   }
   // Every kind there is, but more than five rays.
-  for (const std::pair<int, std::size_t> kind :
+  for (const std::pair<int, std::size_t>& kind :
        {std::pair<int, std::size_t>{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {3, 0}})
     EXPECT_GT(kinds[kind], 0) << kind.first << " " << kind.second;
 }

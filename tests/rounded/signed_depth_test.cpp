@@ -148,6 +148,15 @@ TEST(SignedDepth, OfSpheresIsExactHoweverTheyAreGiven) {
   EXPECT_EQ(concentric.high_binary64(), 7);
 }
 
+TEST(SignedDepth, OfCoordinatesBeyondBinary64) {
+  for (const long exponent : {-1100L, 1030L}) {
+    const mpq_class x = families::times_power_of_two(3, exponent);
+    const Shape point = hull(std::vector<Point>{{x, 0, 0}, {2 * x, 0, 0}});
+    EXPECT_EQ(signed_depth(sphere(x), point).status(), Status::touching) << exponent;
+    EXPECT_EQ(signed_depth(point, sphere(x + families::times_power_of_two(x, -60))).status(), Status::penetrating) << exponent;
+  }
+}
+
 // ---- half-spaces ----
 
 TEST(SignedDepth, OfAHalfSpaceIsThatOfALargeBox) {
@@ -165,6 +174,13 @@ TEST(SignedDepth, OfAHalfSpaceIsThatOfALargeBox) {
     for (const SignedDepth* depth : {&as_b, &as_a}) {
       EXPECT_TRUE(same_value(*depth->exact(), expected)) << i;
       expect_laws(*depth, std::to_string(i));
+    }
+    const std::vector<Atom>& corners = std::get<std::vector<Term>>(convex.core)[0].atoms;
+    const HalfSpace& plane = std::get<HalfSpace>(half.core);
+    for (const auto& [corner, foot] :
+         {std::pair(as_b.witness()->a.core, as_b.witness()->b.core), {as_a.witness()->b.core, as_a.witness()->a.core}}) {
+      EXPECT_EQ(product(plane.normal, foot), plane.offset) << i;
+      EXPECT_NE(std::find(corners.begin(), corners.end(), Atom{corner, {}}), corners.end()) << i;
     }
     EXPECT_EQ(as_a.direction(), (Vector{-as_b.direction().x, -as_b.direction().y, -as_b.direction().z}));
   }

@@ -171,7 +171,8 @@ TEST(Simplified, RoundBallsAloneBecomeRadii) {
   const Shape sheared{std::vector<Term>{{{{{}, {{2, 0, 0}, {0, 2, 0}, {1, 0, 2}}}}}}, 0},
       root{std::vector<Term>{{{{{}, {{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}}}, 0};
   const Shape of_root{std::vector<Term>{{{{{}, {{1, 1, 0}, {1, -1, 0}, {0, 1, 1}}}}}}, 0};
-  for (const Shape& shape : {sheared, root, of_root}) EXPECT_EQ(simplified(shape), shape);
+  const Shape oblique{std::vector<Term>{{{{{}, {{5, 0, 0}, {3, 4, 0}, {0, 0, 5}}}}}}, 0};
+  for (const Shape& shape : {sheared, root, of_root, oblique}) EXPECT_EQ(simplified(shape), shape);
   const Shape flat{std::vector<Term>{{{{{1, 0, 0}, {{}, {}}}, {{}, {{}, {}, {}}}}}}, 0};
   EXPECT_EQ(simplified(flat), (Shape{std::vector<Term>{{{{{1, 0, 0}, {}}, {{}, {}}}}}, 0})) << "atoms whose axes are 0";
 }

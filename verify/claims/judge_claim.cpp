@@ -92,26 +92,12 @@ Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b,
 
 bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
 
-}  // namespace
-
-Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
-
-std::optional<Finding> JudgedClaim::finding() const {
-  if (statements.empty()) return std::nullopt;
-  Finding all = Finding::right;
-  for (const Statement& statement : statements) all = both(all, statement.finding);
-  return all;
-}
-
-std::string_view verdict_name(const std::optional<Finding>& finding) {
-  if (!finding) return "not-judgeable";
-  return *finding == Finding::right ? "right" : *finding == Finding::wrong ? "wrong" : "undecided";
-}
-
-JudgedClaim judge_claim(const PublishedClaim& claim) {
-  const kernels::DefaultFloatEnvironment environment;
+/// Judges with bounds of the truth that are so many bits apart.
+JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
   const Shape a = shape_of(claim.bodies.a), b = shape_of(claim.bodies.b);
-  JudgedClaim judged{signed_depth(a, b), {}};
+  SignedDepthOptions options;
+  options.bits = bits;
+  JudgedClaim judged{signed_depth(a, b, options), {}};
   const Interval truth = interval(judged.truth);
   const std::optional<Status> status = judged.truth.status();
   if (claim.status) {
@@ -131,6 +117,31 @@ JudgedClaim judge_claim(const PublishedClaim& claim) {
                                  "the signed depth is " + text(truth)});
   if (!claim.lines.empty() && !is_halfspace(a) && !is_halfspace(b)) judged.statements.push_back(direction(claim, a, b, truth));
   return judged;
+}
+
+}  // namespace
+
+Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
+
+std::optional<Finding> JudgedClaim::finding() const {
+  if (statements.empty()) return std::nullopt;
+  Finding all = Finding::right;
+  for (const Statement& statement : statements) all = both(all, statement.finding);
+  return all;
+}
+
+std::string_view verdict_name(const std::optional<Finding>& finding) {
+  if (!finding) return "not-judgeable";
+  return *finding == Finding::right ? "right" : *finding == Finding::wrong ? "wrong" : "undecided";
+}
+
+JudgedClaim judge_claim(const PublishedClaim& claim) {
+  constexpr unsigned usual_bits = 40, more_bits = 100;
+  const kernels::DefaultFloatEnvironment environment;
+  JudgedClaim judged = judge_with(usual_bits, claim);
+  const bool open =
+      std::any_of(judged.statements.begin(), judged.statements.end(), [](const Statement& s) { return s.finding == Finding::open; });
+  return open ? judge_with(more_bits, claim) : judged;
 }
 
 }  // namespace fathom::claims
