@@ -40,6 +40,8 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
        {Text{"--catalogue", "all named degenerate pairs"}, Text{"--list", "the families, with a line on each"},
         Text{"--from", "the meshes A and B as one case, vertices as read"}})
     app.add_flag(flag, meaning);
+  app.add_flag("--shapes", cases.shapes,
+               "after --list, --catalogue, --family all: those of round and curved\nbodies, not those of polytopes");
   app.add_option("--from-fcl", cases.fcl,
                  "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input):\n"
                  "boxes and Convex with their poses; the placed points are rounded once to binary64")
@@ -67,6 +69,8 @@ std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vec
                        wanted == 0 ? "none" : "several");
   for (const char* option : {"--count", "--seed", "--size"})
     if (cases.what != What::family && given(app, option)) return fmt::format("{} goes with --family", option);
+  const bool of_many = cases.what == What::catalogue || cases.what == What::list || (cases.what == What::family && cases.family == "all");
+  if (cases.shapes && !of_many) return "--shapes goes with --list, --catalogue and --family all";
   for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
     if (cases.what != What::from && given(app, option)) return fmt::format("{} goes with --from", option);
   const std::size_t meshes = cases.what == What::from ? 2 : 0;

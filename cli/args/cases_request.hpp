@@ -12,6 +12,7 @@ struct CasesRequest {
   enum class What { family, catalogue, list, from, from_fcl };
   What what = What::family;
   std::string family;
+  bool shapes = false;                ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;       ///< if not set, the family's usual size
   std::optional<std::string> pose_a, pose_b;

@@ -90,6 +90,8 @@ inline constexpr std::string_view cases_examples =
     "  fathom cases --family random_sphere --count 10 --size 50 | fathom depth -\n"
     "                                           generated and answered\n"
     "  fathom cases --catalogue                 all named degenerate pairs\n"
+    "  fathom cases --family all --shapes --count 50 | fathom depth -\n"
+    "                                           round and curved bodies, of every family in turn\n"
     "  fathom cases --from a.obj b.obj --pose-b \"0 -1 0 1/2; 1 0 0 0; 0 0 1 0\"\n"
     "                                           two meshes as one case; B turned and moved\n"
     "  fathom cases --from-fcl error.log | fathom depth -\n"

@@ -19,10 +19,8 @@ ExitCode print_fcl_cases(const std::string& path) {
   const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   for (const files::FclFailure& failure : files::read_fcl_text(text, name)) {
     CaseText line{fmt::format("{}:{}", name, failure.line),
-                  failure.first.body,
-                  failure.second.body,
-                  failure.first.pose,
-                  failure.second.pose,
+                  body_json(failure.first.body, failure.first.pose),
+                  body_json(failure.second.body, failure.second.pose),
                   {},
                   {{"fcl", name}},
                   failure.message};

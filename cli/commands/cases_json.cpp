@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -32,18 +34,40 @@ std::string array(const List& list, Text text) {
   return result + ']';
 }
 
-std::string body(const Body& body, const std::optional<files::Pose>& pose) {
-  const auto vertex = [](const Point& p) { return fmt::format("[{},{},{}]", number(p.x), number(p.y), number(p.z)); };
-  std::string result = "{\"vertices\":" + array(body.points, vertex);
+std::string three(const Point& p) { return fmt::format("[{},{},{}]", number(p.x), number(p.y), number(p.z)); }
+
+}  // namespace
+
+std::string body_json(const Body& polytope, const std::optional<files::Pose>& pose) {
+  std::string result = "{\"vertices\":" + array(polytope.points, three);
   if (pose) result += ",\"pose\":" + array(*pose, [](const auto& row) { return array(row, number); });
   return result + '}';
 }
 
-}  // namespace
+std::string body_json(const families::NamedBody& body) {
+  std::string result = "{\"shape\":" + quoted(body.shape);
+  const auto field = [&](std::string_view name, const std::string& text) { result += fmt::format(",\"{}\":{}", name, text); };
+  const auto numbers = [&](std::string_view name) {
+    const auto found = body.fields.numbers.find(name);
+    if (found == body.fields.numbers.end()) return;
+    field(name, found->second.size() == 1 ? number(found->second.front()) : array(found->second, number));
+  };
+  for (const files::NumberField& known : files::named_shape(body.shape).shape->numbers) numbers(known.name);
+  if (body.fields.axis != Axis::z) field("axis", body.fields.axis == Axis::x ? R"("x")" : R"("y")");
+  if (!body.fields.vertices.empty()) field("vertices", array(body.fields.vertices, three));
+  if (!body.terms.empty()) field("terms", array(body.terms, [](const families::NamedBody& term) { return body_json(term); }));
+  numbers("margin");
+  const Quaternion& turn = body.turn;
+  const Point& place = body.place;
+  if (turn != Quaternion{1, 0, 0, 0} || place != Point{})
+    field("pose",
+          fmt::format(R"({{"quaternion":{},"translation":{}}})", array(std::array{turn.w, turn.x, turn.y, turn.z}, number), three(place)));
+  return result + '}';
+}
 
 std::string case_json(const CaseText& text) {
   std::string result = R"({"schema":"fathom/case/1","id":)" + quoted(text.id);
-  result += ",\"a\":" + body(text.a, text.pose_a) + ",\"b\":" + body(text.b, text.pose_b);
+  result += ",\"a\":" + text.a + ",\"b\":" + text.b;
   if (text.pose_rounding) result += R"(,"pose_rounding":"binary64")";
   if (!text.flags.empty()) result += ",\"flags\":" + array(text.flags, quoted);
   if (!text.source.empty()) {

@@ -9,15 +9,17 @@
 
 #include "fathom/files.hpp"
 #include "reference/files/pose.hpp"
+#include "verify/families/named_body.hpp"
 
 namespace fathom::cli {
 
-/// A case to be written: its bodies and other fields. Empty fields are left out.
+/// A body as a JSON object: polytopes by their vertices, which are placed if there is a pose.
+std::string body_json(const Body& polytope, const std::optional<files::Pose>& pose = std::nullopt);
+std::string body_json(const families::NamedBody& body);
+
+/// A case to be written: its bodies as JSON, and other fields. Empty fields are left out.
 struct CaseText {
-  std::string id;
-  const Body& a;
-  const Body& b;
-  std::optional<files::Pose> pose_a, pose_b;
+  std::string id, a, b;
   std::vector<std::string> flags;
   std::vector<std::pair<std::string, std::string>> source;  ///< keys and texts
   std::string comment;

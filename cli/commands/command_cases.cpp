@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/cases_fcl.hpp"
@@ -13,9 +14,12 @@
 #include "cli/commands/command.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/shape_catalogue.hpp"
+#include "verify/families/shape_families.hpp"
 #include "verify/harness/near_miss.hpp"
 
 namespace fathom::cli {
@@ -28,6 +32,7 @@ constexpr std::string_view every_family = "all";
 std::vector<std::string_view> nearest_names(std::string_view name) {
   std::vector<std::string_view> names;
   for (const families::Family& family : families::families()) names.push_back(family.name);
+  for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
     return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : harness::slips(typed, other);
@@ -37,54 +42,75 @@ std::vector<std::string_view> nearest_names(std::string_view name) {
   return names;
 }
 
-void print_case_of(const families::Family& family, std::uint64_t seed, const CasesRequest& request) {
+/// "1/4", "5 - sqrt(25)".
+std::string known_text(const Surd& value) {
+  const std::string rational = exact_text(value.rational);
+  if (value.root == 0) return rational;
+  return fmt::format("{} {} sqrt({})", rational, value.root > 0 ? '+' : '-', exact_text(abs(value.root)));
+}
+
+using Source = std::vector<std::pair<std::string, std::string>>;
+
+void print_case(const Case& pair, Source source, const std::string& comment) {
+  print(case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, std::move(source), comment}));
+}
+
+void print_case(const families::ShapeCase& shapes, Source source, const std::string& comment) {
+  const families::NamedPair& pair = shapes.pair;
+  if (pair.known) source.emplace_back("signed_depth", known_text(pair.known->signed_depth));
+  print(case_json({shapes.id, body_json(pair.a), body_json(pair.b), {}, std::move(source), comment}));
+}
+
+template <class Family>
+void print_case_of(const Family& family, std::uint64_t seed, const CasesRequest& request) {
   const unsigned size = request.size.value_or(family.usual_size);
-  const Case pair = family.make(seed, size);
-  print(case_json({pair.id,
-                   pair.a,
-                   pair.b,
-                   {},
-                   {},
-                   {},
-                   {{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}},
-                   ""}));
+  print_case(family.make(seed, size),
+             {{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}}, "");
 }
 
 /// Each family in turn with the first seed, then each with the second, until there are enough.
-ExitCode print_all_families(const CasesRequest& request) {
-  const auto all = families::families();
+template <class Families>
+void print_in_turn(const Families& all, const CasesRequest& request) {
   for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(all[i % all.size()], request.seed + i / all.size(), request);
-  return fine;
+}
+
+template <class Family>
+void print_some(const Family& family, const CasesRequest& request) {
+  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(family, request.seed + i, request);
 }
 
 ExitCode print_family(const CasesRequest& request) {
-  if (request.family == every_family) return print_all_families(request);
-  const families::Family* family = families::find_family(request.family);
-  if (!family)
+  if (request.family == every_family) {
+    if (request.shapes) print_in_turn(families::shape_families(), request);
+    else print_in_turn(families::families(), request);
+  } else if (const families::Family* family = families::find_family(request.family)) {
+    print_some(*family, request);
+  } else if (const families::ShapeFamily* of_shapes = families::find_shape_family(request.family)) {
+    print_some(*of_shapes, request);
+  } else {
     throw InputError("--family", 0,
-                     fmt::format("{} is unknown (nearest: {}; --list lists all)", kernels::shown(request.family),
-                                 fmt::join(nearest_names(request.family), ", ")));
-  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(*family, request.seed + i, request);
+                     fmt::format("{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes)",
+                                 kernels::shown(request.family), fmt::join(nearest_names(request.family), ", ")));
+  }
   return fine;
 }
 
-ExitCode print_catalogue() {
+ExitCode print_catalogue(bool of_shapes) {
+  if (of_shapes) {
+    for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
+      print_case(entry.shapes, {{"catalogue", entry.shapes.id}}, std::string(entry.description));
+    return fine;
+  }
   for (const families::CatalogueEntry& entry : families::catalogue())
-    print(case_json({entry.pair.id,
-                     entry.pair.a,
-                     entry.pair.b,
-                     {},
-                     {},
-                     {},
-                     {{"catalogue", std::string(entry.name)}},
-                     fmt::format("{}; not so: {}", entry.description, entry.breaks)}));
+    print_case(entry.pair, {{"catalogue", std::string(entry.name)}}, fmt::format("{}; not so: {}", entry.description, entry.breaks));
   return fine;
 }
 
-ExitCode print_list() {
+template <class Families>
+ExitCode print_list(const Families& all) {
   std::size_t column = 0;
-  for (const families::Family& family : families::families()) column = std::max(column, family.name.size());
-  for (const families::Family& family : families::families()) print(fmt::format("{:<{}}  {}", family.name, column, family.description));
+  for (const auto& family : all) column = std::max(column, family.name.size());
+  for (const auto& family : all) print(fmt::format("{:<{}}  {}", family.name, column, family.description));
   return fine;
 }
 
@@ -95,7 +121,7 @@ ExitCode print_meshes(const Request& request) {
   const std::optional<files::Pose> pose_a = pose(request.cases.pose_a, "--pose-a"), pose_b = pose(request.cases.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
-  print(case_json({path_a + " " + path_b, a, b, pose_a, pose_b, {}, {{"a", path_a}, {"b", path_b}}, ""}));
+  print(case_json({path_a + " " + path_b, body_json(a, pose_a), body_json(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;
 }
 
@@ -104,8 +130,8 @@ ExitCode print_meshes(const Request& request) {
 ExitCode run_cases(const Request& request) {
   switch (request.cases.what) {
     case CasesRequest::What::family: return print_family(request.cases);
-    case CasesRequest::What::catalogue: return print_catalogue();
-    case CasesRequest::What::list: return print_list();
+    case CasesRequest::What::catalogue: return print_catalogue(request.cases.shapes);
+    case CasesRequest::What::list: return request.cases.shapes ? print_list(families::shape_families()) : print_list(families::families());
     case CasesRequest::What::from: return print_meshes(request);
     case CasesRequest::What::from_fcl: return print_fcl_cases(request.cases.fcl);
   }

@@ -16,8 +16,8 @@ class CasesTest(CliTest):
     def cases(self, *arguments):
         return [json.loads(line) for line in self.answer("cases", *arguments).splitlines()]
 
-    def families(self):
-        return [line.split()[0] for line in self.answer("cases", "--list").splitlines()]
+    def families(self, *options):
+        return [line.split()[0] for line in self.answer("cases", "--list", *options).splitlines()]
 
     def depths(self, lines):
         return [json.loads(line) for line in self.answer("depth", "--json", "-", stdin=lines).splitlines()]
@@ -87,6 +87,45 @@ class Families(CasesTest):
             self.assertIn("point_point-n6-s1", process.stdout.readline().decode())
             process.stdout.close()
             self.assertNotEqual(process.wait(PATIENCE), 0)
+
+
+class Shapes(CasesTest):
+    def test_families_are_a_kind_of_their_own(self):
+        names = self.families("--shapes")
+        self.assertGreater(len(names), 40)
+        self.assertTrue({"capsules", "cylinder_box", "inverse_rim_on_face"} <= set(names))
+        self.assertFalse(set(names) & set(self.families()))
+        cases = self.cases("--family", "all", "--shapes", "--count", 2 * len(names), "--seed", 5)
+        self.assertEqual([case["source"]["family"] for case in cases], names + names)
+        for case in cases:
+            VALIDATOR.validate(case)
+            self.assertEqual("signed_depth" in case["source"], case["source"]["family"].startswith("inverse_"))
+        self.assertEqual(self.cases("--family", names[3], "--seed", 6), [cases[len(names) + 3]])
+
+    def test_they_are_answered(self):
+        lines = self.answer("cases", "--family", "all", "--shapes", "--count", 150)
+        results = self.depths(lines)
+        self.assertEqual([json.loads(line)["id"] for line in lines.splitlines()], [result["id"] for result in results])
+        self.assertTrue({"penetrating", "touching", "disjoint"} <= {result["status"] for result in results})
+
+    def test_numbers_of_random_families_are_doubles(self):
+        for family in ("capsules", "cylinder_box", "ellipsoids", "shapes_halfspace", "sums", "shapes_stretched"):
+            self.assertNotIn('/', self.answer("cases", "--family", family, "--count", 30).replace("fathom/case/1", ""), family)
+
+    def test_catalogue(self):
+        lines = self.answer("cases", "--catalogue", "--shapes")
+        cases = [json.loads(line) for line in lines.splitlines()]
+        found = {result["id"]: result for result in self.depths(lines)}
+        self.assertGreaterEqual(len(cases), 80)
+        for case in cases:
+            VALIDATOR.validate(case)
+            self.assertTrue(case["comment"])
+            if case["source"]["signed_depth"].count("sqrt") == 0:
+                known, bounds = fractions.Fraction(case["source"]["signed_depth"]), found[case["id"]]["signed_depth"]
+                self.assertTrue(bounds["low"] <= known <= bounds["high"], case["id"])
+        ulp_deep, = (case for case in cases if case["id"] == "spheres_one_ulp_deep")
+        self.assertEqual(ulp_deep["a"]["radius"], 2 + 2**-51)
+        self.assertEqual(ulp_deep["source"]["signed_depth"], f"{5 * 2**51 + 1}/{2**51} - sqrt(25)")
 
 
 class Catalogue(CasesTest):
@@ -177,6 +216,8 @@ class Misuse(CasesTest):
         self.assertIn(one_of + ", found several", self.refused("cases", "--family", "near_ties", "--from", A, B))
         for option in ("--count", "--seed", "--size"):
             self.assertIn(f"{option} goes with --family", self.refused("cases", "--catalogue", option, 3))
+        for other in (["--family", "near_ties"], ["--from", A, B]):
+            self.assertIn("--shapes goes with --list, --catalogue and --family all", self.refused("cases", "--shapes", *other))
         self.assertIn("--pose-a goes with --from", self.refused("cases", "--list", "--pose-a", "x"))
         self.assertIn("--exact-decimals goes with --from", self.refused("cases", "--list", "--exact-decimals"))
         for inputs in ([], [A]):
@@ -187,7 +228,7 @@ class Misuse(CasesTest):
     def test_help(self):
         out = self.answer("cases", "--help")
         self.assertTrue(out.startswith("Examples\n  fathom cases "), out)
-        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
+        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--shapes", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
             self.assertIn(f"\n  {option} ", out)
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom cases` prints, read back, is the generated case to the last digit: every family, and the catalogue.
+// What `fathom cases` prints, read back, is the generated case to the last digit: every family, and the catalogues.
 #include <gtest/gtest.h>
 #include <stdio.h>
 
@@ -9,6 +9,8 @@
 #include "fathom/files.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/shape_catalogue.hpp"
+#include "verify/families/shape_families.hpp"
 
 namespace {
 
@@ -36,6 +38,7 @@ std::vector<Case> printed(const std::string& options) {
 void expect_same(const Case& read, const Case& made) {
   EXPECT_EQ(read.id, made.id);
   EXPECT_TRUE(read.a.points == made.a.points && read.b.points == made.b.points) << made.id;
+  EXPECT_TRUE(read.a.shape == made.a.shape && read.b.shape == made.b.shape) << made.id;
 }
 
 TEST(CasesRoundTrip, EveryFamily) {
@@ -44,6 +47,20 @@ TEST(CasesRoundTrip, EveryFamily) {
     ASSERT_EQ(read.size(), 3U) << family.name;
     for (std::uint64_t i = 0; i < 3; ++i) expect_same(read[i], family.make(11 + i, family.usual_size));
   }
+}
+
+TEST(CasesRoundTrip, EveryFamilyOfShapes) {
+  for (const ShapeFamily& family : shape_families()) {
+    const std::vector<Case> read = printed("--family " + std::string(family.name) + " --count 20 --seed 11");
+    ASSERT_EQ(read.size(), 20U) << family.name;
+    for (std::uint64_t i = 0; i < 20; ++i) expect_same(read[i], family.make(11 + i, family.usual_size).read());
+  }
+}
+
+TEST(CasesRoundTrip, TheCatalogueOfShapes) {
+  const std::vector<Case> read = printed("--catalogue --shapes");
+  ASSERT_EQ(read.size(), shape_catalogue().size());
+  for (std::size_t i = 0; i < read.size(); ++i) expect_same(read[i], shape_catalogue()[i].shapes.read());
 }
 
 TEST(CasesRoundTrip, TheCatalogue) {

@@ -212,9 +212,9 @@ std::uint64_t hash(std::string_view text) {
 }  // namespace
 
 Case Family::make(std::uint64_t seed, unsigned size) const {
-  Random random(hash(name) ^ Random(seed).next());
+  Random random = stream_of(name, seed);
   Bodies bodies = build(random, std::max(1u, size));
-  return {std::string(name) + "-n" + std::to_string(size) + "-s" + std::to_string(seed), std::move(bodies.a), std::move(bodies.b)};
+  return {case_id(name, size, seed), std::move(bodies.a), std::move(bodies.b)};
 }
 
 std::span<const Family> families() { return table; }
@@ -222,6 +222,12 @@ std::span<const Family> families() { return table; }
 const Family* find_family(std::string_view name) {
   const auto found = std::ranges::find(table, name, &Family::name);
   return found == std::end(table) ? nullptr : &*found;
+}
+
+Random stream_of(std::string_view family, std::uint64_t seed) { return Random(hash(family) ^ Random(seed).next()); }
+
+std::string case_id(std::string_view family, unsigned size, std::uint64_t seed) {
+  return std::string(family) + "-n" + std::to_string(size) + "-s" + std::to_string(seed);
 }
 
 }  // namespace fathom::families

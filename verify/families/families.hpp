@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All families of test cases by name. A case is given by its family, its size and its seed, and is the same on every machine.
+// All families of polytopes by name; those of other shapes are in shape_families.hpp. A case is given by its family, its size and its seed,
+// and is the same on every machine.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "verify/families/placement.hpp"
@@ -26,5 +28,9 @@ std::span<const Family> families();
 
 /// Returns null if no family has that name.
 const Family* find_family(std::string_view name);
+
+/// The stream of random numbers of a family's case, and the case's id.
+Random stream_of(std::string_view family, std::uint64_t seed);
+std::string case_id(std::string_view family, unsigned size, std::uint64_t seed);
 
 }  // namespace fathom::families

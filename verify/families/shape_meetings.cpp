@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/families/shape_meetings.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "reference/files/pose.hpp"
+#include "verify/families/placement.hpp"
+
+namespace fathom::families {
+namespace {
+
+/// In [1/4, 2], with a small denominator.
+mpq_class length(Random& random) { return ratio(random.between(16, 128), 64); }
+
+/// In (-1, 1).
+mpq_class part(Random& random) { return ratio(random.between(-15, 15), 16); }
+
+/// In (0, 1).
+mpq_class share(Random& random) { return ratio(random.between(1, 15), 16); }
+
+Point rotated(const Point& p, const Quaternion& turn) { return files::placed(p, rigid_pose(turn, {})); }
+
+/// What becomes (0, 0, 1).
+Point upward(const Quaternion& turn) { return rotated({0, 0, 1}, {turn.w, -turn.x, -turn.y, -turn.z}); }
+
+Point sum(const Point& p, const mpq_class& s, const Point& v) { return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z}; }
+
+/// The body turned, and moved so that this point of it comes to O.
+MeetingBody with_top(NamedBody body, const Quaternion& turn, const Point& top, const mpq_class& inner) {
+  body = posed(std::move(body), turn, {});
+  body.place = sum({}, -1, rotated(top, turn));
+  return {std::move(body), inner};
+}
+
+/// With a margin, which the point and the ball inside do not have yet.
+MeetingBody with_margin(MeetingBody side, const mpq_class& margin) {
+  side.body = rounded(std::move(side.body), margin);
+  side.body.place.z -= margin;
+  return {std::move(side.body), side.inner + margin};
+}
+
+/// Less than a right angle, about the x axis.
+Quaternion tilt(Random& random) {
+  const std::int64_t w = random.between(2, 4), x = random.between(-1, 1);
+  return {mpq_class(w), mpq_class(x), 0, 0};
+}
+
+const Quaternion upright{1, 0, 0, 0}, lying{1, 1, 0, 0}, upside_down{0, 1, 0, 0};
+
+/// A right triangle: p^2 + q^2 = s^2.
+struct Triple {
+  mpq_class p, q, s;
+};
+
+Triple random_triple(Random& random) {
+  static const std::array<Triple, 4> triples{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
+  Triple triple = triples[random.next() % triples.size()];
+  if (random.coin()) std::swap(triple.p, triple.q);
+  const mpq_class scale = length(random) / 8;
+  return {triple.p * scale, triple.q * scale, triple.s * scale};
+}
+
+/// About the y axis: turns (q, 0, p)/s into (0, 0, 1).
+Quaternion turn_of(const Triple& triple) { return {triple.s + triple.p, 0, -triple.q, 0}; }
+
+struct Lengths {
+  mpq_class radius, half_length;
+};
+Lengths lengths(Random& random) { return {length(random), length(random)}; }
+
+NamedBody with_lengths(const char* shape, const Lengths& of) {
+  return named(shape, {{"radius", {of.radius}}, {"half_length", {of.half_length}}});
+}
+
+struct Block {
+  Point half;
+  NamedBody body;
+};
+Block block(Random& random) {
+  const Point half{length(random), length(random), length(random)};
+  return {half, named("box", {{"half", {half.x, half.y, half.z}}})};
+}
+
+mpq_class signed_as(const mpq_class& size, const mpq_class& sign) { return sign < 0 ? mpq_class(-size) : size; }
+
+/// No more than is allowed, which is >= 0.
+mpq_class random_depth(Random& random, const mpq_class& allowed) {
+  const std::int64_t what = random.between(0, allowed == 0 ? 2 : 4);
+  const mpq_class hair = times_power_of_two(1, -random.between(4, 60));
+  switch (what) {
+    case 0: return 0;
+    case 1: return -hair;
+    case 2: return -length(random);
+    case 3: return std::min(hair, allowed);
+    default: break;
+  }
+  return allowed * ratio(random.between(1, 8), 8);
+}
+
+}  // namespace
+
+MeetingBody sphere_cap(Random& random) {
+  const mpq_class r = length(random);
+  return with_top(named("sphere", {{"radius", {r}}}), upright, {0, 0, r}, r);
+}
+
+MeetingBody capsule_cap(Random& random) {
+  const Lengths of = lengths(random);
+  const Quaternion turn = tilt(random);
+  return with_top(with_lengths("capsule", of), turn, sum({0, 0, of.half_length}, of.radius, upward(turn)), of.radius);
+}
+
+MeetingBody capsule_side(Random& random) {
+  const Lengths of = lengths(random);
+  const Point on_axis{0, 0, part(random) * of.half_length};
+  return with_top(with_lengths("capsule", of), lying, sum(on_axis, of.radius, upward(lying)), of.radius);
+}
+
+// The generator is a tangent of the circles in the plane of x and z: the radii differ by p, their centres are s apart.
+MeetingBody tapered_side(Random& random) {
+  const Triple triple = random_triple(random);
+  const mpq_class high = length(random), low = high + triple.p, half_length = triple.s / 2, place = share(random);
+  NamedBody body = named("tapered_capsule", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
+  const Quaternion turn = turn_of(triple);
+  const mpq_class inner = low + place * (high - low);
+  return with_top(std::move(body), turn, sum({0, 0, (2 * place - 1) * half_length}, inner, upward(turn)), inner);
+}
+
+MeetingBody cylinder_face(Random& random) {
+  const Lengths of = lengths(random);
+  const mpq_class x = part(random) * of.radius;
+  return with_top(with_lengths("cylinder", of), upright, {x, 0, of.half_length}, std::min(of.half_length, mpq_class(of.radius - abs(x))));
+}
+
+MeetingBody cylinder_barrel(Random& random) {
+  const Lengths of = lengths(random);
+  const mpq_class z = part(random) * of.half_length;
+  return with_top(with_lengths("cylinder", of), lying, sum({0, 0, z}, of.radius, upward(lying)),
+                  std::min(of.radius, mpq_class(of.half_length - abs(z))));
+}
+
+MeetingBody cylinder_rim(Random& random) {
+  const Lengths of = lengths(random);
+  const std::int64_t w = random.between(2, 4), y = random.coin() ? 1 : -1;
+  const Quaternion turn{mpq_class(w), 0, mpq_class(y), 0};
+  return with_top(with_lengths("cylinder", of), turn, {signed_as(of.radius, upward(turn).x), 0, of.half_length}, 0);
+}
+
+// The cone over the largest disc about the point holds a ball of r h/(r + sqrt(r^2 + h^2)) at its base, and the root is less than r + h.
+MeetingBody cone_base(Random& random) {
+  const Lengths of = lengths(random);
+  const mpq_class x = part(random) * of.radius, r = of.radius - abs(x), height = 2 * of.half_length * r / of.radius;
+  return with_top(with_lengths("cone", of), upside_down, {x, 0, -of.half_length}, r * height / (2 * r + height));
+}
+
+// The plane is outside as long as the tangent of the tilt is at most 2 half_length / radius; it is at most 4/3.
+MeetingBody cone_apex(Random& random) {
+  Lengths of = lengths(random);
+  of.half_length = std::max(of.half_length, of.radius);
+  return with_top(with_lengths("cone", of), tilt(random), {0, 0, of.half_length}, 0);
+}
+
+// Radius p, height q. The normal of the generator meets the axis at the centre of a ball that touches the cone there; the ball may have to
+// be smaller, so that it stays above the base.
+MeetingBody cone_generator(Random& random) {
+  const Triple triple = random_triple(random);
+  const auto& [radius, height, s] = triple;
+  const mpq_class half_length = height / 2, place = share(random), x = (1 - place) * radius;
+  const mpq_class inner = std::min<mpq_class>(x * s / height, place * height / (1 + radius / s));
+  return with_top(with_lengths("cone", {radius, half_length}), turn_of(triple), {x, 0, (2 * place - 1) * half_length}, inner);
+}
+
+MeetingBody frustum_face(Random& random) {
+  const mpq_class low = length(random), high = length(random), half_length = length(random);
+  const mpq_class x = part(random) * high, least = std::min(low, high);
+  NamedBody body = named("frustum", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
+  return with_top(std::move(body), upright, {x, 0, half_length}, std::clamp<mpq_class>(least - abs(x), 0, half_length));
+}
+
+// The ball is no larger than the radii of curvature at the pole, nor than the least radius.
+MeetingBody ellipsoid_pole(Random& random) {
+  const Point radii{length(random), length(random), length(random)};
+  const mpq_class inner = std::min<mpq_class>({radii.x * radii.x / radii.z, radii.y * radii.y / radii.z, radii.z});
+  return with_top(named("ellipsoid", {{"radii", {radii.x, radii.y, radii.z}}}), upright, {0, 0, radii.z}, inner);
+}
+
+MeetingBody box_face(Random& random) {
+  const Block of = block(random);
+  const mpq_class x = part(random) * of.half.x, y = part(random) * of.half.y;
+  return with_top(of.body, upright, {x, y, of.half.z}, std::min<mpq_class>({of.half.x - abs(x), of.half.y - abs(y), of.half.z}));
+}
+
+MeetingBody box_edge(Random& random) {
+  const Block of = block(random);
+  const std::int64_t w = random.between(2, 4), x = random.coin() ? 1 : -1;
+  const Quaternion turn{mpq_class(w), mpq_class(x), 0, 0};
+  const mpq_class along = part(random) * of.half.x;
+  return with_top(of.body, turn, {along, signed_as(of.half.y, upward(turn).y), of.half.z}, 0);
+}
+
+MeetingBody box_vertex(Random& random) {
+  const Block of = block(random);
+  const std::int64_t w = random.between(3, 5), x = random.coin() ? 1 : -2, y = random.coin() ? 2 : -1;
+  const Quaternion turn{mpq_class(w), mpq_class(x), mpq_class(y), 0};
+  const Point up = upward(turn);
+  return with_top(of.body, turn, {signed_as(of.half.x, up.x), signed_as(of.half.y, up.y), of.half.z}, 0);
+}
+
+MeetingBody rounded_box_edge(Random& random) {
+  MeetingBody side = box_edge(random);
+  return with_margin(std::move(side), length(random) / 4);
+}
+
+MeetingBody rounded_hull_vertex(Random& random) {
+  std::vector<Point> vertices{{}};
+  for (int i = 0; i < 6; ++i) {
+    Point p = random_shift(random, 1);
+    p.z -= ratio(5, 4);
+    vertices.push_back(std::move(p));
+  }
+  MeetingBody side{named_hull(std::move(vertices)), 0};
+  return with_margin(std::move(side), length(random) / 4);
+}
+
+MeetingBody sum_face(Random& random) {
+  MeetingBody first = cylinder_face(random), second = box_face(random);
+  return {named_sum({std::move(first.body), std::move(second.body)}), first.inner + second.inner};
+}
+
+MeetingBody plane(Random& random) {
+  const mpq_class length_of_normal = length(random);
+  return {named("halfspace", {{"normal", {mpq_class(0), mpq_class(0), length_of_normal}}, {"offset", {mpq_class(0)}}}), 4};
+}
+
+MeetingBody any_side(Random& random) {
+  constexpr std::array all{sphere_cap,   capsule_cap, capsule_side, tapered_side,     cylinder_face,       cylinder_barrel,
+                           cylinder_rim, cone_base,   cone_apex,    cone_generator,   frustum_face,        ellipsoid_pole,
+                           box_face,     box_edge,    box_vertex,   rounded_box_edge, rounded_hull_vertex, sum_face};
+  return all[random.next() % all.size()](random);
+}
+
+NamedPair meeting(MakeMeetingBody first, MakeMeetingBody second, Random& random) {
+  MeetingBody of_a = first(random), of_b = second(random);
+  if (random.coin()) std::swap(of_a, of_b);
+  for (MeetingBody* side : {&of_a, &of_b}) {
+    const std::int64_t w = random.between(1, 3), z = random.between(-3, 3);
+    side->body = posed(std::move(side->body), {mpq_class(w), 0, 0, mpq_class(z)}, {});
+  }
+  const mpq_class depth = random_depth(random, of_a.inner + of_b.inner);
+  const Quaternion turn{mpq_class(random.between(1, 5)), mpq_class(random.between(-5, 5)), mpq_class(random.between(-5, 5)),
+                        mpq_class(random.between(-5, 5))};
+  const Point shift = random_shift(random, 2);
+  NamedBody a = posed(posed(std::move(of_a.body), upside_down, {0, 0, mpq_class(-depth)}), turn, shift);
+  NamedBody b = posed(std::move(of_b.body), turn, shift);
+  return {std::move(a), std::move(b), KnownDepth{{depth, 0}, rotated({0, 0, 1}, turn)}};
+}
+
+}  // namespace fathom::families
