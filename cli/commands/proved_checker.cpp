@@ -6,9 +6,11 @@
 namespace fathom::cli {
 namespace {
 
+using fathom_check::Body;
 using fathom_check::Certificate;
 using fathom_check::Claim;
 using fathom_check::Outcome;
+using fathom_check::RationalPoint;
 
 /// Certificates in the words of FORMAT.md, section 2, line by line.
 class Text {
@@ -20,12 +22,23 @@ class Text {
     result_ += '\n';
   }
   template <class Items, class Line>
-  void part(const char* name, const Items& items, const Line& row) {
-    line(name, items.size());
+  void part(const std::string& name, const Items& items, const Line& row, const char* more = "") {
+    announce(name, items.size(), more);
     for (const auto& item : items) row(item);
   }
+  void row(const std::vector<fathom_check::Place>& places) {
+    const char* gap = "";
+    for (const fathom_check::Place& place : places) {
+      result_ += gap;
+      add(std::size_t{place.atom});
+      result_ += ' ';
+      add(place.y);
+      gap = " ";
+    }
+    result_ += '\n';
+  }
   void facets(const fathom_check::Facets& facets) {
-    line("facets", facets.size());
+    announce("facets", facets.size(), "");
     for (std::size_t f = 0; f < facets.size(); ++f) {
       add(facets.ends[f] - facets.begin_of(f));
       for (std::size_t k = facets.begin_of(f); k < facets.ends[f]; ++k) {
@@ -35,15 +48,37 @@ class Text {
       result_ += '\n';
     }
   }
-  std::string result() && { return std::move(result_); }
+  /// With the footer, which repeats all counts.
+  std::string ended(int format) && {
+    constexpr std::size_t of_format_1 = 5;
+    if (format == 1) counts_.resize(of_format_1);
+    result_ += "end";
+    for (const std::size_t count : counts_) result_ += ' ' + std::to_string(count);
+    return std::move(result_) + '\n';
+  }
 
  private:
+  void announce(const std::string& name, std::size_t count, const char* more) {
+    line(name, count);
+    result_.insert(result_.size() - 1, more);
+    counts_.push_back(count);
+  }
+
   void add(const char* word) { result_ += word; }
+  void add(const std::string& word) { result_ += word; }
   void add(const fathom_check::Integer& n) { result_ += n.value().get_str(); }
   void add(std::size_t n) { result_ += std::to_string(n); }
   void add(const fathom_check::Rational& r) { result_ += r.num.value().get_str() + '/' + r.den.value().get_str(); }
+  void add(const RationalPoint& p) {
+    add(p.x);
+    result_ += ' ';
+    add(p.y);
+    result_ += ' ';
+    add(p.z);
+  }
 
   std::string result_;
+  std::vector<std::size_t> counts_;
 };
 
 void write_claim(Text& text, const Certificate& c) {
@@ -52,31 +87,66 @@ void write_claim(Text& text, const Certificate& c) {
     case Claim::bounds: return text.line("claim bounds", c.low, c.high);
     case Claim::touching: return text.line("claim touching");
     case Claim::disjoint: return text.line("claim disjoint");
+    case Claim::apart: return text.line("claim apart", c.low);
+    case Claim::signed_bounds: return text.line("claim signed_bounds", c.low, c.high);
   }
+}
+
+void write_body(Text& text, const Body& body, const char* name) {
+  const auto point = [&](const RationalPoint& p) { text.line(p); };
+  const auto atom = [&](const fathom_check::Atom& a) {
+    if (a.size() == 1) text.line("point", a[0]);
+    if (a.size() == 3) text.line("disc", a[0], a[1], a[2]);
+    if (a.size() == 4) text.line("ball", a[0], a[1], a[2], a[3]);
+  };
+  switch (body.core) {
+    case Body::Core::points: text.part(name, body.points.items, point); break;
+    case Body::Core::shape:
+      text.part(std::string("shape_") + name, body.terms, [&](const auto& term) { text.part("term", term, atom); });
+      break;
+    case Body::Core::half_space: text.line(std::string("halfspace_") + name, body.normal, body.offset); break;
+  }
+  if (body.radius.num.sign() != 0) text.line(std::string("radius_") + name, body.radius);
+}
+
+void write_proof_of_body(Text& text, const Body& body, const char* name, bool heights) {
+  if (body.core != Body::Core::shape) return;
+  if (heights) return text.part(std::string("heights_") + name, body.heights.items, [&](const auto& height) { text.line(height); });
+  std::vector<std::vector<fathom_check::Place>> points;
+  for (std::size_t k = 0; k < body.inner.items.size(); ++k) {
+    if (k % body.terms.size() == 0) points.emplace_back();
+    points.back().push_back(body.inner.items[k]);
+  }
+  text.part(std::string("inner_") + name, points, [&](const auto& places) { text.row(places); });
 }
 
 /// All but the first line and the id.
 std::string text_of(const Certificate& c) {
   Text text;
-  const auto point = [&](const fathom_check::RationalPoint& p) { text.line(p.x, p.y, p.z); };
+  const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
+  const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
   const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
-  text.part("a", c.a.items, point);
-  text.part("b", c.b.items, point);
+  write_body(text, c.a, "a");
+  write_body(text, c.b, "b");
   write_claim(text, c);
-  text.line("directions", c.directions.items.size(), c.all ? "all" : "some");
-  for (const fathom_check::Vector& n : c.directions.items) text.line(n.x, n.y, n.z);
-  std::size_t fourth = 0, fifth = 0;
-  if (c.claim == Claim::depth || c.claim == Claim::bounds) {
-    text.part("vertices", c.vertices.items, [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); });
+  text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
+  for (const bool heights : {true, false}) {
+    write_proof_of_body(text, c.a, "a", heights);
+    write_proof_of_body(text, c.b, "b", heights);
+  }
+  if (c.proof == fathom_check::Proof::facets) {
+    text.part("vertices", c.vertices.items, pair);
     text.facets(c.facets.items);
-    fourth = c.vertices.items.size(), fifth = c.facets.items.size();
-  } else if (c.claim == Claim::touching) {
+  } else if (c.proof == fathom_check::Proof::weights) {
     text.part("weights_a", c.weights_a.items, weight);
     text.part("weights_b", c.weights_b.items, weight);
-    fourth = c.weights_a.items.size(), fifth = c.weights_b.items.size();
   }
-  text.line("end", c.a.items.size(), c.b.items.size(), c.directions.items.size(), fourth, fifth);
-  return std::move(text).result();
+  if (c.has_cone) {
+    text.part("lineality", c.lineality.items, vector);
+    text.part("rays", c.rays.items, vector);
+    text.part("differences", c.differences.items, pair);
+  }
+  return std::move(text).ended(c.format);
 }
 
 }  // namespace
@@ -84,6 +154,7 @@ std::string text_of(const Certificate& c) {
 void ProvedChecker::hand_over(const Certificate& certificate) {
   text_ = text_of(certificate);
   claim_line_ = certificate.claim_line;
+  format_ = certificate.format;
 }
 
 std::runtime_error ProvedChecker::failure(const std::string& what) {
@@ -98,7 +169,7 @@ std::string ProvedChecker::answer(const std::string& name) {
     process_ = std::make_unique<Process>(std::string("exec ") + proved_program + (width_ ? " --width -" : " -"));
   }
   text_.pop_back();  // send() ends the last line
-  process_->send("fathom-certificate 1\nid " + name + '\n' + text_);
+  process_->send("fathom-certificate " + std::to_string(format_) + "\nid " + name + '\n' + text_);
   std::string line;
   if (process_->read_line(line, Process::Clock::time_point::max()) == Process::Got::line) return line;
   constexpr int no_such_program = 127;  // of a shell

@@ -30,6 +30,7 @@ class ProvedChecker : public fathom_check::SecondChecker {
 
   bool width_;
   std::unique_ptr<harness::Process> process_;
+  int format_ = 1;
   std::string text_;  ///< of the certificate, from its points on
   std::size_t claim_line_ = 0;
   bool failed_ = false;

@@ -60,6 +60,13 @@ class Certificates(ProgramTest):
         self.assertEqual((code, len(lines)), (0, len(files) + 1))
         self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines), lines)
 
+    def test_accepted_of_format_2(self):
+        files = sorted((DATA / "format_2").glob("*.cert"))
+        code, lines = self.both(*files)
+        self.assertEqual((code, len(lines)), (0, len(files)))
+        self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines), lines)
+        self.assertEqual(self.both("-", stdin=CUBES + files[0].read_text() + CUBES)[1][::2], [CUBES_OK] * 2)
+
     def test_refused(self):
         files = sorted((DATA / "refused").glob("*.cert"))
         code, lines = self.both(*files)
@@ -107,7 +114,8 @@ class Certificates(ProgramTest):
                          (2, ["s MALFORMED two%20cubes:21", APART_OK]))
         self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
                          (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
-        self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 3\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED x:3", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 
     def test_a_name_cannot_forge_words_of_a_verdict(self):
@@ -150,6 +158,34 @@ class Options(ProgramTest):
                                      "c 1/2 -1/2 -1/2", "c -1/2 1/2 -1/2", "c -1/2 -1/2 1/2"])
         self.assertEqual(lines[8], "c claim depth 1/12")
 
+    def test_echo_of_format_2(self):
+        code, lines, _ = self.run_program(CHECK, "--echo", DATA / "format_2" / "cylinder_on_floor.cert")
+        self.assertEqual((code, lines[:-1]), (0, ["c id can%20on%20the%20floor", "c shape_a 1", "c term 2", "c disc 0 0 0 1 0 0 0 1 0",
+                                                  "c disc 0 0 3 1 0 0 0 1 0", "c halfspace_b 0 0 1 0", "c claim signed_bounds 0 0"]))
+        code, lines, _ = self.run_program(CHECK, "--echo", DATA / "format_2" / "sphere_capsule.cert")
+        self.assertEqual((code, lines[1:-1]), (0, ["c a 1", "c 0 0 0", "c radius_a 2", "c b 2", "c 5 -1 0", "c 5 1 0", "c radius_b 3",
+                                                   "c claim apart 25"]))
+
+    def test_case_of_format_2(self):
+        folder = DATA / "format_2"
+        case = self.file("case.json", json.dumps({"a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[5, -1, 0], [5, 1, 0]]}}))
+        without = self.file("without", re.sub("radius_.*\n", "", (folder / "sphere_capsule.cert").read_text()))
+        self.assertEqual(self.run_program(CHECK, "--case", case, without)[:2],
+                         (0, ["s VERIFIED disjoint signed_depth=-sqrt(25)+0 sphere%20and%20capsule"]))
+        for name, reason in (("sphere_capsule", "the case has no radius around a, the certificate has one"),
+                             ("cylinder_on_floor", "the case has points in a: only points can be compared with it")):
+            code, lines, _ = self.run_program(CHECK, "--case", case, folder / f"{name}.cert")
+            self.assertEqual((code, lines[0].split(": ", 1)[1]), (1, reason))
+
+    def test_width_of_format_2(self):
+        ball = "shape_%s 1\nterm 1\nball 0 0 0 1 0 0 0 1 0 0 0 1\n%s"
+        end = "claim signed_bounds 0 2\ndirections 1 some\n1 0 0\nheights_a 1\n1\nheights_b 1\n1\ninner_a 1\n0 0 0 0\ninner_b 1\n0 0 0 0\n"
+        end += "weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1 1 1 1 1 1 1\n"
+        for more, code in (("", 0), ("radius_b 1\n", 1)):
+            text = "fathom-certificate 2\n" + ball % ("a", "") + ball % ("b", more) + (end.replace("0 2", "0 3") if more else end)
+            self.assertEqual(self.run_program(CHECK, "-", stdin=text)[0], 0)
+            self.assertEqual(self.run_program(CHECK, "--width", "-", stdin=text)[0], code)
+
     def test_case(self):
         cube = [[x, y, z] for z in (0, 2) for y in (0, 2) for x in (0, 2)]
         case = {"schema": "fathom/case/1", "id": "two cubes", "a": {"vertices": cube},
@@ -189,6 +225,37 @@ class Options(ProgramTest):
                           "s MALFORMED error", f"s MALFORMED {path}:6", f"s MALFORMED {path}:7", CUBES_OK])
         self.assertEqual(self.run_program(CHECK, "--results", "-", stdin=lines[0])[0], 0)
         self.assertEqual(self.run_program(CHECK, "--results", self.file("none", "\n"))[0], 2)
+
+    def test_results_of_format_2(self):
+        text = {name: re.sub("^#.*\n|id .*\n", "", (DATA / "format_2" / f"{name}.cert").read_text(), flags=re.MULTILINE)
+                for name in ("rounded_cubes", "balls", "crossing_capsules")}
+        text["apart"] = re.sub("radius_b.*\n", "", (DATA / "format_2" / "sphere_capsule.cert").read_text())
+
+        def code(name, **fields):
+            return self.run_program(CHECK, "--results", "-", stdin=json.dumps({"certificate": text[name], **fields}))[0]
+
+        def number(low, high, *exact):
+            value = {"low": low, "high": high}
+            return {"signed_depth": {**value, "exact": dict(zip(("sign", "root", "plus"), exact))} if exact else value}
+
+        exact = [("rounded_cubes", 1.3, (1, "1", "3/10")), ("crossing_capsules", 0.75, (0, "0", "3/4")), ("apart", -3.0, (-1, "25", "2"))]
+        for name, value, parts in exact:
+            self.assertEqual(code(name, **number(value - 1e-15, value + 1e-15, *parts)), 0)
+            self.assertEqual(code(name, **number(value + 1e-15, value + 1)), 1)
+            self.assertEqual(code(name, **number(value - 1, value - 1e-15)), 1)
+            self.assertEqual(code(name, **number(None, None)), 0)
+            self.assertEqual(code(name, **number(value - 1, None, parts[0], parts[1], "1/7")), 1)
+            self.assertEqual(code(name, **number(value - 1, None, parts[0], "2", parts[2])), 1)
+            self.assertEqual(code(name, depth={"squared": "1"}), 1)
+        self.assertEqual(code("apart", **number(-3, -3, 1, "25", "2")), 1)
+        self.assertEqual(code("apart", status="disjoint"), 0)
+        self.assertEqual(code("apart", status="touching"), 1)
+        self.assertEqual(code("balls", status="penetrating", **number(2, 3)), 0)
+        self.assertEqual(code("balls", **number(2, 2.5)), 1)
+        self.assertEqual(code("balls", **number(2.5, 3)), 1)
+        self.assertEqual(code("balls", **number(2, 3, 0, "0", "2")), 1)
+        for wrong in ({"low": 2}, {"low": "2", "high": 3}, {"low": 2, "high": 1e999}, 2, None, {"low": 2, "high": 3, "exact": {"sign": 0}}):
+            self.assertEqual(code("balls", signed_depth=wrong), 2, wrong)
 
     def test_a_result_is_about_its_own_case(self):
         def case(name, x):

@@ -7,7 +7,9 @@ forgeries.py --checker COMMAND [--checker COMMAND].. [--oracle FATHOM] [--count 
 PATH        a genuine certificate, or a folder of them (*.cert)
 --checker   a program that takes certificates as arguments and prints verdict lines; the first one sees every forgery
 --share K   the further ones see every K-th forgery (default 1: all)
---oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones
+--solids N  besides, N certificates of format 2 that solids.py makes
+--oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones; those
+            of format 2 are judged by definition
 --count N   forgeries in all, at least
 
 Exit codes: 0 fine; 1 a disagreement, or an untrue claim was accepted; 2 usage, or a genuine certificate is not accepted.
@@ -27,6 +29,7 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import forging  # noqa: E402
+import solids  # noqa: E402
 
 BATCH = 1000  # files a process
 VERDICT = re.compile(r"s (?:(VERIFIED) (.*) (\S+)|(REFUSED|MALFORMED) (\S+?):\d+: .*)")
@@ -54,6 +57,9 @@ def run_checker(command, folder, names):
 def statement(text):
     """What a certificate claims, as exact values: two equal ones are true together."""
     parts = forging.Parts(text)
+    if parts.format == "2":
+        proof = ("heights", "inner", "weights", "vertices", "facets", "differences", *(["directions"] if parts.which == "some" else []))
+        return parts.claim, parts.which, {part: rows for part, rows in parts.rows.items() if not part.startswith(proof)}
     points = [[[Fraction(x) for x in row] for row in parts.rows[body]] for body in "ab"]
     directions = sorted(tuple(map(int, row)) for row in parts.rows["directions"]) if parts.which == "all" else None
     return points, parts.claim[0], [Fraction(x) for x in parts.claim[1:]], directions
@@ -124,15 +130,19 @@ class Campaign:
             if claim == statement(genuine):
                 self.same += 1
             else:
-                self.accepted.append((claim, forged))
+                self.accepted.append((claim, forged, piece[:end.end()]))
         if verdicts:
             self.fault(f"more verdicts than certificates, {verdicts}", forged)
 
     def judge_accepted(self):
-        if self.accepted and not self.options.oracle:
-            return [self.fault("accepted, and no oracle to ask", forged) for _, forged in self.accepted]
-        for k in range(0, len(self.accepted), BATCH):
-            part = self.accepted[k:k + BATCH]
+        polytopes = [(claim, forged) for claim, forged, piece in self.accepted if piece.startswith("fathom-certificate 1")]
+        for _, forged, piece in self.accepted:
+            if piece.startswith("fathom-certificate 2") and not solids.is_true(forging.Parts(piece)):
+                self.fault("an untrue claim is accepted", forged)
+        if polytopes and not self.options.oracle:
+            return [self.fault("accepted, and no oracle to ask", forged) for _, forged in polytopes]
+        for k in range(0, len(polytopes), BATCH):
+            part = polytopes[k:k + BATCH]
             results = solved(self.options.oracle, [claim for claim, _ in part])
             if len(results) != len(part):
                 raise SystemExit("the oracle did not answer every case")
@@ -158,7 +168,7 @@ def genuine_texts(options):
         for text in re.split(r"^(?=fathom-certificate)", path.read_text(), flags=re.MULTILINE):
             if text.startswith("fathom-certificate"):
                 texts.append(forging.Parts(text).text())
-    return texts
+    return texts + [forging.Parts(text).text() for _, text, _ in solids.genuine(options.solids, options.seed)]
 
 
 def main():
@@ -168,7 +178,8 @@ def main():
     parser.add_argument("--count", type=int, default=20000)
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("path", nargs="+")
+    parser.add_argument("--solids", type=int, default=0)
+    parser.add_argument("path", nargs="*")
     options = parser.parse_args()
     texts = genuine_texts(options)
     campaign, batch = Campaign(options), []
@@ -182,7 +193,7 @@ def main():
                 print(f"{checker}: genuine certificates are not accepted, or there are none")
                 return 2
     others = [forging.Parts(text) for text in texts]
-    each = -(-options.count * 5 // (4 * len(texts)))  # some forgeries come out genuine
+    each = -(-options.count * 3 // (2 * len(texts)))  # some forgeries come out genuine, some ways do not apply
     for number, text in enumerate(texts):
         for kind, forged in forging.forgeries(text, others, each, f"{options.seed}/{number}"):
             batch.append((kind, forged, text))

@@ -4,23 +4,35 @@ of a forgery, or None where it does not apply. A forgery may happen to be genuin
 import random
 from fractions import Fraction
 
-CLAIMS = ("depth", "bounds", "touching", "disjoint")
+CLAIMS = {"1": {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0}, "2": {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2}}
+ONE_LINE = ("radius_a", "radius_b", "halfspace_a", "halfspace_b")
 
 
 class Parts:
-    """A certificate without comments and id: the claim's words, and the rows of each part as lists of words."""
+    """A certificate without comments and id: the claim's words, and the rows of each part as lists of words. Radius and half-space are parts
+    of one row; of a shape, each term is a row and each atom."""
 
     def __init__(self, text):
         lines = [line.split(" ") for line in text.split("\n")[:-1] if not line.startswith(("#", "id "))]
-        assert lines[0] == ["fathom-certificate", "1"] and lines[-1][0] == "end"
-        self.claim, self.which, self.rows, at = [], "some", {}, 1
+        assert lines[0][0] == "fathom-certificate" and lines[-1][0] == "end"
+        self.format, self.claim, self.which, self.rows, at = lines[0][1], [], "some", {}, 1
         while lines[at][0] != "end":
             word, *rest = lines[at]
             at += 1
             if word == "claim":
                 self.claim = rest
                 continue
+            if word in ONE_LINE:
+                self.rows[word] = [rest]
+                continue
             count = int(rest[0])
+            if word.startswith("shape_"):
+                self.rows[word] = []
+                for _ in range(count):
+                    atoms = int(lines[at][1])
+                    self.rows[word] += [["term"], *(list(row) for row in lines[at + 1:at + 1 + atoms])]
+                    at += 1 + atoms
+                continue
             if word == "directions":
                 self.which = rest[1]
             self.rows[word] = [list(row) for row in lines[at:at + count]]
@@ -28,19 +40,33 @@ class Parts:
 
     def copy(self):
         other = object.__new__(Parts)
-        other.claim, other.which = list(self.claim), self.which
+        other.format, other.claim, other.which = self.format, list(self.claim), self.which
         other.rows = {part: [list(row) for row in rows] for part, rows in self.rows.items()}
         return other
 
     def text(self):
-        out = ["fathom-certificate 1"]
+        out, counts = ["fathom-certificate " + self.format], []
+
+        def announce(word, count, more=""):
+            counts.append(count)
+            out.append(f"{word} {count}{more}")
+
         for part, rows in self.rows.items():
-            if part == "directions":
-                out.append(" ".join(["claim", *self.claim]))
-            out.append(f"{part} {len(rows)}" + (f" {self.which}" if part == "directions" else ""))
-            out += map(" ".join, rows)
-        counts = [len(self.rows[part]) for part in self.rows]
-        return "\n".join(out + [" ".join(map(str, ["end", *counts, *[0] * (5 - len(counts))]))]) + "\n"
+            if part in ONE_LINE:
+                out += [" ".join([part, *row]) for row in rows]
+            elif part.startswith("shape_"):
+                starts = [k for k, row in enumerate(rows) if row == ["term"]] + [len(rows)]
+                announce(part, len(starts) - 1)
+                for start, end in zip(starts, starts[1:]):
+                    announce("term", end - start - 1)
+                    out += map(" ".join, rows[start + 1:end])
+            else:
+                if part == "directions":
+                    out.append(" ".join(["claim", *self.claim]))
+                announce(part, len(rows), f" {self.which}" if part == "directions" else "")
+                out += map(" ".join, rows)
+        counts += [0] * (5 - len(counts) if self.format == "1" else 0)
+        return "\n".join(out + [" ".join(map(str, ["end", *counts]))]) + "\n"
 
 
 def some_row(parts, rng, *names):
@@ -71,12 +97,12 @@ def number(parts, rng):
 def index(parts, rng):
     """One index of a vertex, facet or weight becomes another, in range or not."""
     parts = parts.copy()
-    indexed = [part for part in ("vertices", "facets", "weights_a", "weights_b") if part in parts.rows]
+    indexed = [part for part in ("vertices", "facets", "weights_a", "weights_b", "differences", "inner_a", "inner_b") if part in parts.rows]
     row = some_row(parts, rng, *indexed) if indexed else None
     if row is None:
         return None
-    k = rng.randrange(len(row)) if "facets" in parts.rows else 0
-    row[k] = rng.choice([str(rng.randrange(12)), str(int(row[k]) + 1), "18446744073709551616", "4294967296", "4294967295", "-1"])
+    k = rng.randrange(len(row)) if "facets" in parts.rows or "differences" in parts.rows else 0
+    row[k] = rng.choice([str(rng.randrange(12)), str(int(Fraction(row[k])) + 1), "18446744073709551616", "4294967296", "4294967295", "-1"])
     return parts.text()
 
 
@@ -149,15 +175,15 @@ def claimed(parts, rng):
         q = Fraction(words[k])
         near = [q * (1 + Fraction(s, 10**e)) for s in (1, -1) for e in (0, 1, 3, 9, 30)]
         words[k] = str(rng.choice(near + [-q, 4 * q, q + 1]))
-        if words[0] == "depth" and rng.random() < 0.4:
+        if words[0] == "depth" and parts.format == "1" and rng.random() < 0.4:
             q = Fraction(words[1])
             low, high = q * rng.choice([0, Fraction(1, 2), 1]), q * rng.choice([1, Fraction(3, 2)])
             words[:] = ["bounds", *map(str, sorted([low, high]))]
             parts.which = "some"
             parts.rows["directions"] = parts.rows["directions"][:1]
     else:
-        word = rng.choice(CLAIMS)
-        words[:] = [word, *["1", "2"][:{"depth": 1, "bounds": 2}.get(word, 0)]]
+        word = rng.choice(list(CLAIMS[parts.format]))
+        words[:] = [word, *["1", "2"][:CLAIMS[parts.format][word]]]
     return parts.text()
 
 
@@ -184,6 +210,8 @@ def direction(parts, rng):
 
 def exchanged_bodies(parts, rng):
     """The points of A for those of B; sometimes the indices of vertices too, which turns P around."""
+    if "a" not in parts.rows or "b" not in parts.rows:
+        return None
     parts = parts.copy()
     parts.rows["a"], parts.rows["b"] = parts.rows["b"], parts.rows["a"]
     if rng.random() < 0.5:
@@ -197,11 +225,67 @@ def exchanged_bodies(parts, rng):
 def moved_body(parts, rng):
     """All points of one body shifted or scaled."""
     parts = parts.copy()
-    rows = parts.rows[rng.choice("ab")]
+    rows = parts.rows.get(rng.choice("ab"))
+    if rows is None:
+        return None
     shift, scale = Fraction(rng.choice([0, 0, 1, -1]), rng.choice([1, 2, 10**12])), rng.choice([1, 1, 2, -1, Fraction(1, 2)])
     axis = rng.randrange(3)
     for row in rows:
         row[:] = [str(Fraction(x) * scale + (shift if k == axis else 0)) for k, x in enumerate(row)]
+    return parts.text()
+
+
+def near(parts, rng):
+    """One number of the claim, of a radius, half-space, height or inner point, or a weight: a little more or less, or with the other sign."""
+    parts = parts.copy()
+    places = [(parts.claim, k) for k in range(1, len(parts.claim))]
+    first = {"radius": 0, "halfspace": 0, "heights": 0, "inner": 1, "weights": 1}
+    for part, rows in parts.rows.items():
+        if part.split("_")[0] in first:
+            places += [(row, k) for row in rows for k in range(first[part.split("_")[0]], len(row)) if k % 4 or "inner" not in part]
+    if not places:
+        return None
+    row, k = rng.choice(places)
+    value = Fraction(row[k])
+    row[k] = str(rng.choice([-value, value * 2, Fraction(0)] + [value + Fraction(s, 10**e) for s in (1, -1) for e in (0, 2, 9, 30)]))
+    return parts.text()
+
+
+def another_body(parts, rng):
+    """A radius gone or come, a term or an atom gone, a point for an atom, a half-space turned round."""
+    parts = parts.copy()
+    name = rng.choice("ab")
+    shape, plane, rounding = (parts.rows.get(part + name) for part in ("shape_", "halfspace_", "radius_"))
+    if rounding and rng.random() < 0.4:
+        rounding.clear()
+    elif shape and rng.random() < 0.6:
+        k = rng.randrange(len(shape))
+        if rng.random() < 0.5:
+            del shape[k]
+        elif shape[k] != ["term"]:
+            shape[k] = ["point", *shape[k][1:4]]
+    elif plane:
+        plane[0][:3] = [str(-Fraction(x)) for x in plane[0][:3]] if rng.random() < 0.7 else ["0", "0", "0"]
+    else:
+        return None
+    return parts.text()
+
+
+def cone(parts, rng):
+    """Rays and lineality: one more, one less, one longer, one turned."""
+    parts = parts.copy()
+    part = rng.choice(["lineality", "rays", "rays"])
+    if part not in parts.rows:
+        return None
+    rows, how = parts.rows[part], rng.randrange(5)
+    if how == 0 or not rows:
+        rows.append([str(rng.randint(-2, 2)) for _ in range(3)])
+    elif how == 1:
+        del rows[rng.randrange(len(rows))]
+    else:
+        row = rng.choice(rows)
+        row[:] = [str(int(x) * rng.choice([2, -1])) for x in row] if how < 4 else row[1:] + row[:1]
+    rows.sort(key=lambda row: list(map(int, row)))
     return parts.text()
 
 
@@ -249,6 +333,7 @@ def word_nudged(text, rng):
 
 ON_PARTS = (number, number, index, swapped_words, swapped_rows, dropped_row, doubled_row, reversed_facet, cut_corner, claimed, claimed,
             direction, exchanged_bodies, moved_body)
+ON_FORMAT_2 = (near, near, near, another_body, cone, cone)
 ON_TEXT = (truncated, line_gone, line_twice, lines_exchanged, byte, word_nudged)
 
 
@@ -257,6 +342,8 @@ def foreign(parts, others, rng):
     other = rng.choice(others)
     parts = parts.copy()
     for body in rng.choice(["ab", "a", "b"]):
+        if body not in parts.rows or body not in other.rows:
+            return None
         parts.rows[body] = other.rows[body]
     return parts.text()
 
@@ -265,13 +352,14 @@ def forgeries(text, others, count, seed):
     """(name, text) of forgeries of `text`: all truncations if there are no more than `count`, then `count` others. `others`: the Parts of
     other cases."""
     rng, parts = random.Random(seed), Parts(text)
+    on_parts = ON_PARTS + (ON_FORMAT_2 if parts.format == "2" else ())
     genuine = parts.text()
     if len(genuine) <= count:
         yield from (("truncated", genuine[:k]) for k in range(len(genuine)))
     left = count
     while left > 0:
-        kind = rng.choice(ON_PARTS + ON_TEXT + (foreign,))
-        forged = foreign(parts, others, rng) if kind is foreign else kind(parts if kind in ON_PARTS else genuine, rng)
+        kind = rng.choice(on_parts + ON_TEXT + (foreign,))
+        forged = foreign(parts, others, rng) if kind is foreign else kind(parts if kind in on_parts else genuine, rng)
         left -= 1
         if forged is not None and forged != genuine:
             yield kind.__name__, forged

@@ -16,7 +16,29 @@ from math import lcm
 LINE, DIGITS, BYTES, NUMBERS, SIZE, WORK = 2**24, 10**5, 10**9, 10**7, 4 * 10**9, 10**14
 
 
-class Text:
+def numbers_of(rows, first=0):
+    return [Fraction(word) for row in set(rows) for word in row.split(" ")[first:]]
+
+
+def bits(n):
+    return len(format(abs(n), "b").lstrip("0"))
+
+
+def width(fractions):
+    return bits(lcm(*{x.denominator for x in fractions})) + max((bits(x.numerator) for x in fractions), default=0)
+
+
+def cost(s, t):
+    return (256 + max(s, t)) * (256 + min(s, t, 4000))
+
+
+class Certificate:
+    def within(self):
+        size, work = self.size_and_work()
+        return size <= SIZE and work <= WORK
+
+
+class Text(Certificate):
     """A certificate that claims something and proves nothing: its first direction is zero, so a checker may stop there."""
 
     def __init__(self, a, b, claim, directions, vertices=(), facets=(), weights_a=(), weights_b=()):
@@ -41,30 +63,71 @@ class Text:
 
     def size_and_work(self):
         """The page's formulas, from the page's definitions."""
-        def numbers(rows, first=0):
-            return [Fraction(word) for row in set(rows) for word in row.split(" ")[first:]]
-
-        def bits(n):
-            return len(format(abs(n), "b").lstrip("0"))
-
-        def width(fractions):
-            return bits(lcm(*{x.denominator for x in fractions})) + max((bits(x.numerator) for x in fractions), default=0)
-
-        def cost(s, t):
-            return (256 + max(s, t)) * (256 + min(s, t, 4000))
-
         n, v, k, f = len(self.a) + len(self.b), len(self.vertices), len(self.directions), len(self.facets)
         total = len(self.weights[0]) + len(self.weights[1])
         t = sum((len(row.split(" ")) - 1)**2 for row in self.facets)
-        w, x = width(numbers(self.a) + numbers(self.b)), width(numbers(self.weights[0], 1) + numbers(self.weights[1], 1))
-        u = max(bits(int(m)) for m in numbers(self.directions))
-        z = max((max(bits(q.numerator), bits(q.denominator)) for q in numbers([self.claim], 1)), default=0)
+        w = width(numbers_of(self.a) + numbers_of(self.b))
+        x = width(numbers_of(self.weights[0], 1) + numbers_of(self.weights[1], 1))
+        u = max(bits(int(m)) for m in numbers_of(self.directions))
+        z = max((max(bits(q.numerator), bits(q.denominator)) for q in numbers_of([self.claim], 1)), default=0)
         work = n * k * cost(w, u) + (n + 4 * t) * cost(w, w) + 4 * (k + f) * cost(w, z) + 4 * total * cost(w + x, w + x)
         return (n + v + 3 * f) * w + total * x, work
 
-    def within(self):
-        size, work = self.size_and_work()
-        return size <= SIZE and work <= WORK
+
+class Second(Certificate):
+    """The same of format 2: A is points or a shape, a list of terms, each a list of atoms; B is points. `parts` are what the claim demands
+    behind the directions, by name."""
+
+    def __init__(self, a, b, claim, directions, parts, radius="0"):
+        self.a, self.b, self.claim, self.directions, self.parts, self.radius = a, b, claim, directions, parts, radius
+        self.shape = isinstance(a[0], list)
+
+    def lines(self):
+        counts = []
+
+        def part(name, rows, more=""):
+            counts.append(len(rows))
+            return [f"{name} {len(rows)}{more}", *rows]
+
+        yield "fathom-certificate 2"
+        if self.shape:
+            counts.append(len(self.a))
+            yield f"shape_a {len(self.a)}"
+            for term in self.a:
+                yield from part("term", term)
+        else:
+            yield from part("a", self.a)
+        yield f"radius_a {self.radius}"
+        yield from part("b", self.b)
+        yield f"claim {self.claim}"
+        yield from part("directions", self.directions, " some")
+        for name, rows in self.parts.items():
+            yield from part(name, rows)
+        yield "end " + " ".join(map(str, counts))
+
+    def size_and_work(self):
+        """The page's formulas, from the page's definitions."""
+        parts = {name: self.parts.get(name, []) for name in ("heights_a", "inner_a", "vertices", "facets", "weights_a", "weights_b", "lineality",
+                                                              "rays", "differences")}
+        atoms = [atom for term in self.a for atom in term] if self.shape else []
+        coordinates = numbers_of(atoms, 1) + numbers_of(self.b) + ([] if self.shape else numbers_of(self.a))
+        n = len(self.b) + (sum(len(atom.split(" ")) // 3 for atom in atoms) if self.shape else len(self.a))
+        i, parameters = len(parts["inner_a"]) * len(self.a), []
+        for row in set(parts["inner_a"]):
+            parameters += [Fraction(word) for k, word in enumerate(row.split(" ")) if k % 4]
+        v, f, e, j, r = (len(parts[name]) for name in ("vertices", "facets", "differences", "heights_a", "rays"))
+        k = len(self.directions) + r + 2 * len(parts["lineality"])
+        t = sum((len(row.split(" ")) - 1)**2 for row in parts["facets"])
+        weights = parts["weights_a"] + parts["weights_b"]
+        wide = width(coordinates) + (width(parameters) if i else 0)
+        x, g = width(numbers_of(weights, 1)), width(numbers_of(parts["heights_a"]))
+        u = max(bits(int(m)) for m in numbers_of(self.directions + parts["rays"] + parts["lineality"]))
+        claimed = numbers_of([self.claim], 1) + [Fraction(self.radius), Fraction(0)]
+        b = 2 * sum(bits(q.numerator) + bits(q.denominator) for q in claimed)
+        work = (n + i) * k * cost(wide, u) + (n + 4 * i + 4 * t) * cost(wide, wide) + 4 * (k + f) * cost(wide, b)
+        work += 4 * len(weights) * cost(wide + x, wide + x) + (4 * n * cost(wide + u + g, wide + u + g) if j else 0)
+        work += e * (r + e) * cost(wide + u, wide + u)
+        return (n + i + v + 3 * f + e) * wide + len(weights) * x + j * g, work
 
 
 ZERO, POINT = "0 0 0", ["0 0 0"]
@@ -153,6 +216,44 @@ def works():
     yield from pair("weights", lambda k: Text(points, POINT, "touching", [ZERO] + ["1 1 1"] * k, (), (), weights, weights[:7]), 9, 900_000)
 
 
+def second(point=POINT, heights=("0",), inner=("0 0 0 0",), claim="signed_bounds 0 1", facets=(), vertices=(), terms=((f"point {POINT[0]}",),),
+           directions=(ZERO,), radius="0"):
+    """Of format 2, with a shape."""
+    parts = {"heights_a": list(heights), "inner_a": list(inner), "vertices": list(vertices), "facets": list(facets)}
+    return Second([list(term) for term in terms], point, claim, list(directions), parts, radius)
+
+
+def touching(points, rays, differences, lineality=()):
+    parts = {"weights_a": ["0 1"], "weights_b": ["0 1"], "lineality": list(lineality), "rays": rays, "differences": differences}
+    return Second(points, POINT, "touching", [ZERO], parts)
+
+
+def sizes_of_format_2():
+    wide = [f"0 0 {2**319_998}"]
+    deep = f"0 1/{2**200_000} 0 -1/{3**50_000}"
+    yield from pair("inner points", lambda k: second(wide, inner=[deep] + ["0 0 0 0"] * k), 1_000, 30_000)
+    yield from pair("atoms", lambda k: second(wide, terms=[["disc 0 0 0 1 0 0 1/3 0 0"] * k]), 1_000, 10_000)
+    yield from pair("balls", lambda k: second(wide, terms=[["ball 0 0 0 1 0 0 1/3 0 0 1 2 3"] * k]), 1_000, 10_000)
+    yield from pair("heights", lambda k: second(heights=[f"-{7**100_000}/{2**300_000}"] + ["1/5"] * k), 1_000, 30_000)
+    yield from pair("facets and vertices", lambda k: second(wide, vertices=["0 0"] * k, facets=["0"] * k), 100, 10_000)
+    yield from pair("differences", lambda k: touching(wide, [], ["0 0"] * k), 100, 30_000)
+
+
+def works_of_format_2():
+    points = [f"1/3 {2**100 - 1} -{2**70}/5"] * 3_000
+    inner = f"0 1/{7**30_000} 0 0"
+    yield from pair("rays", lambda k: touching(points, [f"1 -{2**40} 1"] + ["1 0 0"] * k, ["0 0"] * 7), 1_000, 900_000)
+    yield from pair("lineality", lambda k: touching(points, [], ["0 0"], ["1 0 0", f"0 0 {2**90}"] * k), 1_000, 900_000)
+    yield from pair("differences", lambda k: touching(points, ["1 2 3"] * 40, ["0 0"] * k), 1_000, 90_000)
+    yield from pair("inner points", lambda k: second(points, inner=[inner] + ["0 0 0 0"] * k), 100, 900_000)
+    yield from pair("places", lambda k: second(points, terms=[["point 0 0 0"]] * 9, inner=[inner + " 0 0 0 0" * 8] + ["0 0 0 0" + " 0 0 0 0" * 8] * k),
+                    10, 90_000)
+    yield from pair("heights", lambda k: second(points, heights=[f"1/{3**4_000}"], directions=[f"{7**3_000} 0 0", ZERO], terms=[["point 0 0 0"] * k]),
+                    1_000, 900_000)
+    claim = f"signed_bounds {7**20_000}/{3**1000} {11**9_000}/{2**4_000}"
+    yield from pair("claim", lambda k: second(points, claim=claim, radius=f"-{5**3_000}/{2**2_000}", facets=["3 0 0 0"] * k), 1_000, 900_000)
+
+
 def judged(command, lines):
     """The verdict, and the line of a malformed text."""
     text = ("\n".join(lines) + "\n").encode()
@@ -170,7 +271,8 @@ def main():
     options = parser.parse_args()
     getattr(sys, "set_int_max_str_digits", int)(0)
     texts, wrong = 0, 0
-    for group in (digits, long_lines, sizes, works) + ((numbers, bytes_of_lines) if options.heavy else ()):
+    heavy = (numbers, bytes_of_lines) if options.heavy else ()
+    for group in (digits, long_lines, sizes, works, sizes_of_format_2, works_of_format_2, *heavy):
         for name, lines, line in group():
             texts += 1
             expected = "REFUSED" if line is None else f"MALFORMED on line {line}"

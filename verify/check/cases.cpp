@@ -100,11 +100,20 @@ class CaseReader {
 };
 
 bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
+bool same(const RationalPoint& p, const RationalPoint& q) { return same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z); }
+template <class T>
+bool same(const std::vector<T>& s, const std::vector<T>& t) {
+  return std::equal(s.begin(), s.end(), t.begin(), t.end(), [](const T& x, const T& y) { return same(x, y); });
+}
+
 bool equal(const Rational& r, const mpq_class& q) {
   return mpz_cmp(r.num.get_mpz_t(), q.get_num_mpz_t()) == 0 && mpz_cmp(r.den.get_mpz_t(), q.get_den_mpz_t()) == 0;
 }
 
-void compare_points(const Part<std::vector<RationalPoint>>& part, const std::vector<ExactPoint>& own, const std::string& name) {
+void compare_points(const Body& body, const std::vector<ExactPoint>& own, const std::string& name) {
+  if (body.core != Body::Core::points) throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
+  if (body.radius.num.sign() != 0) throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
+  const Part<std::vector<RationalPoint>>& part = body.points;
   if (part.items.size() != own.size())
     throw refused(part.line, "the case has " + std::to_string(own.size()) + " points in " + name + ", the certificate " +
                                  std::to_string(part.items.size()));
@@ -150,10 +159,10 @@ void CaseFile::compare(const Certificate& certificate, bool width, const std::op
 }
 
 void require_width(const Certificate& certificate) {
-  const std::vector<RationalPoint>&a = certificate.a.items, &b = certificate.b.items;
-  bool equal = a.size() == b.size();
-  for (std::size_t k = 0; equal && k < a.size(); ++k) equal = same(a[k].x, b[k].x) && same(a[k].y, b[k].y) && same(a[k].z, b[k].z);
-  if (!equal) throw refused(certificate.b.line, "b does not repeat the points of a: this is not the width of a body");
+  const Body &a = certificate.a, &b = certificate.b;
+  const bool equal = a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);
+  // A half-space has no width, and two of them are refused.
+  if (!equal) throw refused(b.line, "b does not repeat what a is: this is not the width of a body");
 }
 
 }  // namespace fathom_check

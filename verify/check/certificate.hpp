@@ -27,7 +27,7 @@ struct RationalPoint {
   Rational x, y, z;
 };
 
-enum class Claim { depth, bounds, touching, disjoint };
+enum class Claim { depth, bounds, touching, disjoint, apart, signed_bounds };
 
 /// Indices as read; one too large for any list has become `no_index`.
 constexpr std::uint32_t no_index = UINT32_MAX;
@@ -56,19 +56,55 @@ struct Part {
   std::size_t line = 0;  ///< that announces the part
 };
 
+/// The center, then the axes.
+using Atom = std::vector<RationalPoint>;
+using Term = std::vector<Atom>;
+
+/// A point of a term.
+struct Place {
+  std::uint32_t atom;
+  RationalPoint y;
+};
+
+/// A core, the radius around it, and what the proof says about the core alone.
+struct Body {
+  enum class Core { points, shape, half_space };
+
+  Core core = Core::points;
+  std::size_t line = 0;  ///< that announces the core
+  Part<std::vector<RationalPoint>> points;
+  std::vector<Term> terms;  ///< of a shape
+  RationalPoint normal;     ///< of a half-space
+  Rational offset;
+  Rational radius;
+  Part<std::vector<Rational>> heights;  ///< of a shape
+  Part<std::vector<Place>> inner;  ///< of a shape: for each inner point as many places as there are terms; `lines` has one for each point
+};
+
+/// How the lower side is proved.
+enum class Proof { none, facets, weights };
+
 struct Certificate {
   Arena integers;  ///< where all below lie
+  int format = 1;
   std::string id;  ///< percent-escaped as written; empty if none
-  Part<std::vector<RationalPoint>> a, b;
+  Body a, b;
   Claim claim = Claim::depth;
   std::size_t claim_line = 0;
-  Rational low, high;  ///< of depth^2; equal for a claim of depth
+  Rational low, high;  ///< of the claim; equal for claims of depth and apart
   bool all = false;
   Part<std::vector<Vector>> directions;
+  Proof proof = Proof::none;
   Part<std::vector<Pair>> vertices;
   Part<Facets> facets;
   Part<std::vector<Weight>> weights_a, weights_b;
-  mpz_class scale = 1;  ///< the least common multiple of the denominators of all coordinates
+  bool has_cone = false;
+  Part<std::vector<Vector>> lineality, rays;
+  Part<std::vector<Pair>> differences;
+  mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
+  mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };
+
+inline bool has_half_space(const Certificate& c) { return c.a.core == Body::Core::half_space || c.b.core == Body::Core::half_space; }
 
 }  // namespace fathom_check

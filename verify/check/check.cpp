@@ -35,13 +35,10 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
     const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
     return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
   }
-  std::string line = "s VERIFIED " + v.status;
-  if (v.depth_squared.empty()) {
-    line += " depth_squared_in=[" + v.at_least + "," + v.at_most + "]";
-  } else {
-    line += " depth_squared=" + v.depth_squared;
-  }
+  std::string line = "s VERIFIED " + v.status + (v.format == 1 ? " depth_squared" : " signed_depth");
+  line += v.at_least.empty() ? "=" + v.depth_squared + v.signed_depth : "_in=[" + v.at_least + "," + v.at_most + "]";
   if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
+  if (!v.cone.empty()) line += " cone=" + v.cone;
   return line + " " + label;
 }
 

@@ -5,6 +5,7 @@ accepted, 1 some refused, 2 some malformed. Needs nothing but Python. fathom-che
 import os
 import re
 import sys
+from collections import Counter
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -15,7 +16,9 @@ NATURAL = re.compile("[0-9]{1,%d}" % LONGEST_NUMBER)
 INTEGER = re.compile("-?" + NATURAL.pattern)
 RATIONAL = re.compile(INTEGER.pattern + "(/(?!0+$)" + NATURAL.pattern + ")?")
 TEXT = re.compile("([!-$&-~]|%[0-9A-Fa-f]{2})+")
-NUMBERS = {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0}
+NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of each format: how many a claim has
+           2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2}}
+ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
 
 
 def demand(true, reason, kind=Refused):
@@ -29,6 +32,20 @@ def dot(u, v):
 
 def cross(u, v):
     return (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+
+
+def square(x):
+    """x^[2], with the sign of x."""
+    return x * abs(x)
+
+
+def minus(u):
+    return tuple(-x for x in u)
+
+
+def towards(x, n):
+    """The direction in which body x counts in h(n)."""
+    return n if x == "b" else minus(n)
 
 
 def rational(text):
@@ -67,53 +84,105 @@ class Reader:
         demand(self.bytes <= LONGEST_CERTIFICATE, f"a certificate of more than {LONGEST_CERTIFICATE} bytes", Malformed)
         return found
 
-    def next(self, *shape):
-        self.advance()
-        return self.these(*shape)
+    def count_numbers(self, count):
+        self.numbers += count
+        demand(self.numbers <= MOST_NUMBERS, f"a certificate of more than {MOST_NUMBERS} numbers", Malformed)
 
     def row(self, *shape):
         self.advance()
-        found = self.these(*shape or [NATURAL] * len(self.fields()))
-        self.numbers += len(found)
-        demand(self.numbers <= MOST_NUMBERS, f"a certificate of more than {MOST_NUMBERS} numbers", Malformed)
+        found = self.these(*shape)
+        self.count_numbers(len(found))
         return found
 
+    def header(self, word, *shape):
+        """The line at hand announces a part: how many lines follow."""
+        found = self.these(word, NATURAL, *shape)
+        self.counts.append(int(found[1]))
+        return range(self.counts[-1])
+
     def rows(self, count, shape, number):
-        return [tuple(map(number, self.row(*shape))) for _ in range(count)]
+        """The lines of a part. The line behind it is at hand afterwards."""
+        found = [tuple(map(number, self.row(*shape))) for _ in count]
+        self.advance()
+        return found
 
     def part(self, word, shape, number):
-        return self.rows(int(self.next(word, NATURAL)[1]), shape, number)
+        return self.rows(self.header(word), shape, number)
 
-    def facet(self):
-        found = self.row()
-        demand(int(found[0]) == len(found) - 1, "expected as many corners as announced", Malformed)
-        return tuple(map(int, found[1:]))
+    def facets(self):
+        found = []
+        for _ in self.header("facets"):
+            self.advance()
+            row = self.these(*[NATURAL] * len(self.fields()))
+            demand(int(row[0]) == len(row) - 1, "expected as many corners as announced", Malformed)
+            self.count_numbers(len(row))
+            found.append(tuple(map(int, row[1:])))
+        self.advance()
+        return found
+
+    def term(self):
+        """Its atoms, each a list of vectors."""
+        self.advance()
+        count, atoms = self.header("term"), []
+        self.count_numbers(1)
+        for _ in count:
+            self.advance()
+            kind = self.fields()[0]
+            demand(kind in ATOMS, "expected an atom", Malformed)
+            numbers = list(map(rational, self.these(kind, *[RATIONAL] * 3 * ATOMS[kind])[1:]))
+            self.count_numbers(len(numbers))
+            atoms.append([tuple(numbers[k:k + 3]) for k in range(0, len(numbers), 3)])
+        return atoms
+
+    def body(self, c, x):
+        word = self.fields()[0] if c["format"] == 2 else x
+        if word == "shape_" + x:
+            c["terms_" + x] = [self.term() for _ in self.header(word)]
+            self.advance()
+        elif word == "halfspace_" + x:
+            c["halfspace_" + x] = list(map(rational, self.these(word, *[RATIONAL] * 4)[1:]))
+            self.advance()
+        else:
+            c[x] = self.part(x, [RATIONAL] * 3, rational)
+        if c["format"] == 2 and self.fields()[0] == "radius_" + x:
+            c["radius_" + x] = rational(self.these("radius_" + x, RATIONAL)[1])
+            self.advance()
 
     def certificate(self, c):
-        self.bytes = self.numbers = 0
-        self.these("fathom-certificate", "1")
+        self.bytes, self.numbers, self.counts = 0, 0, []
+        c["format"] = int(self.these("fathom-certificate", re.compile("[12]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
             self.advance()
-        c["a"] = self.rows(int(self.these("a", NATURAL)[1]), [RATIONAL] * 3, rational)
-        c["b"] = self.part("b", [RATIONAL] * 3, rational)
+        self.body(c, "a")
+        self.body(c, "b")
+        shapes, plane = [x for x in "ab" if c["terms_" + x] is not None], c["halfspace_a"] or c["halfspace_b"]
+        word, claims = (self.fields() + [""])[1], NUMBERS[c["format"]]
+        demand(word in claims and not (shapes and word != "signed_bounds"), "expected a claim", Malformed)
+        c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * claims[word])[1:]
+        c["bounds"] = [rational(q) for q in bounds]
         self.advance()
-        word = (self.fields() + [""])[1]
-        demand(word in NUMBERS, "expected a claim", Malformed)
-        c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * NUMBERS[word])[1:]
-        c["bounds"] = [rational(x) for x in bounds]
-        _, count, c["which"] = self.next("directions", NATURAL, re.compile("some|all"))
-        c["directions"] = self.rows(int(count), [INTEGER] * 3, int)
-        if bounds:
+        c["which"] = self.fields()[-1]
+        c["directions"] = self.rows(self.header("directions", re.compile("some|all")), [INTEGER] * 3, int)
+        for x in shapes:
+            c["heights_" + x] = [t for t, in self.part("heights_" + x, [RATIONAL], rational)]
+        for x in shapes:
+            c["inner_" + x] = self.part("inner_" + x, [NATURAL, *[RATIONAL] * 3] * len(c["terms_" + x]), rational)
+        facets = word in ("depth", "bounds") or (word == "signed_bounds" and self.fields()[0] == "vertices")
+        if facets and not plane:
             c["vertices"] = self.part("vertices", [NATURAL] * 2, int)
-            c["facets"] = [self.facet() for _ in range(int(self.next("facets", NATURAL)[1]))]
-        elif word == "touching":
+            c["facets"] = self.facets()
+        elif word != "disjoint" and not plane:
             c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
             c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
-        counts = [len(c["a"]), len(c["b"]), len(c["directions"])]
-        counts += [len(c["vertices"] + c["weights_a"]), len(c["facets"] + c["weights_b"])]
-        demand(list(map(int, self.next("end", *[NATURAL] * 5)[1:])) == counts, "expected the counts of the parts again", Malformed)
+        if c["format"] == 2 and word == "touching" and not plane and self.fields()[0] == "lineality":
+            c["cone"] = True
+            c["lineality"] = self.part("lineality", [INTEGER] * 3, int)
+            c["rays"] = self.part("rays", [INTEGER] * 3, int)
+            c["differences"] = self.part("differences", [NATURAL] * 2, int)
+        counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
+        demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again", Malformed)
 
 
 def widest(numbers):
@@ -136,18 +205,84 @@ def cost(s, t):
 def require_limits(c):
     """Section 8: size and work. From here on the points and the weights are integers, over common denominators."""
     points, weights = c["a"] + c["b"], c["weights_a"] + c["weights_b"]
-    vectors = len(points) + len(c["vertices"]) + 3 * len(c["facets"])
+    points += [v for x in "ab" for term in c["terms_" + x] or [] for atom in term for v in atom]
+    parameters = [y for row in c["inner_a"] + c["inner_b"] for k, y in enumerate(row) if k % 4]
+    places, heights = len(parameters) // 3, c["heights_a"] + c["heights_b"]
+    facets, rays, differences = c["facets"] or [], c["rays"], len(c["differences"])
+    vectors = len(points) + places + len(c["vertices"]) + 3 * len(facets) + differences
     c["unit"], w = common_denominator([x for p in points for x in p], vectors)
+    c["fine"], y = common_denominator(parameters, vectors)
     c["whole"], x = common_denominator([weight for _, weight in weights], len(weights))
-    demand(vectors * w + len(weights) * x <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
-    work = len(points) * len(c["directions"]) * cost(w, widest(n for row in c["directions"] for n in row))
-    work += (len(points) + 4 * sum(len(corners)**2 for corners in c["facets"])) * cost(w, w)
-    work += 4 * (len(c["directions"]) + len(c["facets"])) * cost(w, widest(n for q in c["bounds"] for n in q.as_integer_ratio()))
-    work += 4 * len(weights) * cost(w + x, w + x)
+    _, g = common_denominator(heights, len(heights))
+    v = w + y if places else w
+    size = vectors * v + len(weights) * x + len(heights) * g
+    demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    directions = len(c["directions"]) + len(rays) + 2 * len(c["lineality"])
+    u = widest(n for row in c["directions"] + rays + c["lineality"] for n in row)
+    numbers = [n for q in c["bounds"] + ([c["radius_a"], c["radius_b"]] if c["format"] == 2 else []) for n in q.as_integer_ratio()]
+    b = widest(numbers) if c["format"] == 1 else 2 * sum(map(int.bit_length, numbers))
+    work = (len(points) + places) * directions * cost(v, u)
+    work += (len(points) + 4 * places + 4 * sum(len(corners)**2 for corners in facets)) * cost(v, v)
+    work += 4 * (directions + len(facets)) * cost(v, b)
+    work += 4 * len(weights) * cost(v + x, v + x)
+    work += 4 * len(points) * cost(v + u + g, v + u + g) if heights else 0
+    work += differences * (len(rays) + differences) * cost(v + u, v + u)
     demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
-    for body in "ab":
-        c[body] = [tuple(x.numerator * (c["unit"] // x.denominator) for x in p) for p in c[body]]
-        c["weights_" + body] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + body]]
+    fine = c["unit"] * c["fine"]
+    for x in "ab":
+        c[x] = [scaled(p, fine) for p in c[x]]
+        c["terms_" + x] = c["terms_" + x] and [[[scaled(v, fine) for v in atom] for atom in term] for term in c["terms_" + x]]
+        c["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + x]]
+    c["unit"] = fine
+
+
+def scaled(numbers, unit):
+    return tuple(q.numerator * (unit // q.denominator) for q in numbers)
+
+
+def inner_point(terms, row):
+    """The sum over the terms of a point of an atom, each given by the atom's number and its parameters y."""
+    total = [0, 0, 0]
+    for k, term in enumerate(terms):
+        i, *y = row[4 * k:4 * k + 4]
+        demand(i < len(term), "there is no atom of this number")
+        demand(sum(p * p for p in y) <= 1, "parameters outside of the unit ball")
+        center, *axes = term[int(i)]
+        total = [t + x + sum(p * axis[m] for p, axis in zip(y, axes)) for m, (t, x) in enumerate(zip(total, center))]
+    return tuple(map(int, total))  # they are integers, as all is over the common denominators
+
+
+def require_bodies(c):
+    """What every claim demands of the bodies. From here on each has its core points."""
+    demand(not (c["halfspace_a"] and c["halfspace_b"]), "two half-spaces")
+    for x in "ab":
+        terms, plane = c["terms_" + x], c["halfspace_" + x]
+        demand(c["radius_" + x] >= 0, "a negative radius")
+        demand(plane is None or any(plane[:3]), "a half-space without a normal")
+        if terms is not None:
+            demand(terms and all(terms), "a shape without terms, or a term without atoms")
+            c[x] = [inner_point(terms, row) for row in c["inner_" + x]]
+        demand(c[x] or plane, "no points")
+
+
+def support(c, x, s):
+    return max(dot(s, p) for p in c[x])
+
+
+def height(c, x, s):
+    """H_X(s): not below <s,p> for any p in the core."""
+    if c["halfspace_" + x]:
+        *m, d = c["halfspace_" + x]
+        demand(not any(cross(s, m)) and dot(s, m) > 0, "a direction that is not the half-space's")
+        return d * c["unit"] * dot(s, m) / dot(m, m)
+    terms, heights = c["terms_" + x], c["heights_" + x]
+    if terms is None:
+        return support(c, x, s)
+    demand(len(heights) == len(terms), "expected one height for each term")
+    for t, term in zip(heights, terms):
+        for center, *axes in term:
+            demand(square(t * c["unit"] - dot(s, center)) >= sum(dot(s, u)**2 for u in axes), "a height that is too small")
+    return sum(heights) * c["unit"]
 
 
 def check_inner(c, q):
@@ -188,33 +323,85 @@ def combination(weights, points, whole):
     return [sum(w * points[i][k] for i, w in weights) for k in range(3)]
 
 
+def check_cone(c):
+    """Exactly the sums of multiples of the lineality and multiples >= 0 of the rays have h = 0."""
+    lines, rays = c["lineality"], c["rays"]
+    k, r = len(lines), len(rays)
+    demand(k < 2 or any(cross(lines[0], lines[1])), "lineality vectors that are not independent")
+    demand(k < 4 and all(map(any, lines)) and (k < 3 or dot(lines[0], cross(lines[1], lines[2]))), "lineality vectors that are not independent")
+    for u in rays + lines + [minus(l) for l in lines]:
+        demand(sum(support(c, x, towards(x, u)) for x in "ab") == 0, "a vector of the cone with h > 0")
+    demand(all(gcd(*u) == 1 and not any(dot(u, l) for l in lines) for u in rays), "a ray that is not primitive, or not orthogonal")
+    demand(all(u < v for u, v in zip(rays, rays[1:])) and k + r >= 1, "rays not in ascending order, or none")
+    demand(all(j < len(c["b"]) and i < len(c["a"]) for j, i in c["differences"]), "a difference without a point")
+    differences = [tuple(y - x for x, y in zip(c["a"][i], c["b"][j])) for j, i in c["differences"]]
+    zeros = [frozenset(i for i, u in enumerate(rays) if dot(d, u) == 0) for d in differences]
+    if r >= 3:
+        sides = Counter(i for zero in set(zeros) for i in zero)
+        demand(all(len(zero) == 2 for zero in zeros), "a difference that is not orthogonal to two rays")
+        return demand(all(sides[i] >= 2 for i in range(r)), "a ray that is not the end of two sides")
+    demand(k + r <= 3 and (r < 2 or any(cross(*rays))), "too many vectors, or opposite rays")
+    for i in range(r):
+        demand({*range(r)} - {i} in zeros, "the cone may go on behind a ray")
+    flat = [d for d, zero in zip(differences, zeros) if len(zero) == r]
+    if k + r == 2:
+        demand(any(dot(d, e) < 0 for d in flat for e in flat), "the cone may be wider")
+    if k + r == 1:
+        p, = lines + rays
+        demand(flat and all(any(dot(p, cross(d, e)) > 0 for e in flat) for d in flat), "the cone may be wider")
+
+
 def check(c):
     """Section 4. What is proved, for the verdict line."""
     claim, bounds, directions = c["claim"], c["bounds"], c["directions"]
-    demand(c["a"] and c["b"] and directions, "no points, or no direction")
+    demand(directions and all(map(any, directions)), "no direction, or one that is zero and proves nothing")
     demand(claim == "depth" or (len(directions) == 1 and c["which"] == "some"), "exactly one direction, and some")
-    squared = [x * c["unit"]**2 for x in bounds]
+    require_bodies(c)
+    rho, plane = c["radius_a"] + c["radius_b"], c["halfspace_a"] or c["halfspace_b"]
+    demand(claim not in ("depth", "apart") or bounds[0] > 0, "a distance that is not positive")
+    demand(claim != "bounds" or 0 <= bounds[0] <= bounds[1] > 0, "not the bounds of a depth")
+    demand(bounds[:1] <= bounds[-1:], "a lower bound above the upper one")
+    # What is claimed of h(n)/|n|, squared with its sign, in the units of the points.
+    of_cores = {"apart": [-q for q in bounds], "signed_bounds": [square(x - rho) for x in bounds]}.get(claim, bounds or [0])
+    least, most = of_cores[0] * c["unit"]**2, of_cores[-1] * c["unit"]**2
     for n in directions:
-        demand(any(n), "a direction that is zero proves nothing")
-        h = max(dot(n, b) for b in c["b"]) - min(dot(n, a) for a in c["a"])
-        if claim in ("depth", "bounds"):
-            reached, allowed = h * h * squared[-1].denominator, squared[-1].numerator * dot(n, n)
-            demand(h > 0 and (reached == allowed or (claim == "bounds" and reached < allowed)), "not the distance claimed")
-        else:
-            demand(h == 0 if claim == "touching" else h < 0, "O not on, or not above, the plane")
+        h = square(sum(height(c, x, towards(x, n)) for x in "ab"))
+        demand(h < 0 if claim == "disjoint" else h <= most * dot(n, n), "the boundary of P is farther than claimed")
+        demand(claim in ("bounds", "disjoint", "signed_bounds") or h == most * dot(n, n), "the boundary of P is nearer than claimed")
     if c["which"] == "all":
         demand(all(gcd(*n) == 1 for n in directions), "a direction that is not primitive")
         demand(all(n < m for n, m in zip(directions, directions[1:])), "directions not in ascending order")
-    if claim == "touching":
-        common = [combination(c["weights_" + x], c[x], c["whole"]) for x in "ab"]
-        demand(common[0] == common[1], "weights of different points")
-    if claim in ("touching", "disjoint"):
-        return claim + " depth_squared=0"
-    demand(0 <= bounds[0] <= bounds[-1] > 0 and (claim == "bounds" or bounds[0] > 0), "not the bounds of a depth")
-    check_inner(c, squared[0])
-    if claim == "bounds":
+    if plane:
+        demand(len(directions) == 1 and c["which"] == "some", "a half-space has one direction")
+        h = square(sum((height if c["halfspace_" + x] else support)(c, x, towards(x, directions[0])) for x in "ab"))
+        demand(h >= least * dot(directions[0], directions[0]), "the boundary of P may be nearer than claimed")
+    elif c["facets"] is not None:
+        check_inner(c, max(least, 0))
+    elif claim != "disjoint":
+        a, b = (combination(c["weights_" + x], c[x], c["whole"]) for x in "ab")
+        z = [y - x for x, y in zip(a, b)]
+        demand(dot(z, z) <= -least * c["whole"]**2, "weights of points too far from each other")
+    if c["cone"]:
+        check_cone(c)
+    return proved(c, rho)
+
+
+def proved(c, rho):
+    """For the verdict line."""
+    claim, bounds = c["claim"], c["bounds"]
+    optima = f" optima={len(c['directions'])}" if c["which"] == "all" else ""
+    if c["format"] == 1 and claim == "bounds":
         return "penetrating depth_squared_in=[%s,%s]" % tuple(bounds)
-    return f"penetrating depth_squared={bounds[0]}" + (f" optima={len(directions)}" if c["which"] == "all" else "")
+    if c["format"] == 1:
+        return f"{claim} depth_squared=0" if not bounds else f"penetrating depth_squared={bounds[0]}{optima}"
+    if claim == "signed_bounds":
+        low, high = bounds
+        status = "penetrating" if low > 0 else "disjoint" if high < 0 else "touching" if low == high else "undecided"
+        return f"{status} signed_depth_in=[{low},{high}]"
+    value = square(rho) - bounds[0] if claim == "apart" else rho + sum(bounds)  # has the sign of the signed depth
+    status = "penetrating" if value > 0 else "disjoint" if value < 0 else "touching"
+    cone = f" cone={len(c['lineality'])}+{len(c['rays'])}" if c["cone"] else ""
+    return f"{status} signed_depth={'-' if claim == 'apart' else ''}sqrt({bounds[0] if bounds else 0})+{rho}{optima}{cone}"
 
 
 def verdicts(file, name):
@@ -223,7 +410,10 @@ def verdicts(file, name):
     reader.advance()
     while reader.line is not None or not any_yet:
         any_yet, first = True, reader.number
-        c = {"id": "", "bounds": [], "vertices": [], "facets": [], "weights_a": [], "weights_b": []}
+        c = {"id": "", "radius_a": 0, "radius_b": 0, "cone": False}
+        c.update((f"{part}_{x}", None) for part in ("terms", "halfspace") for x in "ab")
+        c.update((f"{part}{x}", []) for part in ("", "heights_", "inner_", "weights_") for x in "ab")
+        c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": []})
         try:
             reader.certificate(c)
             require_limits(c)

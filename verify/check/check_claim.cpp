@@ -2,38 +2,39 @@
 // Which checks belong to which claim.
 #include "budget.hpp"
 #include "checks.hpp"
+#include "proved.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {
 namespace {
 
-/// r is num / den in the user's units; its square root is a length, so in units of 1 / scale it grows by scale^2.
-Bound in_units(const Rational& r, const mpz_class& scale) {
-  Bound result{r.num.value() * scale * scale, r.den.value()};
-  const mpz_class common = gcd(result.num, result.den);
-  if (common > 1) {
-    result.num /= common;
-    result.den /= common;
+/// What the claim says of the cores with this number of it: h(n)/|n|, squared with its sign, in units of 1 / scale.
+Bound of_cores(const Certificate& c, const Rational& claimed) {
+  mpq_class result = value(claimed);
+  if (c.claim == Claim::apart) result = -result;
+  if (c.claim == Claim::signed_bounds) {
+    result -= radii(c);
+    result *= abs(result);
   }
-  return result;
+  result *= c.scale * c.scale;
+  return {result.get_num(), result.get_den()};
 }
 
 void check_numbers(const Certificate& c) {
   if (c.claim == Claim::depth && c.low.num.sign() <= 0) throw refused(c.claim_line, "a depth is positive: the claim is not");
-  if (c.claim != Claim::bounds) return;
-  if (c.low.num.sign() < 0) throw refused(c.claim_line, "the lower bound is negative");
-  if (c.high.num.sign() <= 0) throw refused(c.claim_line, "the upper bound is not positive");
+  if (c.claim == Claim::apart && c.low.num.sign() <= 0) throw refused(c.claim_line, "a distance is positive: the claim is not");
+  if (c.claim != Claim::bounds && c.claim != Claim::signed_bounds) return;
+  if (c.claim == Claim::bounds && c.low.num.sign() < 0) throw refused(c.claim_line, "the lower bound is negative");
+  if (c.claim == Claim::bounds && c.high.num.sign() <= 0) throw refused(c.claim_line, "the upper bound is not positive");
   if (c.low.num.value() * c.high.den.value() > c.high.num.value() * c.low.den.value())
     throw refused(c.claim_line, "the lower bound is above the upper one");
 }
 
 void check_counts(const Certificate& c) {
-  if (c.a.items.empty()) throw refused(c.a.line, "a has no points");
-  if (c.b.items.empty()) throw refused(c.b.line, "b has no points");
   if (c.directions.items.empty()) throw refused(c.directions.line, "there is no direction");
-  if (c.claim == Claim::depth) return;
-  if (c.directions.items.size() != 1) throw refused(c.directions.line, "this claim takes exactly one direction");
-  if (c.all) throw refused(c.directions.line, "'all' goes with a claim of depth alone");
+  const bool one = c.claim != Claim::depth || has_half_space(c);
+  if (one && c.directions.items.size() != 1) throw refused(c.directions.line, "this claim takes exactly one direction");
+  if (one && c.all) throw refused(c.directions.line, "'all' goes with a claim of depth alone, and not with a half-space");
 }
 
 }  // namespace
@@ -42,15 +43,11 @@ void check_claim(const Certificate& c) {
   check_numbers(c);
   check_counts(c);
   const Scaled bodies = scaled(c);
-  const Bound high = in_units(c.high, c.scale);
-  check_directions(c, bodies, high);
-  switch (c.claim) {
-    case Claim::depth: return check_inner(c, bodies, high);
-    case Claim::bounds: return check_inner(c, bodies, in_units(c.low, c.scale));
-    case Claim::touching: return check_weights(c, bodies);
-    case Claim::disjoint: return;
-  }
-  throw refused(c.claim_line, "an unknown claim");
+  const Bound low = of_cores(c, c.low);
+  check_directions(c, bodies, low, of_cores(c, c.high));
+  if (c.proof == Proof::facets) check_inner(c, bodies, low.num > 0 ? low : Bound{0, 1});
+  if (c.proof == Proof::weights) check_weights(c, bodies, low);
+  if (c.has_cone) check_cone(c, bodies);
 }
 
 }  // namespace fathom_check

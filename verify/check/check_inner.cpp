@@ -102,9 +102,9 @@ void Inner::make_vertices(const Scaled& bodies) {
   const Part<std::vector<Pair>>& part = c_->vertices;
   for (std::size_t k = 0; k < part.items.size(); ++k) {
     const Pair pair = part.items[k];
-    if (pair.j >= bodies.b.size()) throw refused(part.lines[k], "b has no point of this number");
-    if (pair.i >= bodies.a.size()) throw refused(part.lines[k], "a has no point of this number");
-    subtract(product_, bodies.b[pair.j], bodies.a[pair.i]);
+    if (pair.j >= bodies.b.points.size()) throw refused(part.lines[k], "b has no point of this number");
+    if (pair.i >= bodies.a.points.size()) throw refused(part.lines[k], "a has no point of this number");
+    subtract(product_, bodies.b.points[pair.j], bodies.a.points[pair.i]);
     vertices_.push_back(kept(integers_, product_));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A common point of both bodies, given by convex combinations.
+// A point of each core, given by convex combinations of its core points: a common one, or two that are near to each other.
 #include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
@@ -41,11 +41,17 @@ Combination combine(const Part<std::vector<Weight>>& part, const std::vector<Vec
 
 }  // namespace
 
-void check_weights(const Certificate& c, const Scaled& bodies) {
-  const Combination a = combine(c.weights_a, bodies.a);
-  const Combination b = combine(c.weights_b, bodies.b);
-  const bool equal = a.sum.x * b.den == b.sum.x * a.den && a.sum.y * b.den == b.sum.y * a.den && a.sum.z * b.den == b.sum.z * a.den;
-  if (!equal) throw refused(c.weights_b.line, "the weights of a and of b yield different points");
+void check_weights(const Certificate& c, const Scaled& bodies, const Bound& low) {
+  const Combination a = combine(c.weights_a, bodies.a.points);
+  const Combination b = combine(c.weights_b, bodies.b.points);
+  const MutableVector z{b.sum.x * a.den - a.sum.x * b.den, b.sum.y * a.den - a.sum.y * b.den, b.sum.z * a.den - a.sum.z * b.den};
+  mpz_class squared;  // times (a.den b.den)^2
+  dot(squared, z, z);
+  const mpz_class den = a.den * b.den;
+  if (squared * low.den <= -low.num * den * den) return;
+  const bool common = c.claim == Claim::touching;
+  throw refused(c.weights_b.line,
+                common ? "the weights of a and of b yield different points" : "the weights yield points that are too far apart");
 }
 
 }  // namespace fathom_check

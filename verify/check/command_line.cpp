@@ -19,14 +19,14 @@ constexpr int usage_error = 2;
 
 constexpr std::string_view help =
     " [OPTIONS] FILE...\n"
-    "Checks certificates of the penetration depth of two convex polytopes, exactly; - is standard input. The format and what\n"
+    "Checks certificates of how deep two convex bodies lie in each other, exactly; - is standard input. The format and what\n"
     "acceptance proves: FORMAT.md.\n"
     "\n"
     "  --case CASES     also refuse a certificate whose points are not those of your case (JSON, schema fathom/case/1;\n"
     "                   of several cases, the one with the certificate's id)\n"
     "  --width          also refuse a certificate whose b is not a again: its depth is the width of a; --case then compares a alone\n"
     "  --results FILE   JSON Lines, each with a certificate in its field \"certificate\"\n"
-    "  --echo           print the points and the claim as they were read, in lines that begin with c\n"
+    "  --echo           print the bodies and the claim as they were read, in lines that begin with c\n"
     "  --help           this text\n"
     "\n"
     "One line per certificate: s VERIFIED, s REFUSED or s MALFORMED.\n"

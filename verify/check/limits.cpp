@@ -49,15 +49,24 @@ Count cost(Count s, Count t) {
   return product(fixed + std::max(s, t), fixed + std::min({s, t, linear_from}));
 }
 
-Count widest_direction(const Certificate& c) {
+Count widest(const Part<std::vector<Vector>>& vectors) {
   Count widest = 0;
-  for (const Vector& n : c.directions.items) widest = std::max({widest, bits(n.x), bits(n.y), bits(n.z)});
+  for (const Vector& n : vectors.items) widest = std::max({widest, bits(n.x), bits(n.y), bits(n.z)});
   return widest;
 }
 
-Count widest_of_claim(const Certificate& c) {
-  if (c.claim != Claim::depth && c.claim != Claim::bounds) return 0;
-  return std::max({bits(c.low.num), bits(c.low.den), bits(c.high.num), bits(c.high.den)});
+Count width_of_claim(const Certificate& c) {
+  if (c.format == 1) {
+    if (c.claim != Claim::depth && c.claim != Claim::bounds) return 0;
+    return std::max({bits(c.low.num), bits(c.low.den), bits(c.high.num), bits(c.high.den)});
+  }
+  Count sum = 0;
+  const auto take = [&sum](const Rational& r) { sum += 2 * (bits(r.num) + bits(r.den)); };
+  if (c.claim != Claim::touching) take(c.low);
+  if (c.claim == Claim::signed_bounds) take(c.high);
+  take(c.a.radius);
+  take(c.b.radius);
+  return sum;
 }
 
 Count squared_corners(const Facets& facets) {
@@ -69,25 +78,51 @@ Count squared_corners(const Facets& facets) {
   return sum;
 }
 
+/// Calls `take` with each coordinate of the points, centers and axes.
+template <class Take>
+void for_each_coordinate(const Body& body, const Take& take) {
+  const auto take_point = [&take](const RationalPoint& p) { take(p.x), take(p.y), take(p.z); };
+  for (const RationalPoint& p : body.points.items) take_point(p);
+  for (const Term& term : body.terms)
+    for (const Atom& atom : term)
+      for (const RationalPoint& vector : atom) take_point(vector);
+}
+
 }  // namespace
 
+// The letters are those of the page.
 void require_limits(Certificate& c, std::size_t line) {
-  const Count points = c.a.items.size() + c.b.items.size(), directions = c.directions.items.size(), facets = c.facets.items.size();
-  const Count weights = c.weights_a.items.size() + c.weights_b.items.size(), vectors = points + c.vertices.items.size() + 3 * facets;
-  Width of_points(vectors, line), of_weights(weights, line);
-  for (const auto* part : {&c.a, &c.b})
-    for (const RationalPoint& p : part->items)
-      for (const Rational* r : {&p.x, &p.y, &p.z}) of_points.take(*r);
+  Count n = 0;
+  for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
+  n /= 3;
+  const Count i = c.a.inner.items.size() + c.b.inner.items.size(), f = c.facets.items.size(), e = c.differences.items.size();
+  const Count j = c.a.heights.items.size() + c.b.heights.items.size(), r = c.rays.items.size();
+  const Count weights = c.weights_a.items.size() + c.weights_b.items.size();
+  const Count k = c.directions.items.size() + r + 2 * c.lineality.items.size();
+  const Count vectors = n + i + c.vertices.items.size() + 3 * f + e;
+
+  Width of_points(vectors, line), of_parameters(vectors, line), of_weights(weights, line), of_heights(j, line);
+  for (const Body* body : {&c.a, &c.b}) {
+    for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
+    for (const Place& place : body->inner.items)
+      for (const Rational* y : {&place.y.x, &place.y.y, &place.y.z}) of_parameters.take(*y);
+    for (const Rational& height : body->heights.items) of_heights.take(height);
+  }
   for (const auto* part : {&c.weights_a, &c.weights_b})
     for (const Weight& weight : part->items) of_weights.take(weight.weight);
-  const Count w = of_points.value(), x = of_weights.value();
-  if (vectors * w + weights * x > largest_size) throw Width::too_large(line);
-  const Count of_directions = product(product(points, directions), cost(w, widest_direction(c)));
-  const Count of_facets = product(points + 4 * squared_corners(c.facets.items), cost(w, w));
-  const Count of_distances = product(4 * (directions + facets), cost(w, widest_of_claim(c)));
-  const Count work = sum(sum(of_directions, of_facets), sum(of_distances, product(4 * weights, cost(w + x, w + x))));
+  const Count v = of_points.value() + (i > 0 ? of_parameters.value() : 0), x = of_weights.value(), g = of_heights.value();
+  if (vectors * v + weights * x + j * g > largest_size) throw Width::too_large(line);
+
+  const Count u = std::max({widest(c.directions), widest(c.lineality), widest(c.rays)});
+  Count work = product(product(n + i, k), cost(v, u));
+  work = sum(work, product(n + 4 * i + 4 * squared_corners(c.facets.items), cost(v, v)));
+  work = sum(work, product(4 * (k + f), cost(v, width_of_claim(c))));
+  work = sum(work, product(4 * weights, cost(v + x, v + x)));
+  if (j > 0) work = sum(work, product(4 * n, cost(v + u + g, v + u + g)));
+  work = sum(work, product(product(e, r + e), cost(v + u, v + u)));
   if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
-  c.scale = of_points.denominator();
+  c.fine = of_parameters.denominator();
+  c.scale = of_points.denominator() * c.fine;
 }
 
 }  // namespace fathom_check

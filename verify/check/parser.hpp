@@ -24,8 +24,10 @@ class Parser {
   [[nodiscard]] bool at_header() const;
 
  private:
+  void advance();
   void next(const char* expected);
   void require_line(const char* expected);
+  [[nodiscard]] bool at(std::string_view word) const;
   bool skip_comments();
   void split();
   [[nodiscard]] Fault wrong(const std::string& expected) const;
@@ -41,18 +43,27 @@ class Parser {
   std::uint32_t index_number(std::string_view token) const;
 
   void read_id(Certificate& result);
+  void read_body(Body& body, const std::string& name, int format);
   void read_claim(Certificate& result);
-  std::size_t part_header(const char* word, std::size_t fields, const char* expected);
-  void read_points(Part<std::vector<RationalPoint>>& part, const char* word, const char* expected);
+  std::size_t header(const std::string& word, const char* number = "their number", std::size_t fields = 2);
+  template <class Items, class Item>
+  void read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected, const Item& item);
+  RationalPoint point(std::size_t first) const;
+  Term read_term();
   void read_directions(Certificate& result);
-  void read_vertices(Part<std::vector<Pair>>& part);
+  void read_vectors(Part<std::vector<Vector>>& part, std::size_t lines);
+  void read_heights(Body& body, const std::string& name);
+  void read_inner(Body& body, const std::string& name);
+  void read_pairs(Part<std::vector<Pair>>& part, const char* word);
   void read_facets(Part<Facets>& part);
-  void read_weights(Part<std::vector<Weight>>& part, const char* word, const char* expected);
+  void read_weights(Part<std::vector<Weight>>& part, const char* word);
+  void read_proof(Certificate& result);
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;
   Arena* integers_ = nullptr;            ///< of the certificate at hand
   std::size_t bytes_ = 0, numbers_ = 0;  ///< of this certificate so far
+  std::vector<std::size_t> counts_;      ///< that parts of this certificate announced
   std::vector<std::string_view> fields_;
   bool fresh_ = false;  ///< the line at hand is the first of a certificate that has not been read yet
 };

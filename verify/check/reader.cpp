@@ -7,6 +7,7 @@
 
 #include "budget.hpp"
 #include "checks.hpp"
+#include "proved.hpp"
 #include "text.hpp"
 
 namespace fathom_check {
@@ -25,13 +26,17 @@ std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.val
 /// For a certificate that has passed every check.
 Verdict verified(const Certificate& c) {
   Verdict verdict;
-  verdict.status = c.claim == Claim::touching ? "touching" : c.claim == Claim::disjoint ? "disjoint" : "penetrating";
-  if (c.claim == Claim::bounds) {
+  verdict.status = status(c);
+  verdict.format = c.format;
+  if (c.claim == Claim::bounds || c.claim == Claim::signed_bounds) {
     verdict.at_least = text(c.low);
     verdict.at_most = text(c.high);
+  } else if (c.format == 1) {
+    verdict.depth_squared = text(c.low);
   } else {
-    verdict.depth_squared = c.claim == Claim::depth ? text(c.low) : "0";
+    verdict.signed_depth = (c.claim == Claim::apart ? "-sqrt(" : "sqrt(") + text(c.low) + ")+" + radii(c).get_str();
   }
+  if (c.has_cone) verdict.cone = std::to_string(c.lineality.items.size()) + "+" + std::to_string(c.rays.items.size());
   if (c.all) verdict.optima = c.directions.items.size();
   verdict.outcome = Outcome::verified;
   return verdict;

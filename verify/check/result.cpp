@@ -6,6 +6,8 @@
 #include "budget.hpp"
 #include "json.hpp"
 #include "limits.hpp"
+#include "number.hpp"
+#include "proved.hpp"
 #include "text.hpp"
 
 namespace fathom_check {
@@ -25,22 +27,60 @@ class Fields {
 
   /// The field "squared" of an object.
   [[nodiscard]] std::optional<mpq_class> squared(std::string_view key) const {
-    const Json* const field = object_->field(key, line_);
-    if (!field) return std::nullopt;
-    if (field->kind != Json::Kind::object) throw wrong("an object", key);
-    const std::optional<std::string> text = Fields(*field, line_).text("squared");
-    if (!text) throw wrong("an object with a field 'squared'", key);
-    const std::optional<mpq_class> value = rational(*text);
-    if (!value) throw wrong("an integer or a fraction, in the notation of certificates, for 'squared'", key);
-    return value;
+    const std::optional<Fields> fields = object(key);
+    return fields ? std::optional(fields->rational("squared")) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Result::SignedDepth> signed_depth(std::string_view key) const {
+    const std::optional<Fields> fields = object(key);
+    if (!fields) return std::nullopt;
+    Result::SignedDepth result{fields->number("low"), fields->number("high"), std::nullopt};
+    const Json* const exact = fields->object_->field("exact", line_);
+    if (!exact || exact->kind == Json::Kind::null) return result;
+    const Fields parts = *fields->object("exact");
+    result.exact = Result::Exact{parts.sign("sign"), parts.rational("root"), parts.rational("plus")};
+    return result;
   }
 
  private:
+  [[nodiscard]] std::optional<Fields> object(std::string_view key) const {
+    const Json* const field = object_->field(key, line_);
+    if (!field) return std::nullopt;
+    if (field->kind != Json::Kind::object) throw wrong("an object", key);
+    return Fields(*field, line_);
+  }
+
+  /// A text that holds an exact number.
+  [[nodiscard]] mpq_class rational(std::string_view key) const {
+    const std::optional<std::string> found = text(key);
+    const std::optional<mpq_class> value = found ? rational_of(*found) : std::nullopt;
+    if (!value) throw wrong("an integer or a fraction, in the notation of certificates,", key);
+    return *value;
+  }
+
+  /// A number, or null.
+  [[nodiscard]] std::optional<mpq_class> number(std::string_view key) const {
+    const Json* const field = object_->field(key, line_);
+    if (field && field->kind == Json::Kind::null) return std::nullopt;
+    std::optional<mpq_class> value;
+    if (field && field->kind == Json::Kind::number) value = nearest_binary64(field->text);
+    if (!value) throw wrong("a number within the range of binary64, or null,", key);
+    return value;
+  }
+
+  [[nodiscard]] int sign(std::string_view key) const {
+    const Json* const field = object_->field(key, line_);
+    if (field && field->kind == Json::Kind::number)
+      for (const int sign : {-1, 0, 1})
+        if (field->text == std::to_string(sign)) return sign;
+    throw wrong("-1, 0 or 1", key);
+  }
+
   [[nodiscard]] Fault wrong(const std::string& expected, std::string_view key) const {
     return malformed(line_, "expected " + expected + " in the field " + shown(key));
   }
 
-  static std::optional<mpq_class> rational(std::string_view text) {
+  static std::optional<mpq_class> rational_of(std::string_view text) {
     const std::size_t slash = text.find('/');
     const std::string_view num = text.substr(0, slash), den = slash == std::string_view::npos ? "1" : text.substr(slash + 1);
     const std::string_view digits = num.substr(!num.empty() && num[0] == '-' ? 1 : 0);
@@ -55,7 +95,19 @@ class Fields {
   std::size_t line_;
 };
 
-mpq_class value(const Rational& r) { return {r.num.value(), r.den.value()}; }
+/// With its sign.
+mpq_class squared(const mpq_class& x) { return x * abs(x); }
+
+/// How x compares with the signed depth, of which this bound was proved.
+int compare_with(const mpq_class& x, const Certificate& c, const Rational& bound) {
+  return is_exact(c) ? cmp(squared(x - radii(c)), squared_of_cores(c)) : cmp(x, value(bound));
+}
+
+bool is_proved(const Result::Exact& exact, const Certificate& c) {
+  if (exact.root < 0 || (exact.sign == 0) != (exact.root == 0)) return false;
+  if (is_exact(c)) return exact.sign * exact.root == squared_of_cores(c) && exact.plus == radii(c);
+  return exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
+}
 
 }  // namespace
 
@@ -72,17 +124,24 @@ void read_result(std::string_view text, std::size_t line, Result& result) {
   result.status = fields.text("status");
   result.depth_squared = fields.squared("depth");
   result.bound_squared = fields.squared("bound");
+  result.signed_depth = fields.signed_depth("signed_depth");
 }
 
 void compare(const Result& result, const Certificate& c) {
   const auto demand = [&c](bool right, const char* fault) {
     if (!right) throw refused(c.claim_line, fault);
   };
-  const char* const status = c.claim == Claim::touching ? "touching" : c.claim == Claim::disjoint ? "disjoint" : "penetrating";
-  const bool has_depth = c.claim == Claim::depth || c.claim == Claim::bounds;  // else it is 0
-  const mpq_class low = has_depth ? value(c.low) : mpq_class(0), high = has_depth ? value(c.high) : mpq_class(0);
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id, "the result's id is another than the certificate's");
-  demand(!result.status || *result.status == status, "the result's status is another than the certificate's");
+  demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");
+  if (c.format == 2) {
+    demand(!result.depth_squared && !result.bound_squared, "a certificate of format 2 proves a signed depth: the result has another one");
+    if (!result.signed_depth) return;
+    const auto& [low, high, exact] = *result.signed_depth;
+    demand(!low || compare_with(*low, c, c.low) <= 0, "the result's signed depth is above what the certificate proves");
+    demand(!high || compare_with(*high, c, c.high) >= 0, "the result's signed depth is below what the certificate proves");
+    return demand(!exact || is_proved(*exact, c), "the result's exact signed depth is another than the certificate's");
+  }
+  const mpq_class low = value(c.low), high = value(c.high);
   demand(!result.depth_squared || *result.depth_squared == high, "the result's depth is another than the certificate's");
   demand(!result.bound_squared || *result.bound_squared == low, "the result's bound is another than the certificate's");
   demand(!result.depth_squared || result.bound_squared || low == high, "the result has a depth, the certificate proves bounds only");

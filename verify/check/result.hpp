@@ -17,12 +17,23 @@ struct Result {
   std::string certificate;
   std::optional<std::string> id, status;
   std::optional<mpq_class> depth_squared, bound_squared;
+
+  /// sign sqrt(root) + plus.
+  struct Exact {
+    int sign = 0;
+    mpq_class root, plus;
+  };
+  struct SignedDepth {
+    std::optional<mpq_class> low, high;  ///< absent: beyond all doubles
+    std::optional<Exact> exact;
+  };
+  std::optional<SignedDepth> signed_depth;
 };
 
 /// Throws Fault (malformed); the id may have been read by then.
 void read_result(std::string_view text, std::size_t line, Result& result);
 
-/// Throws Fault (refused) unless id, status, depth and bound are those of the certificate.
+/// Throws Fault (refused) unless id, status, and depth and bound or signed depth are those of the certificate.
 void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -1,29 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scaled.hpp"
 
+#include "budget.hpp"
+#include "vectors.hpp"
+
 namespace fathom_check {
 namespace {
 
 class Scaling {
  public:
-  Scaling(const mpz_class& scale, Arena& integers) : scale_(&scale), integers_(&integers) {}
+  Scaling(const Certificate& certificate, Arena& integers) : c_(&certificate), integers_(&integers) {}
 
-  std::vector<Vector> points(const std::vector<RationalPoint>& points) {
-    std::vector<Vector> result;
-    result.reserve(points.size());
-    for (const RationalPoint& p : points) result.push_back({times(p.x), times(p.y), times(p.z)});
+  ScaledBody body(const Body& body) {
+    ScaledBody result;
+    if (body.radius.num.sign() < 0) throw refused(body.line, "a radius is negative");
+    switch (body.core) {
+      case Body::Core::points:
+        if (body.points.items.empty()) throw refused(body.line, "a body without points");
+        result.points.reserve(body.points.items.size());
+        for (const RationalPoint& p : body.points.items) result.points.push_back(times(p, c_->scale));
+        break;
+      case Body::Core::shape: make_shape(body, result); break;
+      case Body::Core::half_space: make_half_space(body, result); break;
+    }
     return result;
   }
 
  private:
-  Integer times(const Rational& r) {
-    if (mpz_cmp(r.den.get_mpz_t(), scale_->get_mpz_t()) == 0) return r.num;
-    mpz_divexact(product_.get_mpz_t(), scale_->get_mpz_t(), r.den.get_mpz_t());
+  Integer times(const Rational& r, const mpz_class& scale) {
+    if (mpz_cmp(r.den.get_mpz_t(), scale.get_mpz_t()) == 0) return r.num;
+    mpz_divexact(product_.get_mpz_t(), scale.get_mpz_t(), r.den.get_mpz_t());
     mpz_mul(product_.get_mpz_t(), product_.get_mpz_t(), r.num.get_mpz_t());
     return integers_->keep(product_);
   }
+  Vector times(const RationalPoint& p, const mpz_class& scale) { return {times(p.x, scale), times(p.y, scale), times(p.z, scale)}; }
 
-  const mpz_class* scale_;
+  void make_shape(const Body& body, ScaledBody& result) {
+    if (body.terms.empty()) throw refused(body.line, "a shape without terms");
+    for (const Term& term : body.terms) {
+      if (term.empty()) throw refused(body.line, "a term without atoms");
+      result.terms.emplace_back();
+      for (const Atom& atom : term) {
+        result.terms.back().emplace_back();
+        for (const RationalPoint& vector : atom) result.terms.back().back().push_back(times(vector, c_->scale));
+      }
+    }
+    if (body.inner.lines.empty()) throw refused(body.inner.line, "there is no inner point");
+    for (std::size_t k = 0; k < body.inner.lines.size(); ++k) result.points.push_back(inner_point(body, result, k));
+  }
+
+  /// The sum, over the terms, of center + sum of y axis.
+  Vector inner_point(const Body& body, const ScaledBody& shape, std::size_t k) {
+    const std::size_t line = body.inner.lines[k];
+    MutableVector sum;
+    for (std::size_t t = 0; t < shape.terms.size(); ++t) {
+      const Place& place = body.inner.items[k * shape.terms.size() + t];
+      if (place.atom >= shape.terms[t].size()) throw refused(line, "the term has no atom of this number");
+      const std::vector<Vector>& atom = shape.terms[t][place.atom];
+      const Integer y[] = {times(place.y.x, c_->fine), times(place.y.y, c_->fine), times(place.y.z, c_->fine)};
+      dot(product_, Vector{y[0], y[1], y[2]}, Vector{y[0], y[1], y[2]});
+      if (product_ > c_->fine * c_->fine) throw refused(line, "parameters outside of the unit ball");
+      MutableVector shift;
+      for (std::size_t axis = 1; axis < atom.size(); ++axis) {
+        mpz_addmul(shift.x.get_mpz_t(), y[axis - 1].get_mpz_t(), atom[axis].x.get_mpz_t());
+        mpz_addmul(shift.y.get_mpz_t(), y[axis - 1].get_mpz_t(), atom[axis].y.get_mpz_t());
+        mpz_addmul(shift.z.get_mpz_t(), y[axis - 1].get_mpz_t(), atom[axis].z.get_mpz_t());
+      }
+      const auto place_coordinate = [this](mpz_class& coordinate, mpz_class& moved, const Integer& center) {
+        mpz_divexact(moved.get_mpz_t(), moved.get_mpz_t(), c_->fine.get_mpz_t());  // the parameters are over `fine`
+        coordinate += moved;
+        mpz_add(coordinate.get_mpz_t(), coordinate.get_mpz_t(), center.get_mpz_t());
+      };
+      place_coordinate(sum.x, shift.x, atom[0].x);
+      place_coordinate(sum.y, shift.y, atom[0].y);
+      place_coordinate(sum.z, shift.z, atom[0].z);
+    }
+    return kept(*integers_, sum);
+  }
+
+  void make_half_space(const Body& body, ScaledBody& result) {
+    const RationalPoint& m = body.normal;
+    const mpz_class common = lcm(lcm(m.x.den.value(), m.y.den.value()), m.z.den.value());
+    result.normal = times(m, common);
+    if (is_zero(result.normal)) throw refused(body.line, "the normal of a half-space is zero");
+    result.offset = mpq_class(body.offset.num.value() * common * c_->scale, body.offset.den.value());
+    result.offset.canonicalize();
+  }
+
+  const Certificate* c_;
   Arena* integers_;
   mpz_class product_;
 };
@@ -31,10 +95,12 @@ class Scaling {
 }  // namespace
 
 Scaled scaled(const Certificate& certificate) {
+  if (certificate.a.core == Body::Core::half_space && certificate.b.core == Body::Core::half_space)
+    throw refused(certificate.b.line, "two half-spaces");
   Scaled result;
-  Scaling scaling(certificate.scale, result.integers);
-  result.a = scaling.points(certificate.a.items);
-  result.b = scaling.points(certificate.b.items);
+  Scaling scaling(certificate, result.integers);
+  result.a = scaling.body(certificate.a);
+  result.b = scaling.body(certificate.b);
   return result;
 }
 

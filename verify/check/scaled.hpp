@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies over one common denominator. From here on there are only integers.
+// The bodies over one common denominator. From here on there are only integers, but for half-spaces and heights.
 #pragma once
+
+#include <gmpxx.h>
 
 #include <vector>
 
@@ -8,12 +10,21 @@
 
 namespace fathom_check {
 
-/// The points of A and B, in units of 1 / certificate.scale. They may share digits with the certificate, which must outlive them.
-struct Scaled {
-  Arena integers;
-  std::vector<Vector> a, b;
+/// In units of 1 / certificate.scale.
+struct ScaledBody {
+  std::vector<Vector> points;                           ///< the core points: none of a half-space
+  std::vector<std::vector<std::vector<Vector>>> terms;  ///< of a shape: their atoms, each the center, then the axes
+  Vector normal;                                        ///< of a half-space: a positive multiple of the one that was read
+  mpq_class offset;                                     ///< for this normal
 };
 
+/// Both bodies. They may share digits with the certificate, which must outlive them.
+struct Scaled {
+  Arena integers;
+  ScaledBody a, b;
+};
+
+/// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points included.
 Scaled scaled(const Certificate& certificate);
 
 }  // namespace fathom_check

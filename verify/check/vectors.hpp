@@ -6,6 +6,8 @@
 #include <gmpxx.h>
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "certificate.hpp"
 
@@ -47,6 +49,19 @@ inline void add(MutableVector& sum, const MutableVector& v) {
   sum.z += v.z;
 }
 
+/// The largest <s,p> of these points, of which there is at least one.
+template <class S>
+void find_largest(mpz_class& largest, mpz_class& scratch, const S& s, const std::vector<Vector>& points) {
+  dot(largest, s, points.front());
+  for (const Vector& p : points) {
+    dot(scratch, s, p);
+    if (scratch > largest) swap(scratch, largest);
+  }
+}
+
+inline MutableVector copied(const Vector& v) { return {v.x.value(), v.y.value(), v.z.value()}; }
+inline MutableVector negated(const Vector& v) { return {-v.x.value(), -v.y.value(), -v.z.value()}; }
+
 inline Vector kept(Arena& arena, const MutableVector& v) { return {arena.keep(v.x), arena.keep(v.y), arena.keep(v.z)}; }
 
 /// Of the three entries.
@@ -65,6 +80,7 @@ bool ascending(const U& u, const V& v) {
 }
 
 inline bool is_zero(const Vector& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
+inline bool is_zero(const MutableVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 /// Binary digits of the absolute value; 0 has none.
 inline std::uint64_t bits(mpz_srcptr value) { return mpz_sgn(value) == 0 ? 0 : mpz_sizeinbase(value, 2); }

@@ -42,7 +42,8 @@ bool same(const std::vector<Point>& points, const std::vector<fathom_check::Rati
 
 void take_over(const fathom_check::Certificate& certificate, const Claimed& claimed, Proved& proved) {
   if (certificate.id != claimed.points.id) throw Refusal("the certificate is that of another record, '" + certificate.id + "'");
-  if (!same(claimed.points.a.points, certificate.a.items) || !same(claimed.points.b.points, certificate.b.items))
+  if (certificate.format != 1) throw Refusal("the certificate has format " + std::to_string(certificate.format) + ", not 1");
+  if (!same(claimed.points.a.points, certificate.a.points.items) || !same(claimed.points.b.points, certificate.b.points.items))
     throw Refusal("the certificate is about other points");
   for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x.value(), n.y.value(), n.z.value()});
   switch (certificate.claim) {
@@ -53,6 +54,8 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
     case fathom_check::Claim::bounds: throw Refusal("the certificate proves bounds only");
     case fathom_check::Claim::touching: proved.status = Status::touching; break;
     case fathom_check::Claim::disjoint: proved.status = Status::disjoint; break;
+    case fathom_check::Claim::apart:
+    case fathom_check::Claim::signed_bounds: throw Refusal("the certificate makes a claim of format 2");
   }
   for (const fathom_check::Weight& w : certificate.weights_a.items) {
     if (w.index >= claimed.points.a.points.size()) return;  // refused by the checker
