@@ -58,5 +58,5 @@ mutant 's/of_lengths = !m/of_lengths = Z.one/' rounded%20cubes REFUSED '' <"$sig
 mutant 's/Q\.add g\.a\.radius g\.b\.radius/Q.add Q.one g.b.radius/' touching%20spheres REFUSED '' <"$signed"
 mutant 's/beside q a b None/beside (Q.of_int 25) a b None/' farther%20than%20they%20are \
   'VERIFIED touching signed_depth=-sqrt\(25\)\+5 ' '.*26' <"$signed"
-mutant 's/rays = List\.map direction (/rays = List.map direction (List.filteri (fun i _ -> i > 0) @@ /' tip%20to%20tip REFUSED '' <"$signed"
+mutant 's/map direction c\.rays\.items/map direction (Array.sub c.rays.items 0 (max 0 (Array.length c.rays.items - 1)))/' tip%20to%20tip REFUSED '' <"$signed"
 exit $bad

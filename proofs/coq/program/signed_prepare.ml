@@ -30,7 +30,7 @@ let claim g (d : Signed_limits.denominators) =
     let within (j, i) = in_range n j && in_range m i in
     Array.iteri (fun k ji -> demand c.differences.lines_of.(k) (within ji) "a difference names a point that is not there") c.differences.items;
     { Proved.lineality = List.map (fun v -> fst (direction v)) (Array.to_list c.lineality.items);
-      rays = List.map direction (Array.to_list c.rays.items);
+      rays = Array.to_list (Array.map direction c.rays.items);
       differences = Array.to_list c.differences.items } in
   match g.claim, g.lower with
   | Depth q, Facets (vertices, facets) ->
