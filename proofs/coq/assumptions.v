@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations.
-From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations rounded curved.
+From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -26,3 +26,13 @@ Print Assumptions hull_comb.
 Print Assumptions cubes_depth.
 Print Assumptions cubes_verdict.
 Print Assumptions forgeries_refused.
+Print Assumptions signed_verdict_sound.
+Print Assumptions theorem_R.
+Print Assumptions R_least.
+Print Assumptions R_most.
+Print Assumptions signed_depth_unique.
+Print Assumptions signed_depth_within.
+Print Assumptions signed_depth_depth.
+Print Assumptions signed_depth_touch.
+Print Assumptions ways_out_touch.
+Print Assumptions cone_sound.

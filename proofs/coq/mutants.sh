@@ -15,9 +15,13 @@ complain() { echo "mutants.sh: $*"; bad=1; }
 build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  cat limits.ml prepare.ml >before
-  sed -i "$1" limits.ml prepare.ml
-  ! cat limits.ml prepare.ml | cmp -s - before || complain "nothing to falsify: $1"
+  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml"
+  # shellcheck disable=SC2086
+  cat $told >before
+  # shellcheck disable=SC2086
+  sed -i "$1" $told
+  # shellcheck disable=SC2086
+  ! cat $told | cmp -s - before || complain "nothing to falsify: $1"
   # shellcheck disable=SC2046
   ocamlfind ocamlopt -w -a -package zarith -linkpkg proved.cmx $(ocamlfind ocamldep -sort ./*.ml) -o mutant || complain "cannot be built: $1"
 }
@@ -41,11 +45,18 @@ sed 's,^claim bounds .*,claim bounds 1/2 3/4,' "$cubes/bounds_cubes.cert" >"$scr
 mutant 's/Q\.num hi, Q\.den hi/Z.of_int 16, Z.of_int 5/' '[^ ]*' 'VERIFIED penetrating depth_squared_in=\[1/2,16/5\]' '.*,3/4\]' <"$scratch/bounds"
 # two cubes that are apart are said to touch
 sed 's/^claim disjoint/claim touching/; s/^end .*/weights_a 1\n0 1\nweights_b 1\n0 1\nend 8 8 1 1 1/' "$cubes/disjoint_cubes.cert" >"$scratch/touching"
-mutant 's/| Touching ->/| Touching -> Proved.Disjoint (single g) | Touching ->/' '[^ ]*' 'VERIFIED disjoint' 'touching' <"$scratch/touching"
+mutant 's/^  | Touching ->/  | Touching -> Proved.Disjoint (single g.all g.directions) | Touching ->/' '[^ ]*' 'VERIFIED disjoint' 'touching' <"$scratch/touching"
 # two points that a wrong common denominator would move to the same place
 {
   printf 'fathom-certificate 1\na 1\n1/3 0 0\nb 1\n-1/2 0 0\nclaim touching\ndirections 1 some\n1 0 0\n'
   printf 'weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n'
 } >"$scratch/points"
 mutant 's/{ of_points;/{ of_points = Z.one;/' '[^ ]*' REFUSED '' <"$scratch/points"
+# format 2: a wrong unit, a wrong sum of the radii, another distance than is claimed, an optimum left out
+signed=$here/examples/proved_signed.cert
+mutant 's/of_lengths = !m/of_lengths = Z.one/' rounded%20cubes REFUSED '' <"$signed"
+mutant 's/Q\.add g\.a\.radius g\.b\.radius/Q.add Q.one g.b.radius/' touching%20spheres REFUSED '' <"$signed"
+mutant 's/beside q a b None/beside (Q.of_int 25) a b None/' farther%20than%20they%20are \
+  'VERIFIED touching signed_depth=-sqrt\(25\)\+5 ' '.*26' <"$signed"
+mutant 's/map direction c\.rays\.items/map direction (Array.sub c.rays.items 0 (max 0 (Array.length c.rays.items - 1)))/' tip%20to%20tip REFUSED '' <"$signed"
 exit $bad

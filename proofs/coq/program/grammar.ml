@@ -123,24 +123,35 @@ let directions_of r =
   finish f;
   (all, rows r r.number count "three integers: a direction" direction)
 
-let footer r counts =
-  advance r;
-  let f = fields r "end and the five counts again" in
+let footer_at r expected counts =
+  let f = fields r expected in
   literal f "end";
   let good = List.map (fun n -> blank f; Z.equal (natural f) (Z.of_int n)) counts in
   finish f;
   if not (List.for_all Fun.id good) then wrong f
 
-(* name: where the certificate's own is put, as soon as it is known *)
-let certificate r name =
+let footer r counts = advance r; footer_at r "end and the five counts again" counts
+
+(* the first line: 1 or 2 *)
+let format_of r =
   begin_certificate r;
-  let f = fields r "fathom-certificate 1" in
-  literal f "fathom-certificate 1";
+  let f = fields r "fathom-certificate 1 or fathom-certificate 2" in
+  literal f "fathom-certificate ";
+  let second = f.s = "fathom-certificate 2" in
+  literal f (if second then "2" else "1");
   finish f;
+  if second then 2 else 1
+
+(* name: where the certificate's own is put, as soon as it is known *)
+let name_of r name =
+  match r.text with
+  | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits"); advance r
+  | _ -> ()
+
+(* of format 1, behind its first line *)
+let certificate r name =
   advance r;
-  (match r.text with
-   | Whole s when s = "id" || has_prefix "id " s -> name := id_of (fields r "id and a text: codes 33 to 126 but %, or % and two hexadecimal digits"); advance r
-   | _ -> ());
+  name_of r name;
   let a = counted r "a" "three rationals: a point" point in
   let b = part r "b" "three rationals: a point" point in
   advance r;

@@ -19,17 +19,17 @@ let over f part = Array.fold_left (fun sum item -> sum + f item) Z.zero part.ite
 (* what a product of numbers of s and t digits takes *)
 let product s t = (number 256 + Z.max s t) * (number 256 + Z.min (Z.min s t) (number 4000))
 
-let require g good =
-  if not good then raise (Lines.Malformed (g.end_line, "expected a certificate within the limits on size and work"))
+let require line good =
+  if not good then raise (Lines.Malformed (line, "expected a certificate within the limits on size and work"))
 
 (* The common denominator of the numbers that each_of goes through, and how many digits a number over it has.  There are to be many such
    numbers: a denominator that is too large for that is not pursued. *)
-let common g many each_of =
+let common line many each_of =
   let m = ref Z.one and widest = ref Z.zero in
   each_of (fun (r : Proved.ratio) ->
       if not (Z.divisible !m r.den) then begin
         m := Z.lcm !m r.den;
-        require g (Z.leq (many * bits !m) most_size)
+        require line (Z.leq (many * bits !m) most_size)
       end;
       widest := Z.max !widest (bits r.num));
   (!m, bits !m + !widest)
@@ -59,11 +59,11 @@ let within g =
   let weights = count g.weights_a + count g.weights_b in
   let t = over (fun corners -> let k = number (Array.length corners) in k * k) g.facets in
   let vectors = n + v + (number 3 * f) in
-  let of_points, w = common g vectors (each_coordinate g) in
-  let of_weights, x = common g weights (each_weight g) in
+  let of_points, w = common g.end_line vectors (each_coordinate g) in
+  let of_weights, x = common g.end_line weights (each_weight g) in
   let u = widest_direction g and z = widest_claimed g and four = number 4 in
-  require g (Z.leq ((vectors * w) + (weights * x)) most_size);
-  require g
+  require g.end_line (Z.leq ((vectors * w) + (weights * x)) most_size);
+  require g.end_line
     (Z.leq
        ((n * k * product w u) + ((n + (four * t)) * product w w) + (four * (k + f) * product w z)
         + (four * weights * product (w + x) (w + x)))

@@ -26,6 +26,21 @@ let words : Proved.statement -> string = function
   | They_touch -> "touching depth_squared=0"
   | They_are_apart -> "disjoint depth_squared=0"
 
+let status : Proved.status -> string = function
+  | Penetrating -> "penetrating"
+  | In_touch -> "touching"
+  | Disjoint_bodies -> "disjoint"
+  | Undecided -> "undecided"
+
+(* likewise of format 2: its meaning is soundness/signed_printed.v's *)
+let signed_words : Proved.signed_statement -> string = function
+  | Root_between (s, lo, hi) -> Printf.sprintf "%s signed_depth_in=[%s,%s]" (status s) (number lo) (number hi)
+  | Root_is (s, square, rho, optima, cone) ->
+    let sign = if Z.sign square.num < 0 then "-" else "" in
+    Printf.sprintf "%s signed_depth=%ssqrt(%s)+%s%s%s" (status s) sign (number { square with num = Z.abs square.num }) (number rho)
+      (match optima with Some k -> " optima=" ^ Z.to_string k | None -> "")
+      (match cone with Some (k, r) -> Printf.sprintf " cone=%s+%s" (Z.to_string k) (Z.to_string r) | None -> "")
+
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
@@ -44,15 +59,32 @@ let judge ~width name (g : Grammar.t) =
       let line, reason = Reasons.reason ~width g (Proved.with_integers m a b claim) in
       refused name line reason
 
+let judge_signed ~width name (g : Signed_grammar.t) =
+  let denominators = Signed_limits.within g in
+  match Signed_prepare.claim g denominators with
+  | exception Prepare.Refused (line, reason) -> refused name line reason
+  | claim ->
+    let m = denominators.of_lengths in
+    match Proved.signed_verdict width m (Grammar.ratio (Signed_prepare.rho g)) (Signed_grammar.proved_body g.a) (Signed_grammar.proved_body g.b) claim with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (signed_words statement) name)
+    | None ->
+      let line, reason = Signed_prepare.reason ~width g m claim in
+      refused name line reason
+
+(* of either format, its last line and its judge *)
+let read ~width r name =
+  if Grammar.format_of r = 1 then let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
+  else let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
+
 (* one certificate, from its first line on *)
 let one ~width (r : Lines.t) file =
   let first = r.number in
   let name = ref file in
-  match Grammar.certificate r name with
-  | g ->
-    (try judge ~width !name g with
+  match read ~width r name with
+  | end_line, judge ->
+    (try judge () with
      | Lines.Malformed (line, reason) -> malformed !name line reason
-     | Stack_overflow | Out_of_memory -> malformed !name g.end_line too_large);
+     | Stack_overflow | Out_of_memory -> malformed !name end_line too_large);
     Lines.advance r
   | exception (Lines.Malformed _ | Out_of_memory as fault) ->
     let line, reason = match fault with Lines.Malformed (line, reason) -> (line, reason) | _ -> (r.number, too_large) in

@@ -26,17 +26,18 @@ let direction (x, y, z) =
 (* ---- the inner polytope ---- *)
 let in_range n i = Z.lt i (Z.of_int n)
 
-let demand_ranges g =
-  let m = Array.length g.a.items and n = Array.length g.b.items and v = Array.length g.vertices.items in
+(* m and n: how many points there are of a and of b *)
+let demand_ranges m n vertices facets =
+  let v = Array.length vertices.items in
   Array.iteri
-    (fun k (j, i) -> demand g.vertices.lines_of.(k) (in_range n j && in_range m i) "a vertex names a point that is not there")
-    g.vertices.items;
+    (fun k (j, i) -> demand vertices.lines_of.(k) (in_range n j && in_range m i) "a vertex names a point that is not there")
+    vertices.items;
   Array.iteri
     (fun k corners ->
-       let line = g.facets.lines_of.(k) in
+       let line = facets.lines_of.(k) in
        demand line (Array.length corners >= 3) "a facet has fewer than three corners";
        demand line (Array.for_all (in_range v) corners) "a facet names a vertex that is not there")
-    g.facets.items
+    facets.items
 
 let hinted (facets : Z.t array array) =
   let facets = Array.map (Array.map Z.to_int) facets in
@@ -74,26 +75,27 @@ let finder directions =
       let part = Z.divexact in
       Option.value ~default:none (Rays.find_opt (part zx common, part zy common, part zz common) !numbered)
 
-let inner g =
-  demand_ranges g;
-  { Proved.vertices = Array.to_list g.vertices.items; facets = hinted g.facets.items; find = finder g.directions.items }
+let inner m n vertices facets directions =
+  demand_ranges m n vertices facets;
+  { Proved.vertices = Array.to_list vertices.items; facets = hinted facets.items; find = finder directions.items }
 
 (* ---- all of it ---- *)
-let single g =
-  demand g.directions.line ((not g.all) && Array.length g.directions.items = 1) "this claim takes exactly one direction, and some";
-  fst (direction g.directions.items.(0))
+let single all directions =
+  demand directions.line ((not all) && Array.length directions.items = 1) "this claim takes exactly one direction, and some";
+  fst (direction directions.items.(0))
 
 let claim g (denominators : Limits.denominators) =
   demand g.a.line (Array.length g.a.items > 0) "a body without points";
   demand g.b.line (Array.length g.b.items > 0) "a body without points";
+  let inner g = inner (Array.length g.a.items) (Array.length g.b.items) g.vertices g.facets g.directions in
   match g.claim with
   | Depth q ->
     Proved.Depth (Q.num q, Q.den q, g.all, Array.to_list (Array.map direction g.directions.items), inner g)
   | Bounds (lo, hi) ->
-    let n = single g in
+    let n = single g.all g.directions in
     Proved.Bounds (Q.num lo, Q.den lo, Q.num hi, Q.den hi, n, inner g)
   | Touching ->
-    let n = single g in
+    let n = single g.all g.directions in
     let unit = denominators.of_weights in
     Proved.Touching (n, unit, weights unit g.weights_a, weights unit g.weights_b)
-  | Disjoint -> Proved.Disjoint (single g)
+  | Disjoint -> Proved.Disjoint (single g.all g.directions)

@@ -1,0 +1,75 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* What certificates of format 2 are about: round and curved bodies, their signed depth, and the directions in which touching bodies can
+   be parted.  Definitions only: with meaning.v to be read and believed. *)
+Require Import Reals List.
+From Fathom.checker Require Import body.
+From Fathom.geometry Require Import meaning.
+Import ListNotations.
+Open Scope R_scope.
+
+(* ---- sets ---- *)
+Definition sum_of (S T : pt -> Prop) (p : pt) : Prop := exists s t, S s /\ T t /\ p = add s t.
+Definition difference_of (S T : pt -> Prop) (p : pt) : Prop := exists s t, S s /\ T t /\ p = sub s t.
+(* the points at most r >= 0 away from a point of S *)
+Definition thick (S : pt -> Prop) (r : R) (p : pt) : Prop := exists s, S s /\ norm2 (sub p s) <= r * r.
+
+(* ---- bodies: checker/body.v says what they are made of ---- *)
+(* center + x u + y v + z w for the points (x, y, z) of the unit ball: a ball under an affine map; a disc if w is O; a point if all are *)
+Definition in_atom (a : atom pt) (p : pt) : Prop := exists x y z, x * x + y * y + z * z <= 1
+  /\ p = add (center a) (add (scal x (axis_u a)) (add (scal y (axis_v a)) (scal z (axis_w a)))).
+(* the hull of atoms; the Minkowski sum of such hulls *)
+Definition in_term (t : list (atom pt)) : pt -> Prop := hull (fun p => exists a, In a t /\ in_atom a p).
+Fixpoint in_terms (ts : list (list (atom pt))) : pt -> Prop :=
+  match ts with [] => fun p => p = origin | t :: r => sum_of (in_term t) (in_terms r) end.
+Definition in_core (c : core pt R) : pt -> Prop :=
+  match c with
+  | Points L => conv L
+  | Terms ts => in_terms ts
+  | Half_space n d => fun x => dot n x <= d
+  end.
+
+Definition in_body (b : body pt R) : pt -> Prop := thick (in_core (core_of b)) (radius b).
+(* b - a for all points of the two bodies; O is among them exactly if the bodies meet *)
+Definition gaps (A B : body pt R) : pt -> Prop := difference_of (in_body B) (in_body A).
+Definition core_gaps (A B : body pt R) : pt -> Prop := difference_of (in_core (core_of B)) (in_core (core_of A)).
+
+(* ---- signed depth: the distance from O to what is outside of S; or minus the distance from O to S ---- *)
+Definition at_least (S : pt -> Prop) (x : R) : Prop :=
+  (0 < x -> forall t, norm2 t < x * x -> interior S t)
+  /\ (x <= 0 -> exists p, S p /\ norm2 p <= x * x).
+Definition at_most (S : pt -> Prop) (x : R) : Prop :=
+  (0 <= x -> exists t, norm2 t <= x * x /\ ~ interior S t)
+  /\ (x < 0 -> forall p, S p -> x * x <= norm2 p).
+Definition signed_depth (S : pt -> Prop) (v : R) : Prop := at_least S v /\ at_most S v.
+(* wherever there is a signed depth, it is between them *)
+Definition signed_depth_in (S : pt -> Prop) (lo hi : R) : Prop := at_least S lo /\ at_most S hi.
+
+(* the root of |x| with the sign of x *)
+Definition signed_root (x : R) : R := if Rle_dec 0 x then sqrt x else - sqrt (- x).
+
+(* ---- status ---- *)
+Definition overlap (S : pt -> Prop) : Prop := interior S origin.
+Definition touch (S : pt -> Prop) : Prop := S origin /\ ~ interior S origin.
+Definition apart (S : pt -> Prop) : Prop := ~ S origin.
+
+(* ---- the least ways out of S, which holds O ---- *)
+Definition way_out (S : pt -> Prop) (v : R) (t : pt) : Prop := norm2 t = v * v /\ ~ interior S t.
+(* the directions u for which S is in the half-space <u, x> <= 0 *)
+Definition polar (S : pt -> Prop) (u : pt) : Prop := forall p, S p -> dot u p <= 0.
+
+(* ---- cones ---- *)
+Fixpoint combination (ks : list R) (vs : list pt) : pt :=
+  match ks, vs with k :: ks', v :: vs' => add (scal k v) (combination ks' vs') | _, _ => origin end.
+(* a sum of multiples of the first list, and multiples >= 0 of the second *)
+Definition spanned (ls rs : list pt) (u : pt) : Prop := exists ks cs,
+  length ks = length ls /\ length cs = length rs /\ (forall c, In c cs -> 0 <= c) /\ u = add (combination ks ls) (combination cs rs).
+Definition linearly_independent (vs : list pt) : Prop := forall ks,
+  length ks = length vs -> combination ks vs = origin -> forall k, In k ks -> k = 0.
+(* the vectors ls and the rays rs generate K, and none of them could be spared: the ls are a basis of the largest linear space in K, and the
+   rays, which are orthogonal to it, are the extreme ones *)
+Definition generated (K : pt -> Prop) (ls rs : list pt) : Prop :=
+  (forall u, K u <-> spanned ls rs u)
+  /\ linearly_independent ls
+  /\ (forall r l, In r rs -> In l ls -> dot r l = 0)
+  /\ (forall r, In r rs -> ~ K (scal (-1) r))
+  /\ (forall xs r ys, rs = xs ++ r :: ys -> ~ spanned ls (xs ++ ys) r).
