@@ -11,8 +11,8 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
-#include "reference/files/shape_names.hpp"
 #include "fathom/width.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::cli {
 namespace {
