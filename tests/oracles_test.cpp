@@ -95,11 +95,11 @@ TEST(Oracles, WidthsKnownByHand) {
 }
 
 TEST(Oracles, NearestHalfSpaces) {
-  const std::vector<HalfSpace> tied{{{2, 0, 0}, 2}, {{0, -1, 0}, 1}, {{0, 0, 1}, 2}, {{3, 0, 0}, 3}};
+  const std::vector<oracles::HalfSpace> tied{{{2, 0, 0}, 2}, {{0, -1, 0}, 1}, {{0, 0, 1}, 2}, {{3, 0, 0}, 3}};
   EXPECT_EQ(nearest_half_spaces(tied), (OracleAnswer{Status::penetrating, 1, {{0, -1, 0}, {1, 0, 0}}}));
-  const std::vector<HalfSpace> boundary{{{1, 0, 0}, 1}, {{0, 1, 0}, 0}};
+  const std::vector<oracles::HalfSpace> boundary{{{1, 0, 0}, 1}, {{0, 1, 0}, 0}};
   EXPECT_EQ(nearest_half_spaces(boundary), touching);
-  const std::vector<HalfSpace> outside{{{0, 1, 0}, 0}, {{1, 0, 0}, ratio(-1, 9)}};
+  const std::vector<oracles::HalfSpace> outside{{{0, 1, 0}, 0}, {{1, 0, 0}, ratio(-1, 9)}};
   EXPECT_EQ(nearest_half_spaces(outside), disjoint);
 }
 

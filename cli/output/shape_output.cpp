@@ -94,6 +94,8 @@ std::string value_text(const SignedDepth& depth, int sign_of_it) {
   return sign_of_it > 0 ? fmt::format("from {} to {}", low, high) : fmt::format("from {} to {}", -high, -low);
 }
 
+bool is_one_ray(const OptimalCone& cone) { return cone.lineality == Lineality::none && cone.rays.size() == 1; }
+
 std::string cone_text(const OptimalCone& cone) {
   std::vector<std::string> parts;
   if (cone.lineality == Lineality::all) parts.emplace_back("every direction");
@@ -140,7 +142,7 @@ void add_places(std::vector<Row>& rows, const SignedDepth& depth) {
   if (const std::optional<RoundedWitness> witness = depth.witness())
     rows.emplace_back(apart ? "nearest" : "witness",
                       fmt::format("{} of A, {} of B", rounded_point_text(witness->a), rounded_point_text(witness->b)));
-  if (depth.cone) rows.emplace_back("ties", cone_text(*depth.cone));
+  if (depth.cone && !is_one_ray(*depth.cone)) rows.emplace_back("ties", cone_text(*depth.cone));
   if (const Penetration* const cores = of_cores(depth); cores && cores->optima.size() > 1)
     rows.emplace_back("ties", fmt::format("{} nearest facets; the first is shown, --json lists all", cores->optima.size()));
 }

@@ -11,7 +11,7 @@
 
 namespace fathom::polytope {
 
-/// Up to so many points it is the faster one, measured.
+/// Up to so many points it is used: it is quadratic, and near 20 points, as most bodies have, several times as fast.
 inline constexpr std::size_t few_points = 64;
 
 /// Returns triangles as hull_triangles states, in general others where points are coplanar.
