@@ -46,6 +46,7 @@ Json enclosed_length(const Bounds& bounds) {
 }
 
 Json length_of(const SignedDepth& depth, bool of_distance, const std::optional<unsigned>& digits) {
+  if (!depth.status()) return {{"squared", Json()}, {"value", Json()}, {"rounded", Json()}};
   if (const Bounds* const bounds = depth.bounds()) return enclosed_length(of_distance ? Bounds{-bounds->high, -bounds->low} : *bounds);
   const Surd value = of_distance ? negated(*depth.exact()) : *depth.exact();
   return surd_length(sign(value) > 0 ? value : zero, digits);

@@ -234,9 +234,50 @@ TEST(CheckResult, SaysWhatTheCertificateSays) {
   EXPECT_EQ(said(R"(, "id": "a b", "status": "disjoint", "depth": {"squared": "-0/7"}, "bound": {"squared": "00"})", c), "fine");
   EXPECT_EQ(said(R"(, "depth": {"squared": "0", "value": 7, "rounded": null}, "other": "\u00e9", "witness": null)", c), "fine");
   for (const char* fields : {R"(, "id": "a%20b")", R"(, "id": "b")", R"(, "id": "")", R"(, "id": 7)", R"(, "status": "touching")",
-                             R"(, "depth": {"squared": "1"})", R"(, "bound": {"squared": "1/9"})"})
+                             R"(, "depth": {"squared": "1"})", R"(, "bound": {"squared": "1/9"})", R"(, "depth": {"squared": null})",
+                             R"(, "signed_depth": {"low": 0, "high": 1})", R"(, "signed_depth": {"low": -1, "high": 1})",
+                             R"(, "signed_depth": {"low": -1, "high": 0, "exact": {"sign": 1, "root": "1", "plus": "0"}})"})
     EXPECT_EQ(said(fields, c), "refused") << fields;
   EXPECT_EQ(said(R"(, "id": 7)", certificate("", "1 0 0", "1 1 1")), "fine");
+  EXPECT_EQ(said(R"(, "signed_depth": {"low": null, "high": -1, "exact": {"sign": -1, "root": "1", "plus": "0"}})", c), "fine");
+}
+
+// The certificate of a depth says what the signed depth is.
+TEST(CheckResult, ADepthIsSigned) {
+  Certificate c = certificate("", "1 0 0", "1 1 1");
+  c.claim = Claim::depth;
+  c.low = c.high = {c.integers.keep(2L), Integer::one()};
+  EXPECT_EQ(said(R"(, "signed_depth": {"low": 1.414, "high": 1.415, "exact": {"sign": 1, "root": "2", "plus": "0"}})", c), "fine");
+  for (const char* fields : {R"(, "signed_depth": {"low": 1.415, "high": 1.416})", R"(, "signed_depth": {"low": 1.4, "high": 1.41})",
+                             R"(, "signed_depth": {"low": -1.415, "high": -1.414})",
+                             R"(, "signed_depth": {"low": 1, "high": 2, "exact": {"sign": -1, "root": "2", "plus": "0"}})"})
+    EXPECT_EQ(said(fields, c), "refused") << fields;
+}
+
+// depth^2 is null where it is irrational; sqrt(2) + 1 squares to 3 + sqrt(8), sqrt(4) + 1/2 to 25/4, -sqrt(4) + 3 to 1.
+TEST(CheckResult, SquaresOfRoundedDepths) {
+  Certificate c = certificate("", "1 0 0", "1 1 1");
+  c.format = 2;
+  const auto of = [&](Claim claim, long cores, long radius, long over) {
+    c.claim = claim;
+    c.low = c.high = {c.integers.keep(cores), Integer::one()};
+    c.a.radius = {c.integers.keep(radius), c.integers.keep(over)};
+    c.b.radius = {};
+  };
+  const auto depth = [&](const std::string& square) { return said(R"(, "depth": {"squared": )" + square + "}", c); };
+  of(Claim::depth, 2, 1, 1);
+  EXPECT_EQ(depth("null"), "fine");
+  for (const char* square : {R"("3")", R"("2")", R"("0")", R"("9")"}) EXPECT_EQ(depth(square), "refused") << square;
+  of(Claim::depth, 4, 1, 2);
+  EXPECT_EQ(depth(R"("25/4")"), "fine");
+  for (const char* square : {R"("4")", R"("9/4")", R"("6")"}) EXPECT_EQ(depth(square), "refused") << square;
+  of(Claim::apart, 4, 3, 1);
+  EXPECT_EQ(depth(R"("1")"), "fine");
+  EXPECT_EQ(depth(R"("25")"), "refused") << "that of sqrt(4) + 3";
+  of(Claim::apart, 9, 3, 1);
+  EXPECT_EQ(depth(R"("0")"), "fine");
+  EXPECT_EQ(depth("null"), "refused");
+  EXPECT_EQ(said(R"(, "bound": {"squared": "0"})", c), "refused");
 }
 
 TEST(CheckResult, NotationsAreThoseOfCertificates) {
@@ -252,8 +293,8 @@ TEST(CheckResult, OtherKindsOfFieldsAreMalformed) {
   for (const std::string& fields :
        std::vector<std::string>{R"(, "id": true)", R"(, "id": null)", R"(, "status": null)", R"(, "status": 1)", R"(, "depth": "0")",
                                 R"(, "depth": null)", R"(, "depth": 0)", R"(, "depth": {"value": 1})", R"(, "depth": {"squared": 0})",
-                                R"(, "depth": {"squared": null})", R"(, "bound": "0")", R"(, "depth": {"squared": "0", "squared": "0"})",
-                                R"(, "certificate": "")", ", \"x\": \"\xff\"", ", \"\xc0\x80\": 1", ", \"x\": " + nested(64)})
+                                R"(, "bound": "0")", R"(, "depth": {"squared": "0", "squared": "0"})", R"(, "certificate": "")",
+                                ", \"x\": \"\xff\"", ", \"\xc0\x80\": 1", ", \"x\": " + nested(64)})
     EXPECT_EQ(said(fields, c), "malformed") << fields;
   EXPECT_EQ(said(", \"x\": " + nested(63), c), "fine");
   Result result;

@@ -2,6 +2,8 @@
 """Shapes at the door: in cases, on the command line, and what is said of them. Answers that can be found by hand."""
 import json
 import math
+import os
+import subprocess
 import unittest
 from fractions import Fraction
 
@@ -103,6 +105,22 @@ class Shapes(CliTest):
         result = self.of(a, b)
         self.assertIn(result["status"], ("undecided", "penetrating", "disjoint", "touching"))
         self.assertLessEqual(result["signed_depth"]["low"], result["signed_depth"]["high"])
+
+    def test_every_answer_is_proved(self):
+        """A checker that shares nothing with the rest finds what each result says in its certificate."""
+        cases = self.answer("cases", "--family", "all", "--shapes", "--count", "94") + self.answer("cases", "--catalogue", "--shapes")
+        for line in cases.splitlines():
+            CASE.validate(json.loads(line))
+        results = self.run_cli("depth", "--json", "--embed-certificate", "-", stdin=cases)[1]
+        statuses = set()
+        for line in results.splitlines():
+            result = json.loads(line)
+            RESULT.validate(result)
+            statuses.add(result["status"])
+        self.assertEqual(statuses, {"penetrating", "touching", "disjoint", "undecided"})
+        done = subprocess.run([os.environ["FATHOM_CHECK"], "--results", "-"], input=results.encode(), stdout=subprocess.PIPE, check=False)
+        self.assertEqual([line for line in done.stdout.decode().splitlines() if not line.startswith("s VERIFIED ")], [])
+        self.assertEqual((done.returncode, done.stdout.count(b"\n")), (0, cases.count("\n")))
 
     def test_bad_input(self):
         good = ball(1)

@@ -83,7 +83,7 @@ class Scratch:
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
         path = pathlib.Path(self.folder.name)
-        for copied in ("tests/data", "verify"):  # what commands read
+        for copied in ("examples", "tests/data", "verify"):  # what commands read
             shutil.copytree(ROOT / copied, path / copied)
         (path / "fathom").symlink_to(EXECUTABLE)
         (path / "build").mkdir()

@@ -25,10 +25,12 @@ class Fields {
     return field->text;
   }
 
-  /// The field "squared" of an object.
-  [[nodiscard]] std::optional<mpq_class> squared(std::string_view key) const {
+  [[nodiscard]] std::optional<Result::Square> square(std::string_view key) const {
     const std::optional<Fields> fields = object(key);
-    return fields ? std::optional(fields->rational("squared")) : std::nullopt;
+    if (!fields) return std::nullopt;
+    const Json* const squared = fields->object_->field("squared", line_);
+    if (squared && squared->kind == Json::Kind::null) return Result::Square{};
+    return Result::Square{fields->rational("squared")};
   }
 
   [[nodiscard]] std::optional<Result::SignedDepth> signed_depth(std::string_view key) const {
@@ -100,13 +102,37 @@ mpq_class squared(const mpq_class& x) { return x * abs(x); }
 
 /// How x compares with the signed depth, of which this bound was proved.
 int compare_with(const mpq_class& x, const Certificate& c, const Rational& bound) {
-  return is_exact(c) ? cmp(squared(x - radii(c)), squared_of_cores(c)) : cmp(x, value(bound));
+  if (is_exact(c)) return cmp(squared(x - radii(c)), squared_of_cores(c));
+  return c.claim == Claim::bounds ? cmp(squared(x), value(bound)) : cmp(x, value(bound));
 }
 
 bool is_proved(const Result::Exact& exact, const Certificate& c) {
   if (exact.root < 0 || (exact.sign == 0) != (exact.root == 0)) return false;
   if (is_exact(c)) return exact.sign * exact.root == squared_of_cores(c) && exact.plus == radii(c);
-  return exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
+  return c.claim == Claim::signed_bounds && exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
+}
+
+/// Whether the root of `square` is the signed depth that is proved. If it is root + rho, the square is square(root) + 2 rho root + rho^2: so
+/// it must be (square + rho^2 - square(root)) / (2 rho).
+bool is_square_of_depth(const mpq_class& square, const Certificate& c) {
+  if (!is_exact(c)) return value(c.low) == value(c.high) && square == value(c.low) * value(c.low);
+  const mpq_class rho = radii(c), cores = squared_of_cores(c);
+  if (rho == 0) return square == cores;
+  const mpq_class depth = (square + rho * rho - abs(cores)) / (2 * rho);
+  return depth * depth == square && sgn(depth - rho) == sgn(cores);
+}
+
+/// Whether the result's depth is that of a certificate of format 2: 0 unless the bodies penetrate, and then null or its square.
+bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
+  const std::string_view state = status(c);
+  if (state == "penetrating") return !square || is_square_of_depth(*square, c);
+  return state == "undecided" ? !square : square && *square == 0;
+}
+
+/// `disjoint` proves that the signed depth is negative, and nothing else.
+bool is_negative(const Result::SignedDepth& depth) {
+  return (!depth.low || *depth.low < 0) && (!depth.high || *depth.high <= 0) &&
+         (!depth.exact || (depth.exact->sign == -1 && depth.exact->root > 0));
 }
 
 }  // namespace
@@ -122,8 +148,8 @@ void read_result(std::string_view text, std::size_t line, Result& result) {
   if (!certificate) throw malformed(line, "expected a field 'certificate', found none");
   result.certificate = *certificate;
   result.status = fields.text("status");
-  result.depth_squared = fields.squared("depth");
-  result.bound_squared = fields.squared("bound");
+  result.depth = fields.square("depth");
+  result.bound = fields.square("bound");
   result.signed_depth = fields.signed_depth("signed_depth");
 }
 
@@ -133,18 +159,22 @@ void compare(const Result& result, const Certificate& c) {
   };
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id, "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");
-  if (c.format == 2) {
-    demand(!result.depth_squared && !result.bound_squared, "a certificate of format 2 proves a signed depth: the result has another one");
-    if (!result.signed_depth) return;
+  if (result.signed_depth && c.claim == Claim::disjoint) {
+    demand(is_negative(*result.signed_depth), "the result's signed depth is not negative, the bodies are disjoint");
+  } else if (result.signed_depth) {
     const auto& [low, high, exact] = *result.signed_depth;
     demand(!low || compare_with(*low, c, c.low) <= 0, "the result's signed depth is above what the certificate proves");
     demand(!high || compare_with(*high, c, c.high) >= 0, "the result's signed depth is below what the certificate proves");
-    return demand(!exact || is_proved(*exact, c), "the result's exact signed depth is another than the certificate's");
+    demand(!exact || is_proved(*exact, c), "the result's exact signed depth is another than the certificate's");
+  }
+  if (c.format == 2) {
+    demand(!result.depth || is_depth(result.depth->value, c), "the result's depth is another than the certificate's");
+    return demand(!result.bound, "the result has a bound, which goes with format 1");
   }
   const mpq_class low = value(c.low), high = value(c.high);
-  demand(!result.depth_squared || *result.depth_squared == high, "the result's depth is another than the certificate's");
-  demand(!result.bound_squared || *result.bound_squared == low, "the result's bound is another than the certificate's");
-  demand(!result.depth_squared || result.bound_squared || low == high, "the result has a depth, the certificate proves bounds only");
+  demand(!result.depth || result.depth->value == high, "the result's depth is another than the certificate's");
+  demand(!result.bound || result.bound->value == low, "the result's bound is another than the certificate's");
+  demand(!result.depth || result.bound || low == high, "the result has a depth, the certificate proves bounds only");
 }
 
 }  // namespace fathom_check

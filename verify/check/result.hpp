@@ -16,7 +16,11 @@ namespace fathom_check {
 struct Result {
   std::string certificate;
   std::optional<std::string> id, status;
-  std::optional<mpq_class> depth_squared, bound_squared;
+  /// The field "squared" of a field that is there; absent if it is null.
+  struct Square {
+    std::optional<mpq_class> value;
+  };
+  std::optional<Square> depth, bound;
 
   /// sign sqrt(root) + plus.
   struct Exact {
@@ -33,7 +37,7 @@ struct Result {
 /// Throws Fault (malformed); the id may have been read by then.
 void read_result(std::string_view text, std::size_t line, Result& result);
 
-/// Throws Fault (refused) unless id, status, and depth and bound or signed depth are those of the certificate.
+/// Throws Fault (refused) unless id, status, depth, bound and signed depth are those of the certificate.
 void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check
