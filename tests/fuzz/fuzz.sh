@@ -31,7 +31,8 @@ with_a_first_byte() {
 rm -rf found corpus
 with_a_first_byte corpus/mesh "$root"/tests/data/wedge*
 mapfile -t cases < <(find "$root/tests/data" -maxdepth 1 -name '*.json*' -size -20k)
-with_a_first_byte corpus/cases "${cases[@]}"
+with_a_first_byte corpus/cases "${cases[@]}" "$root/examples/shapes.jsonl"
+mkdir -p corpus/check && cp "$root"/tests/fuzz/corpus/check/* "$root"/tests/data/certificates/format_2/* corpus/check
 
 run() {
   local target=$1 corpus=$2
@@ -39,6 +40,6 @@ run() {
   "build/tests/fuzz/$target" -max_total_time="$seconds" -seed=1 -max_len=4096 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 \
     "found/$target" "$corpus" || exit 1
 }
-run check_fuzz "$root/tests/fuzz/corpus/check"
+run check_fuzz corpus/check
 run mesh_fuzz corpus/mesh
 run cases_fuzz corpus/cases
