@@ -32,7 +32,7 @@ bool Estimates::perhaps_met(double low, double high) const {
 
 unsigned Estimates::precision(double gap) const {
   if (!(gap > 0x1p-44)) return fine_;
-  return static_cast<unsigned>(std::clamp(6L - std::ilogb(gap), 8L, static_cast<long>(fine_)));
+  return static_cast<unsigned>(std::min(std::max(6L - std::ilogb(gap), 8L), static_cast<long>(fine_)));  // few bits may be asked for
 }
 
 Growth::Corner Growth::corner(polytope::Difference d) const { return {d, oracle_[d], kernels::image(oracle_[d], oracle_.exponent())}; }
