@@ -71,7 +71,7 @@ ShapeAnswer shape_answer_to(const Case& single, const Request& request, Monitor&
   const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
     throw InputError(single.id, 0, "expected one half-space at most, found two: they have no depth");
-  ShapeAnswer answer{single.id, signed_depth(a, b, options), is_flat(a), is_flat(b)};
+  ShapeAnswer answer{single.id, signed_depth(a, b, options), {is_flat(a), is_flat(b)}};
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(a, b, answer.depth, single.id, ShapeFormat::shortest, &monitor);
   return answer;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "cli/output/answer.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
@@ -30,7 +31,7 @@ const Penetration* of_cores(const SignedDepth& depth) {
 }
 
 std::string_view method_of(const SignedDepth& depth) {
-  if (const Depth* const cores = std::get_if<Depth>(&depth.core)) return cores->method ? name(*cores->method) : "shallow";
+  if (const Depth* const cores = std::get_if<Depth>(&depth.core)) return method_name(*cores);
   return std::holds_alternative<PlaneSupport>(depth.core) ? "support" : "enclosure";
 }
 
@@ -110,10 +111,6 @@ std::string undecided_text(const SignedDepth& depth) {
   return fmt::format("from {} to {}: deep if positive, apart if negative", depth.low_binary64(), depth.high_binary64());
 }
 
-std::string flat_text(const ShapeAnswer& answer) {
-  return answer.flat_a && answer.flat_b ? "A and B" : answer.flat_a ? "A" : answer.flat_b ? "B" : "";
-}
-
 void add_length(std::vector<Row>& rows, const SignedDepth& depth, const Request& request) {
   const std::optional<Status> status = depth.status();
   if (!status) {
@@ -166,7 +163,7 @@ std::string shape_json(const ShapeAnswer& answer, const Request& request) {
   if (request.optima) result["optima_count"] = cores ? cores->optima.size() + cores->unlisted : translations.size();
   if (depth.cone) result["optimal_cone"] = cone_object(*depth.cone);
   if (depth.status() == Status::disjoint) result["distance"] = distance_object(depth, translations, request.digits);
-  result["flat"] = flat_array({answer.flat_a, answer.flat_b});
+  result["flat"] = flat_array(answer.facts);
   result["method"] = method_of(depth);
   if (request.embed_certificate) result["certificate"] = answer.certificate;
   return result.text();
@@ -177,7 +174,7 @@ std::string shape_block(const ShapeAnswer& answer, const Request& request) {
   add_length(rows, answer.depth, request);
   add_places(rows, answer.depth);
   rows.emplace_back("method", method_of(answer.depth));
-  if (const std::string flat = flat_text(answer); !flat.empty()) rows.emplace_back("flat", flat);
+  if (const std::string flat = flat_text(answer.facts); !flat.empty()) rows.emplace_back("flat", flat);
   return aligned(std::string(status_name(answer.depth)), rows);
 }
 

@@ -13,7 +13,7 @@ namespace fathom::cli {
 struct ShapeAnswer {
   std::string id;
   SignedDepth depth;
-  bool flat_a = false, flat_b = false;
+  BodyFacts facts = {};          ///< which bodies are flat
   std::string certificate = {};  ///< as text, if one is requested
 };
 

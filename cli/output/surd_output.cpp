@@ -9,6 +9,7 @@
 #include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/surd.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::cli {
@@ -16,17 +17,10 @@ namespace {
 
 constexpr std::size_t beyond_binary64_digits = 17;
 
-/// The root of a rational that is a square.
-std::optional<mpq_class> rational_root(const mpq_class& square) {
-  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
-  return mpq_class(sqrt(square.get_num()), sqrt(square.get_den()));
-}
-
 /// The value as a rational, if it is one.
 std::optional<mpq_class> rational(const Surd& value) {
-  const std::optional<mpq_class> root = rational_root(abs(value.root));
-  if (!root) return std::nullopt;
-  return value.rational + sgn(value.root) * *root;
+  const std::optional<mpq_class> root = kernels::rational_root(value.root);
+  return root ? std::optional<mpq_class>(value.rational + *root) : std::nullopt;
 }
 
 std::optional<mpq_class> rational_square(const Surd& value) {
@@ -42,7 +36,7 @@ Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + 
 /// length n/|n|, if that is rational.
 std::optional<Point> along(const Vector& n, const mpq_class& length) {
   if (length == 0) return Point{};
-  const std::optional<mpq_class> size = rational_root(mpq_class(dot(n, n)));
+  const std::optional<mpq_class> size = kernels::rational_root(mpq_class(dot(n, n)));
   return size ? std::optional(scaled(n, length / *size)) : std::nullopt;
 }
 

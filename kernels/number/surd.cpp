@@ -15,14 +15,6 @@ namespace {
 
 long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
-/// The signed root if it is rational.
-std::optional<mpq_class> rational_root(const mpq_class& x) {
-  const mpz_class n = abs(x.get_num());
-  if (!mpz_perfect_square_p(n.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
-  const mpq_class root = ratio(sqrt(n), sqrt(x.get_den()));
-  return sgn(x) < 0 ? mpq_class(-root) : root;
-}
-
 /// value * 2^exponent.
 mpq_class shifted(const mpz_class& value, long exponent) {
   mpq_class result(value);
@@ -70,6 +62,13 @@ auto rounded(const Surd& value, const Round& round) {
 }
 
 }  // namespace
+
+std::optional<mpq_class> rational_root(const mpq_class& x) {
+  const mpz_class n = abs(x.get_num());
+  if (!mpz_perfect_square_p(n.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
+  const mpq_class root = ratio(sqrt(n), sqrt(x.get_den()));
+  return sgn(x) < 0 ? mpq_class(-root) : root;
+}
 
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y) {
   const int a = sgn(rational), b = sgn(mpq_class(x + y));  // the signed root is increasing and odd

@@ -5,9 +5,14 @@
 
 #include <gmpxx.h>
 
+#include <optional>
+
 #include "fathom/numbers.hpp"
 
 namespace fathom::kernels {
+
+/// Returns the signed root of x, if it is rational.
+std::optional<mpq_class> rational_root(const mpq_class& x);
 
 /// Returns the exact sign of rational + signed root of x + signed root of y.
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y);

@@ -2,10 +2,9 @@
 #include "reference/curved/goal.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/surd.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -18,13 +17,6 @@ mpq_class root(const mpq_class& x, long exponent, bool up) {
   mpz_sqrtrem(result.get_mpz_t(), rest.get_mpz_t(), whole.get_mpz_t());
   if (up && rest != 0) ++result;
   return shifted(mpq_class(result), -exponent);
-}
-
-std::optional<mpq_class> rational_root(const mpq_class& x) {
-  const mpz_class numerator = abs(x.get_num());
-  if (!mpz_perfect_square_p(numerator.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
-  const mpq_class result = kernels::ratio(sqrt(numerator), sqrt(x.get_den()));
-  return sgn(x) < 0 ? mpq_class(-result) : result;
 }
 
 }  // namespace
@@ -64,12 +56,12 @@ mpq_class Goal::from_above(const mpq_class& x) const {
 }
 
 mpq_class Goal::exact_or_below(const mpq_class& x) const {
-  const auto exact = rational_root(x);
+  const auto exact = kernels::rational_root(x);
   return exact ? mpq_class(rho_ + *exact) : from_below(x);
 }
 
 mpq_class Goal::exact_or_above(const mpq_class& x) const {
-  const auto exact = rational_root(x);
+  const auto exact = kernels::rational_root(x);
   return exact ? mpq_class(rho_ + *exact) : from_above(x);
 }
 

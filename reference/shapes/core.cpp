@@ -10,6 +10,7 @@
 
 #include "kernels/number/dyadic.hpp"
 #include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/surd.hpp"
 
 namespace fathom::shapes {
 namespace {
@@ -65,8 +66,7 @@ std::optional<mpq_class> round_radius(const Atom& atom) {
   const mpq_class square = product(u, u);
   if (product(v, v) != square || product(w, w) != square) return std::nullopt;
   if (product(u, v) != 0 || product(v, w) != 0 || product(w, u) != 0) return std::nullopt;
-  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
-  return mpq_class(sqrt(square.get_num()), sqrt(square.get_den()));
+  return kernels::rational_root(square);
 }
 
 // False if the number is no such one, or not in lowest terms.
