@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <set>
 
+#include "kernels/point_products.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 
 namespace fathom::certificate {
 namespace {
 
-mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
-
-mpq_class product(const Point& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
-
 Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-Point cross_product(const Point& p, const Point& q) { return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x}; }
 
 class Check {
  public:

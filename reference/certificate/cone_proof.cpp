@@ -8,14 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/point_products.hpp"
 #include "kernels/vector.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom::certificate {
 namespace {
-
-mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
 
 Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "fathom/numbers.hpp"
+#include "kernels/point_products.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/certificate/cone_proof.hpp"
@@ -12,8 +13,6 @@
 
 namespace fathom::certificate {
 namespace {
-
-mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
 
 Point plus(const Point& p, const mpq_class& s, const Point& q) { return {p.x + s * q.x, p.y + s * q.y, p.z + s * q.z}; }
 

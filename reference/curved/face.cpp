@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/number/ratio.hpp"
+#include "kernels/point_products.hpp"
 #include "reference/curved/nearest.hpp"
 
 namespace fathom::curved {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr unsigned face_fine = 20;  // 2^-20: points inside a face need not be near its boundary
 constexpr std::size_t most_face_calls = 60;
-
-mpq_class product(const Vector& n, const Point& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
 
 Point moved(const Point& p, const mpq_class& factor, const Vector& n) {
   return {p.x + factor * n.x, p.y + factor * n.y, p.z + factor * n.z};

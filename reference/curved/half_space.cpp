@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "kernels/point_products.hpp"
 #include "reference/curved/assembly.hpp"
 
 namespace fathom::curved {
@@ -17,8 +18,6 @@ mpq_class factor_of(const Point& m) {
   result.canonicalize();
   return result;
 }
-
-mpq_class product(const Vector& n, const Point& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
 
 // The point of a term that reaches its height exactly.
 AtomPoint reaching(const Term& term, const Vector& n, const mpq_class& height) {

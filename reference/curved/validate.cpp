@@ -5,16 +5,15 @@
 #include <set>
 #include <span>
 
+#include "kernels/point_products.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 
 namespace fathom::curved {
 namespace {
 
-mpq_class product(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 Point times(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
 Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Point cross_product(const Point& p, const Point& q) { return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x}; }
 // The square with the sign.
 mpq_class square(const mpq_class& q) { return q * abs(q); }
 

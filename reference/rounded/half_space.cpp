@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rounded/half_space.hpp"
 
+#include "kernels/point_products.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::rounded {
 namespace {
-
-mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
 
 // A point of the sum with the least <u,p>; in each term the first one.
 Point lowest_point(std::span<const Term> terms, const Vector& u) {

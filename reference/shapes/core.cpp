@@ -11,13 +11,12 @@
 #include "kernels/number/dyadic.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/surd.hpp"
+#include "kernels/point_products.hpp"
 
 namespace fathom::shapes {
 namespace {
 
 bool is_origin(const Point& p) { return p == Point{}; }
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
 Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "kernels/filters/greatest.hpp"
+#include "kernels/point_products.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -50,8 +51,6 @@ struct Rounded {
     return {truncated(p.x - origin.x, shift), truncated(p.y - origin.y, shift), truncated(p.z - origin.z, shift)};
   }
 };
-
-mpq_class product(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
 
 // Of the listed points, those that maximise <u, p>.
 std::vector<std::uint32_t> extreme_among(std::span<const Point> body, const Vector& u, std::span<const std::uint32_t> listed) {
