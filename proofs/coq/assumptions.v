@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations rounded curved.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps.
 From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound.
 
 Print Assumptions check_sound.
@@ -28,6 +28,9 @@ Print Assumptions cubes_verdict.
 Print Assumptions forgeries_refused.
 Print Assumptions signed_verdict_sound.
 Print Assumptions theorem_R.
+Print Assumptions signed_depth_exists.
+Print Assumptions gaps_meet.
+Print Assumptions shortest_translation.
 Print Assumptions R_least.
 Print Assumptions R_most.
 Print Assumptions signed_depth_unique.

@@ -3,7 +3,7 @@
    be parted.  Definitions only: with meaning.v to be read and believed. *)
 Require Import Reals List.
 From Fathom.checker Require Import body.
-From Fathom.geometry Require Import meaning.
+From Fathom.geometry Require Import limits meaning.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -28,10 +28,19 @@ Definition in_core (c : core pt R) : pt -> Prop :=
   | Half_space n d => fun x => dot n x <= d
   end.
 
+(* the bodies that have a depth: no hull is one of nothing, and at most one core is a half-space *)
+Definition bounded_core (c : core pt R) : Prop :=
+  match c with Points L => L <> [] | Terms ts => Forall (fun t => t <> []) ts | Half_space _ _ => False end.
+Definition half_space_core (c : core pt R) : Prop := exists n d, c = Half_space n d /\ n <> origin.
+Definition comparable (c d : core pt R) : Prop :=
+  (bounded_core c /\ bounded_core d) \/ (bounded_core c /\ half_space_core d) \/ (half_space_core c /\ bounded_core d).
+
 Definition in_body (b : body pt R) : pt -> Prop := thick (in_core (core_of b)) (radius b).
 (* b - a for all points of the two bodies; O is among them exactly if the bodies meet *)
 Definition gaps (A B : body pt R) : pt -> Prop := difference_of (in_body B) (in_body A).
 Definition core_gaps (A B : body pt R) : pt -> Prop := difference_of (in_core (core_of B)) (in_core (core_of A)).
+(* A moved by t has a point in common with B *)
+Definition moved_meets (A B : body pt R) (t : pt) : Prop := exists p, translate (in_body A) t p /\ in_body B p.
 
 (* ---- signed depth: the distance from O to what is outside of S; or minus the distance from O to S ---- *)
 Definition at_least (S : pt -> Prop) (x : R) : Prop :=
@@ -44,8 +53,10 @@ Definition signed_depth (S : pt -> Prop) (v : R) : Prop := at_least S v /\ at_mo
 (* wherever there is a signed depth, it is between them *)
 Definition signed_depth_in (S : pt -> Prop) (lo hi : R) : Prop := at_least S lo /\ at_most S hi.
 
+(* the number y >= 0 with y y = x, for x >= 0; the type of root_exists says that there is one *)
+Definition root (x : R) : R := match Rle_dec 0 x with left H => proj1_sig (root_exists x H) | right _ => 0 end.
 (* the root of |x| with the sign of x *)
-Definition signed_root (x : R) : R := if Rle_dec 0 x then sqrt x else - sqrt (- x).
+Definition signed_root (x : R) : R := if Rle_dec 0 x then root x else - root (- x).
 
 (* ---- status ---- *)
 Definition overlap (S : pt -> Prop) : Prop := interior S origin.

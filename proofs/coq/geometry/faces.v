@@ -145,12 +145,4 @@ Section Poly.
     - apply (hull_seg S _ _ t s' s X X'); simpl; try lra.
   Qed.
 
-  Lemma ball_below : forall Fs q,
-    (forall f, In f Fs -> 0 < off f /\ q * norm2 (nrm f) <= off f * off f) ->
-    forall x, norm2 x < q -> below Fs x.
-  Proof.
-    intros Fs q H x Hx f Hf. destruct (H _ Hf) as [C0 C1].
-    assert (C2 := cauchy (nrm f) x). assert (N0 := norm2_nonneg (nrm f)). assert (N1 := norm2_nonneg x).
-    destruct (Rle_dec (dot (nrm f) x) (off f)) as [L|L]; auto. exfalso. nra.
-  Qed.
 End Poly.

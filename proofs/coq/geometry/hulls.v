@@ -10,8 +10,6 @@ Lemma hull_convex : forall S, convex (hull S).
 Proof. intros S u v l Hl Hu Hv C HC HS. apply HC; [auto|apply Hu|apply Hv]; auto. Qed.
 Lemma hull_mono : forall (S T : pt -> Prop) p, (forall s, S s -> T s) -> hull S p -> hull T p.
 Proof. intros S T p H Hp. apply Hp. apply hull_convex. intros; apply hull_in; auto. Qed.
-Lemma hull_hull : forall (S T : pt -> Prop) p, (forall s, S s -> hull T s) -> hull S p -> hull T p.
-Proof. intros S T p H Hp. apply Hp; auto. apply hull_convex. Qed.
 
 (* a convex combination of three points, unnormalised *)
 Lemma hull3 : forall S u v w x a b c d,
@@ -49,23 +47,6 @@ Lemma hull_seg : forall S u v x a b,
   hull S x.
 Proof.
   intros. apply (hull3 S u v v x a b 0 (a+b)); auto; lra.
-Qed.
-
-(* an open ball lies in the interior of whatever contains it *)
-Lemma ball_interior : forall (S : pt -> Prop) q t,
-  (forall s, norm2 s < q -> S s) -> norm2 t < q -> interior S t.
-Proof.
-  intros S q t HS Ht.
-  assert (N0 := norm2_nonneg t).
-  assert (L : sqrt (norm2 t) < sqrt q) by (apply sqrt_lt_1_alt; lra).
-  exists (sqrt q - sqrt (norm2 t)). split; [lra|].
-  intros s Hs. apply HS.
-  assert (D : sqrt (norm2 (sub s t)) < sqrt q - sqrt (norm2 t)).
-  { rewrite <- (sqrt_square (sqrt q - sqrt (norm2 t))) by lra.
-    apply sqrt_lt_1_alt. split; [apply norm2_nonneg|auto]. }
-  assert (T := norm2_triangle (sub s t) t).
-  replace (add (sub s t) t) with s in T by (pteq; ring).
-  apply sqrt_lt_0_alt. lra.
 Qed.
 
 (* a half-space bound keeps its boundary points out of the interior *)

@@ -30,10 +30,6 @@ Proof. intros L n p q [Ip Ep] [Iq Eq]. specialize (Ep q Iq). specialize (Eq p Ip
 Lemma extreme_exists : forall L n, L <> [] -> exists p, extreme L n p.
 Proof. intros L n H. destruct (greatest_exists (fun p => dot n p) L H) as (m & Hm & M). exists m. split; auto. Qed.
 
-Lemma cross_bilinear : forall a b c d, cross (sub a b) (sub c d) =
-  add (sub (cross a c) (cross b c)) (sub (cross b d) (cross a d)).
-Proof. intros. pteq; ring. Qed.
-
 Lemma cross_swap : forall u v, cross u v <> origin -> cross v u <> origin.
 Proof. intros u v H E. apply H. assert (F : cross u v = scal (-1) (cross v u)) by (pteq; ring). rewrite F, E. pteq; ring. Qed.
 

@@ -100,11 +100,6 @@ Section Claims.
     intros n t. split; [|apply foot_scal; auto]. intros H.
     apply (foot_scal _ _ (/ k)) in H; auto. rewrite !map_scal_inv, scal_inv' in H by lra. auto.
   Qed.
-  Lemma facet_direction_scal_iff : forall n, facet_direction (scaled k A) (scaled k B) n <-> facet_direction A B n.
-  Proof.
-    intros n. split; [|apply facet_direction_scal; auto]. intros H.
-    apply (facet_direction_scal _ _ (/ k)) in H; auto. rewrite !map_scal_inv in H by lra. auto.
-  Qed.
 
   Lemma depth_scal : forall q, depth2_is A B q -> depth2_is (scaled k A) (scaled k B) (k * k * q).
   Proof.

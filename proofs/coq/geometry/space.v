@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Algebra of points: determinants, Cauchy-Schwarz, the triangle inequality. *)
+(* Algebra of points: determinants, Cauchy-Schwarz. *)
 Require Import Reals Lra Psatz List.
 From Fathom.geometry Require Import meaning.
 Open Scope R_scope.
@@ -9,7 +9,6 @@ Definition det (u v w : pt) : R := dot u (cross v w).
 Lemma pt_eq : forall u v, px u = px v -> py u = py v -> pz u = pz v -> u = v.
 Proof. intros [] []; simpl; intros; subst; reflexivity. Qed.
 Ltac pteq := apply pt_eq; simpl.
-
 
 Lemma scal_scal : forall a b u, scal a (scal b u) = scal (a * b) u.
 Proof. intros. pteq; ring. Qed.
@@ -39,25 +38,6 @@ Qed.
 
 Lemma norm2_nonneg : forall u, 0 <= norm2 u.
 Proof. intros [a b c]; unfold norm2, dot; simpl; nra. Qed.
-
-Lemma norm2_triangle : forall u v, sqrt (norm2 (add u v)) <= sqrt (norm2 u) + sqrt (norm2 v).
-Proof.
-  intros u v.
-  assert (Hu := norm2_nonneg u). assert (Hv := norm2_nonneg v).
-  assert (Su := sqrt_pos (norm2 u)). assert (Sv := sqrt_pos (norm2 v)).
-  apply Rsqr_incr_0; [| apply sqrt_pos | lra].
-  rewrite Rsqr_sqrt by apply norm2_nonneg.
-  rewrite Rsqr_plus. rewrite !Rsqr_sqrt by auto.
-  assert (E : norm2 (add u v) = norm2 u + norm2 v + 2 * dot u v)
-    by (destruct u, v; unfold norm2, dot, add; simpl; ring).
-  rewrite E.
-  assert (dot u v <= sqrt (norm2 u) * sqrt (norm2 v)).
-  { rewrite <- sqrt_mult by auto. apply Rle_trans with (Rabs (dot u v)); [apply Rle_abs|].
-    rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. apply cauchy. }
-  lra.
-Qed.
-
-
 Lemma norm2_zero : forall u, norm2 u = 0 -> u = origin.
 Proof.
   intros [a b c] H. unfold norm2, dot in H; simpl in H.

@@ -2,7 +2,7 @@
 (* An accepted cone is the set of all u with h(u) = 0. *)
 Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence table polytope support certificate cone.
-From Fathom.geometry Require Import meaning bodies space hulls difference rounded cones.
+From Fathom.geometry Require Import meaning bodies space norm hulls difference spans cones cones_many.
 From Fathom.soundness Require Import statement booleans upper lower optima.
 Import ListNotations.
 Open Scope R_scope.

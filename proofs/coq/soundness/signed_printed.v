@@ -38,5 +38,5 @@ Definition says_signed (A B : body pt R) (s : signed_statement) : Prop :=
              /\ (0 < value rho -> forall t, way_out (gaps A B) (value rho) t <-> norm2 t = value rho * value rho /\ polar (core_gaps A B) t)
          | None => True
          end
-  | Root_between st lo hi => signed_depth_in (gaps A B) (value lo) (value hi) /\ status_holds (gaps A B) st
+  | Root_between st lo hi => (exists v, signed_depth (gaps A B) v /\ value lo <= v <= value hi) /\ status_holds (gaps A B) st
   end.

@@ -2,7 +2,7 @@
 (* Format 2: the two sides of a claim, in units of 1/scale.  The height is beyond P; what the proof names is inside. *)
 Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence table polytope support certificate body signed.
-From Fathom.geometry Require Import meaning bodies space hulls flats difference minkowski scaling rounded curved.
+From Fathom.geometry Require Import meaning bodies space norm hulls flats difference minkowski scaling signed_depth curved units.
 From Fathom.soundness Require Import statement booleans upper lower.
 Import ListNotations.
 Open Scope R_scope.
@@ -10,9 +10,6 @@ Open Scope R_scope.
 Notation in_zcore c := (in_core (map_core inj IZR c)).
 (* b - a for points of two cores *)
 Definition zgaps (A B : zcore) : pt -> Prop := difference_of (in_zcore B) (in_zcore A).
-
-Lemma zgaps_convex : forall A B, convex (zgaps A B).
-Proof. intros. apply difference_of_convex; apply in_core_convex. Qed.
 
 Lemma IZR_signed_square : forall x, IZR (signed_square x) = signed_sqr (IZR x).
 Proof. intros. unfold signed_square, signed_sqr. rewrite mult_IZR, abs_IZR. auto. Qed.
@@ -148,6 +145,32 @@ Proof.
   rewrite !signed_sqr_scal; nra.
 Qed.
 
+(* a height is of bodies that have a depth *)
+Lemma reach_kind : forall s c unit hs h d, reach s c unit hs = Some (h, d) ->
+  bounded_core (map_core inj IZR c) \/ half_space_core (map_core inj IZR c) /\ exists n o, c = Half_space n o.
+Proof.
+  intros s [L|ts|n o] unit hs h d H; simpl in H; simpl.
+  - left. rewrite each_map. destruct L; discriminate.
+  - left. rewrite each_map. destruct ts as [|t0 ts0]; [discriminate|].
+    destruct (0 <? unit)%Z; [|discriminate]. assert (K : all_tall s unit (t0 :: ts0) hs = true).
+    { destruct (all_tall s unit (t0 :: ts0) hs) eqn:E; auto. discriminate. }
+    clear H. generalize dependent (t0 :: ts0). clear t0 ts0. intros ts K. revert hs K.
+    induction ts as [|t ts IH]; intros hs K; constructor; destruct hs as [|k hs]; try discriminate; simpl in K.
+    + rewrite each_map. destruct t; discriminate.
+    + apply (IH hs). destruct (match t with [] => false | _ => forallb (tall s unit k) t end); [auto|discriminate].
+  - right. destruct (same_sense n s) eqn:E; [|discriminate]. split; [|eauto]. exists (inj n), (IZR o). split; auto.
+    apply (same_sense_multiple n s E).
+Qed.
+
+Lemma height_within_comparable : forall A B H x y n, height_within A B H x y n = true ->
+  match A, B with Half_space _ _, Half_space _ _ => False | _, _ => True end -> comparable (map_core inj IZR A) (map_core inj IZR B).
+Proof.
+  intros A B [unit HA HB] x y n K One. unfold height_within, outer_height, sum_of_fractions in K. simpl in K.
+  destruct (reach n B unit HB) as [[g e]|] eqn:EB; [|discriminate]. destruct (reach (zneg n) A unit HA) as [[k f]|] eqn:EA; [|discriminate].
+  apply reach_kind in EB. apply reach_kind in EA. unfold comparable.
+  destruct EA as [PA|[PA (na & oa & ->)]], EB as [PB|[PB (nb & ob & ->)]]; auto.
+Qed.
+
 (* ---- the inner side ---- *)
 Lemma place_sound : forall unit ts l p q (S : pt -> Prop), (0 < unit)%Z -> place unit (map numbered ts) l p = Some q ->
   S (scal (/ IZR unit) (inj p)) -> sum_of S (in_terms (map (map (map_atom inj)) ts)) (scal (/ IZR unit) (inj q)).
@@ -258,9 +281,9 @@ Lemma greatest_attained : forall s L h, greatest s L = Some h -> exists p, In p 
 Proof. intros s L h H. apply greatest_spec in H. destruct H as [(v & Iv & E) _]. exists v. rewrite <- dot_inj, E. auto. Qed.
 
 (* the core is no half-space *)
-Definition bounded_core (c : zcore) : Prop := match c with Half_space _ _ => False | _ => True end.
+Definition no_half_space (c : zcore) : Prop := match c with Half_space _ _ => False | _ => True end.
 
-Lemma inner_reach_point : forall c s k q g e, (0 < k)%Z -> bounded_core c -> (forall L, q = Some L -> inside c k L) ->
+Lemma inner_reach_point : forall c s k q g e, (0 < k)%Z -> no_half_space c -> (forall L, q = Some L -> inside c k L) ->
   inner_reach s c k q = Some (g, e) -> 0 < IZR e /\ exists p, in_zcore c p /\ dot (inj s) p = IZR g / IZR e.
 Proof.
   intros c s k q g e Hk Hc HL E. assert (Pk := IZR_pos _ Hk).
@@ -289,7 +312,7 @@ Proof.
   destruct (inner_reach (zneg n) A k pa) as [[y f]|] eqn:EA; [|discriminate]. inversion H; subst. clear H.
   assert (add_up : 0 < IZR e -> 0 < IZR f -> 0 < IZR (e * f) /\ IZR (x * f + y * e) / IZR (e * f) = IZR x / IZR e + IZR y / IZR f).
   { intros Pe Pf. rewrite mult_IZR, plus_IZR, !mult_IZR. split; [apply Rmult_lt_0_compat; auto|field; lra]. }
-  assert (K : (bounded_core A /\ exists m o, B = Half_space m o) \/ (bounded_core B /\ exists m o, A = Half_space m o)).
+  assert (K : (no_half_space A /\ exists m o, B = Half_space m o) \/ (no_half_space B /\ exists m o, A = Half_space m o)).
   { destruct A; destruct B; try discriminate; simpl; eauto. }
   destruct K as [[HA (m & o & ->)]|[HB (m & o & ->)]].
   - destruct (inner_reach_point _ _ _ _ _ _ Hk HA Ha EA) as [Pf (p & Hp & Ep)].
