@@ -47,7 +47,7 @@ CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
 ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
-APACHE = ("verify/check/", "verify/examples/")
+APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")
 NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/examples/", "examples/", "tests/", "proofs/")
 
 # The namespace of a room is called like its folder, except where a public function has that name.

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A subject that misbehaves as the first coordinate of A says, and answers about shapes with what it was told of them.
+#include <unistd.h>
+
+#include <cmath>
+#include <fathom_subject.hpp>
+#include <iostream>
+#include <limits>
+
+namespace {
+
+using fathom_subject::Body, fathom_subject::Reply, fathom_subject::Vector;
+
+Reply about_shapes(const Body& a, const Body& b) {
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = a.number.at("radius") + a.margin;
+  const auto column = static_cast<std::size_t>(a.axis - 'x');
+  reply.direction = Vector{a.rotation[0][column], a.rotation[1][column], a.rotation[2][column]};
+  reply.witness = {a.translation, b.shape.empty() ? b.vertices.back() : b.triple.at("half")};
+  return reply;
+}
+
+Reply solve(const Body& a, const Body& b) {
+  if (!a.shape.empty()) return about_shapes(a, b);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double what = a.vertices[0][0];
+  Reply reply;
+  reply.overlap = true;
+  if (what == 1) {
+    reply.depth = std::nan("");
+    reply.direction = Vector{infinity, -infinity, -0.5};
+    return reply;
+  }
+  if (what == 2) {
+    constexpr char line[] = "and one from below\n";
+    std::cout << "a stray line" << std::endl;
+    if (write(STDOUT_FILENO, line, sizeof line - 1) < 0) throw std::runtime_error("standard output is closed");
+  }
+  if (what == 3) throw std::runtime_error("no \"way\" out");
+  if (what == 4) throw fathom_subject::Unsupported("too flat");
+  if (what == 5) reply.overlap = false;
+  else reply.depth = 1.0 / 3 + static_cast<double>(a.faces.size());
+  return reply;
+}
+
+}  // namespace
+
+int main() {
+  fathom_subject::Subject subject{"trial", "7"};
+  subject.precision = "binary32";
+  subject.touching = "overlap";
+  subject.depth = "negative";
+  subject.moves = "b";
+  subject.unit = false;
+  subject.faces = true;
+  subject.shapes = {"capsule", "box", "margin"};
+  subject.promises = {"depth"};
+  subject.settings = {{"limit", "3"}};
+  return fathom_subject::run(subject, solve);
+}

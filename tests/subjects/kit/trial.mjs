@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A subject that misbehaves as the first coordinate of A says, and answers about shapes with what it was told of them.
+const { run, Unsupported } = await import(process.env.FATHOM_KIT);
+
+run((a, b) => {
+  if (a.shape) {
+    const along = a.rotation.map((row) => row['xyz'.indexOf(a.axis)]);
+    return { overlap: true, depth: a.radius + a.margin, direction: along,
+             witness: { a: a.translation, b: b.shape ? b.half : b.vertices.at(-1) } };
+  }
+  const what = a.vertices[0][0];
+  if (what === 1) return { overlap: true, depth: NaN, direction: { x: Infinity, y: -Infinity, z: -0.5 } };
+  if (what === 2) {
+    console.log('a stray line');
+    process.stdout.write('and one from below\n');
+  }
+  if (what === 3) throw new Error('no "way" out');
+  if (what === 4) throw new Unsupported('too flat');
+  return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
+}, { name: 'trial', version: '7', precision: 'binary32', touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
+     shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' } });

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A subject that misbehaves as the first coordinate of A says, and answers about shapes with what it was told of them."""
+import os
+
+import fathom_subject
+from fathom_subject import Reply, Unsupported
+
+
+def solve(a, b):
+    if a.shape:
+        along = [row["xyz".index(a.axis)] for row in a.rotation]
+        return Reply(True, a.radius + a.margin, along, (a.translation, b.half if b.shape else b.vertices[-1]))
+    what = a.vertices[0][0]
+    if what == 1:
+        return Reply(True, float("nan"), [float("inf"), float("-inf"), -0.5])
+    if what == 2:
+        print("a stray line", flush=True)
+        os.write(1, b"and one from below\n")
+    if what == 3:
+        raise ValueError('no "way" out')
+    if what == 4:
+        raise Unsupported("too flat")
+    return Reply(False) if what == 5 else Reply(True, 1 / 3 + len(a.faces))
+
+
+fathom_subject.run(solve, name="trial", version="7", precision="binary32", touching="overlap", depth="negative", moves="b", unit=False,
+                   faces=True, shapes=["capsule", "box", "margin"], promises=["depth"], settings={"limit": "3"})

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The subject kit in C++, Python and JavaScript: the same subject in each says the same, whatever goes wrong inside it. FATHOM_KIT_TRIAL is
+the one in C++; the one in JavaScript is left out where there is no node."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+KIT = ROOT / "verify/subjects/kit"
+TRIALS = ROOT / "tests/subjects/kit"
+
+SUBJECTS = {"C++": [os.environ["FATHOM_KIT_TRIAL"]], "Python": [sys.executable, "-B", TRIALS / "trial.py"]}
+if shutil.which("node"):
+    SUBJECTS["JavaScript"] = ["node", TRIALS / "trial.mjs"]
+
+POINTS = {"vertices": [[0, 0, 0], [1e-310, 1, 0], [2, 0, 0.1], [0, 0, 1.7976931348623157e+308]], "faces": [[0, 1, 2], [0, 2, 3]]}
+CAPSULE = {"shape": "capsule", "radius": 0.1, "half_length": 2, "axis": "x", "margin": 0.2,
+           "pose": {"quaternion": [2, 0, 0, 2], "translation": [1, 2, 3.25]}}
+BOX = {"shape": "box", "half": [1, 2, 3], "pose": {"quaternion": [1, 0, 0, 0], "translation": [0, 0, 0]}}
+TURNED = {"shape": "capsule", "radius": 1, "half_length": 2, "axis": "z", "pose": [[0, 0, 1, 4], [0, 1, 0, 5], [-1, 0, 0, 6]]}
+
+
+def marked(what):
+    return {"vertices": [[what, 0, 0], [1, 1, 1]]}
+
+
+class Kit(unittest.TestCase):
+    def talk(self, lines):
+        """What each subject answers, and what it prints elsewhere."""
+        text = "".join((line if isinstance(line, str) else json.dumps(line)) + "\n" for line in lines)
+        for language, command in SUBJECTS.items():
+            with self.subTest(language=language):
+                environment = {**os.environ, "PYTHONPATH": str(KIT), "FATHOM_KIT": str(KIT / "fathom_subject.mjs"), "LC_ALL": "C.UTF-8"}
+                done = subprocess.run(command, input=text, capture_output=True, text=True, env=environment, timeout=60, check=False)
+                yield done
+
+    def replies(self, *pairs):
+        lines = [{"type": "run", "id": f"x{i}", "a": a, "b": b} for i, (a, b) in enumerate(pairs)]
+        for done in self.talk([*lines, {"type": "stop"}, "never read"]):
+            self.assertEqual(done.returncode, 0, done.stderr)
+            replies = [json.loads(line) for line in done.stdout.splitlines()]
+            self.assertEqual([(r.pop("type"), r.pop("id")) for r in replies], [("reply", f"x{i}") for i in range(len(pairs))])
+            yield replies, done.stderr
+
+    def test_javascript(self):
+        if "JavaScript" not in SUBJECTS:
+            self.skipTest("no node here: the kit in JavaScript is not tested")
+
+    def test_hello(self):
+        for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}]):
+            self.assertEqual(json.loads(done.stdout),
+                             {"type": "hello", "protocol": "fathom/subject/1", "name": "trial", "version": "7", "precision": "binary32",
+                              "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False},
+                              "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
+                              "settings": {"limit": "3"}})
+
+    def test_numbers_are_kept_and_timed(self):
+        for [(reply)], _ in self.replies((POINTS, POINTS)):
+            self.assertGreater(reply.pop("microseconds"), 0)
+            self.assertEqual(reply, {"overlap": True, "depth": 1 / 3 + 2})
+
+    def test_no_number(self):
+        for [reply], _ in self.replies((marked(1), POINTS)):
+            self.assertEqual((reply["depth"], reply["direction"]), ("nan", ["inf", "-inf", -0.5]))
+
+    def test_stray_prints_go_elsewhere(self):
+        for [reply], stderr in self.replies((marked(2), POINTS)):
+            self.assertEqual(reply["depth"], 1 / 3)
+            self.assertIn("a stray line", stderr)
+            self.assertIn("and one from below", stderr)
+
+    def test_exceptions_are_answers(self):
+        for [failed, unsupported, apart], _ in self.replies((marked(3), POINTS), (marked(4), POINTS), (marked(5), POINTS)):
+            self.assertIn('no "way" out', failed["failed"])
+            self.assertEqual(unsupported, {"unsupported": "too flat"})
+            self.assertEqual((apart.pop("microseconds") > 0, apart), (True, {"overlap": False}))
+
+    def test_shapes(self):
+        for [capsule, matrix], _ in self.replies((CAPSULE, BOX), (TURNED, POINTS)):
+            self.assertAlmostEqual(capsule["depth"], 0.3)
+            for got, expected in zip(capsule["direction"], [0, 1, 0]):
+                self.assertAlmostEqual(got, expected)
+            self.assertEqual(capsule["witness"], {"a": [1, 2, 3.25], "b": [1, 2, 3]})
+            self.assertEqual((matrix["depth"], matrix["direction"]), (1, [1, 0, 0]))
+            self.assertEqual(matrix["witness"], {"a": [4, 5, 6], "b": POINTS["vertices"][-1]})
+
+    def test_what_is_no_message_ends_it(self):
+        for done in self.talk(['{"type":"run","id":"1","a":']):
+            self.assertNotEqual(done.returncode, 0)
+            self.assertEqual(done.stdout, "")
+            self.assertNotEqual(done.stderr, "")
+
+
+class Examples(unittest.TestCase):
+    """The examples are right about boxes along the axes, and certify says so."""
+
+    def test_boxes(self):
+        fathom = os.environ["FATHOM_EXECUTABLE"]
+        examples = {"C++": os.environ["FATHOM_KIT_EXAMPLE"], "Python": f"'{sys.executable}' -B '{KIT}/example.py'"}
+        if "JavaScript" in SUBJECTS:
+            examples["JavaScript"] = f"node '{KIT}/example.mjs'"
+        cases = subprocess.run([fathom, "cases", "--family", "boxes_aligned", "--count", "60"], capture_output=True, check=True).stdout
+        for language, command in examples.items():
+            with self.subTest(language=language):
+                done = subprocess.run([fathom, "certify", "--subject", command, "--json", "-"], input=cases, capture_output=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr.decode())
+                verdicts = [json.loads(line) for line in done.stdout.splitlines()]
+                passed = [v for v in verdicts if v.get("verdict") in ("pass", "touching-by-convention")]
+                self.assertEqual(len(passed), 60)
+                self.assertTrue(any(v["reply"].get("depth") for v in passed))
+
+
+if __name__ == "__main__":
+    unittest.main()

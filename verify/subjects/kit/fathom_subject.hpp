@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lets `fathom certify` put cases to your code: one function that answers a pair of bodies. Copy this file; it needs C++17 and POSIX alone.
+//
+//   int main() {
+//     return fathom_subject::run({"my library", "1.0"}, [](const fathom_subject::Body& a, const fathom_subject::Body& b) {
+//       const Hit hit = my_library::collide(a.vertices, b.vertices);
+//       return fathom_subject::Reply{hit.overlap, hit.depth, hit.normal};
+//     });
+//   }
+//
+// and then `fathom certify --subject ./my_subject cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md): lines are
+// flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its exceptions become the
+// answer `failed`, and each answer says how many microseconds it took.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <locale>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fathom_subject {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<Vector, 3>;  ///< rows
+
+/// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. docs/shapes.md says what its fields mean.
+struct Body {
+  std::vector<Vector> vertices;          ///< of a shape, only hulls and triangles have them
+  std::vector<std::vector<int>> faces;   ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
+  std::string shape;                     ///< "sphere", "cylinder", ...; empty for a body of vertices
+  std::map<std::string, double> number;  ///< of a shape: "radius", "half_length", "offset", ...
+  std::map<std::string, Vector> triple;  ///< of a shape: "half", "radii", "normal"
+  char axis = 'z';                       ///< along which a shape lies before it is placed
+  double margin = 0;                     ///< the radius of the ball that is added around a shape
+  std::optional<std::array<double, 4>> quaternion;     ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
+  Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
+  Vector translation{};
+};
+
+/// What the code under test answers. Only `overlap` is needed, and what is there is judged.
+struct Reply {
+  bool overlap = false;
+  std::optional<double> depth = {};                   ///< with the sign that is declared
+  std::optional<Vector> direction = {};               ///< moving the declared body by |depth| * direction takes the bodies apart
+  std::optional<std::array<Vector, 2>> witness = {};  ///< a point of A and one of B, which differ by that translation of A
+};
+
+/// Throw it for a pair that your code does not take: the case is not judged then. Any other exception is a failure to answer.
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Called once for each case. What it throws is an answer too.
+using Solve = std::function<Reply(const Body& a, const Body& b)>;
+
+/// What the subject declares of itself.
+struct Subject {
+  std::string name, version;               ///< of what is tested
+  std::string precision = "binary64";      ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
+  std::string touching = "either";         ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
+  std::string depth = "positive";          ///< or "negative": the sign of the depth of bodies that overlap
+  std::string moves = "a";                 ///< or "b": which body |depth| * direction moves apart
+  bool unit = true;                        ///< whether directions are promised to have length 1
+  bool faces = false;                      ///< whether bodies of vertices need faces
+  std::vector<std::string> shapes = {};    ///< that it takes, and "margin" if they may have one; others come as vertices or not at all
+  std::vector<std::string> promises = {};  ///< what each answer holds that says "overlap": "depth", "direction", "witness"
+  std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
+  std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
+};
+
+namespace details {
+
+/// A value of JSON. Of true, false and null no more is known: no message to a subject has them where it matters.
+struct Json {
+  std::optional<double> number;
+  std::string text;
+  std::vector<Json> items;                            ///< of a list
+  std::vector<std::pair<std::string, Json>> members;  ///< of an object
+
+  const Json& at(const char* name) const {
+    for (const auto& member : members)
+      if (member.first == name) return member.second;
+    throw std::invalid_argument(std::string("a message without ") + name);
+  }
+};
+
+class JsonReader {
+ public:
+  explicit JsonReader(const std::string& text) : at_(text.c_str()), end_(at_ + text.size()) {}
+
+  Json read() {
+    Json value = this->value();
+    skip_spaces();
+    if (at_ != end_) fail();
+    return value;
+  }
+
+ private:
+  [[noreturn]] static void fail() { throw std::invalid_argument("a line that is no JSON"); }
+  void skip_spaces() {
+    while (at_ != end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\r' || *at_ == '\n')) ++at_;
+  }
+  bool take(char c) {
+    skip_spaces();
+    if (at_ == end_ || *at_ != c) return false;
+    ++at_;
+    return true;
+  }
+  bool take_word(const std::string& word) {
+    if (std::string(at_, std::min(at_ + word.size(), end_)) != word) return false;
+    at_ += word.size();
+    return true;
+  }
+
+  Json value() {
+    Json json;
+    if (take('{')) {
+      if (!take('}')) members(json);
+    } else if (take('[')) {
+      if (!take(']')) items(json);
+    } else if (take('"')) {
+      json.text = text();
+    } else if (!take_word("true") && !take_word("false") && !take_word("null")) {
+      json.number = number();
+    }
+    return json;
+  }
+
+  void members(Json& json) {
+    do {
+      if (!take('"')) fail();
+      std::string name = text();
+      if (!take(':')) fail();
+      json.members.emplace_back(std::move(name), value());
+    } while (take(','));
+    if (!take('}')) fail();
+  }
+
+  void items(Json& json) {
+    do json.items.push_back(value());
+    while (take(','));
+    if (!take(']')) fail();
+  }
+
+  // Not by strtod, which takes the decimal point of the program's locale.
+  double number() {
+    const char* const begin = at_;
+    while (at_ != end_ && std::strchr("+-.0123456789eE", *at_) && *at_ != '\0') ++at_;
+    double value = 0;
+    std::istringstream text(std::string(begin, at_));
+    text.imbue(std::locale::classic());
+    if (!(text >> value) || !(text >> std::ws).eof()) fail();
+    return value;
+  }
+
+  // What is escaped stays so: names of fields and shapes never are, and an id goes back as it came.
+  std::string text() {
+    const char* const begin = at_;
+    while (at_ != end_ && *at_ != '"') at_ += *at_ == '\\' && at_ + 1 != end_ ? 2 : 1;
+    if (at_ == end_) fail();
+    return {begin, at_++};
+  }
+
+  const char *at_, *end_;
+};
+
+inline std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c >= ' ' && c <= '~' ? c : '?';  // a library's message may hold bytes that are not UTF-8
+  }
+  return result + '"';
+}
+
+/// JSON has no NaN and no infinities: they go as texts.
+inline std::string number(double x) {
+  if (std::isnan(x)) return "\"nan\"";
+  if (std::isinf(x)) return x < 0 ? "\"-inf\"" : "\"inf\"";
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << x;
+  return text.str();
+}
+
+inline std::string vector(const Vector& v) { return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']'; }
+
+inline std::string list(const std::vector<std::string>& words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : ",") + quoted(word);
+  return '[' + result + ']';
+}
+
+template <std::size_t n>
+std::array<double, n> numbers(const Json& from) {
+  if (from.items.size() != n) throw std::invalid_argument("a list of another length than " + std::to_string(n));
+  std::array<double, n> result{};
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!from.items[i].number) throw std::invalid_argument("a list that is not of numbers");
+    result[i] = *from.items[i].number;
+  }
+  return result;
+}
+
+/// The matrix of v -> q v q^-1.
+inline Matrix rotation_of(const std::array<double, 4>& q) {
+  double largest = 0;
+  for (const double c : q) largest = std::fmax(largest, std::fabs(c));
+  const double w = q[0] / largest, x = q[1] / largest, y = q[2] / largest, z = q[3] / largest, s = 2 / (w * w + x * x + y * y + z * z);
+  return {{{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
+           {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)},
+           {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
+}
+
+inline void place(const Json& pose, Body& body) {
+  if (!pose.members.empty()) {
+    body.quaternion = numbers<4>(pose.at("quaternion"));
+    body.rotation = rotation_of(*body.quaternion);
+    body.translation = numbers<3>(pose.at("translation"));
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<double, 4> row = numbers<4>(pose.items.at(i));
+    body.rotation[i] = {row[0], row[1], row[2]};
+    body.translation[i] = row[3];
+  }
+}
+
+inline Body body_of(const Json& from) {
+  Body body;
+  for (const auto& [name, value] : from.members) {
+    if (name == "vertices") {
+      for (const Json& vertex : value.items) body.vertices.push_back(numbers<3>(vertex));
+    } else if (name == "faces") {
+      for (const Json& face : value.items) {
+        body.faces.emplace_back();
+        for (const Json& corner : face.items) body.faces.back().push_back(static_cast<int>(corner.number.value()));
+      }
+    } else if (name == "shape") {
+      body.shape = value.text;
+    } else if (name == "axis") {
+      body.axis = value.text.empty() ? 'z' : value.text[0];
+    } else if (name == "margin") {
+      body.margin = value.number.value_or(0);
+    } else if (name == "pose") {
+      place(value, body);
+    } else if (value.number) {
+      body.number[name] = *value.number;
+    } else if (value.items.size() == 3) {
+      body.triple[name] = numbers<3>(value);
+    }
+  }
+  if (body.shape.empty() && body.vertices.empty()) throw std::invalid_argument("a body without vertices");
+  return body;
+}
+
+inline std::string hello(const Subject& subject) {
+  std::string settings;
+  for (const auto& [key, value] : subject.settings) settings += (settings.empty() ? "" : ",") + quoted(key) + ':' + quoted(value);
+  return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) + ",\"version\":" + quoted(subject.version) +
+         ",\"precision\":" + quoted(subject.precision) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
+         ",\"depth\":" + quoted(subject.depth) + ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
+         "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) + '}' +
+         (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) + ",\"promises\":" + list(subject.promises) +
+         ",\"settings\":{" + settings + "}}";
+}
+
+inline std::string answer(const Reply& reply) {
+  std::string result = std::string("\"overlap\":") + (reply.overlap ? "true" : "false");
+  if (reply.depth) result += ",\"depth\":" + number(*reply.depth);
+  if (reply.direction) result += ",\"direction\":" + vector(*reply.direction);
+  if (reply.witness) result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
+  return result;
+}
+
+inline std::string reply_to(const Json& message, const Solve& solve) {
+  const Body a = body_of(message.at("a")), b = body_of(message.at("b"));
+  std::string said;
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    const Reply reply = solve(a, b);
+    const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
+    said = answer(reply) + ",\"microseconds\":" + number(spent.count());
+  } catch (const Unsupported& why) {
+    said = "\"unsupported\":" + quoted(why.what());
+  } catch (const std::exception& why) {
+    said = "\"failed\":" + quoted(why.what());
+  } catch (...) {
+    said = R"("failed":"an exception of an unknown type")";
+  }
+  return R"({"type":"reply","id":")" + message.at("id").text + "\"," + said + '}';
+}
+
+/// Answers go to what is the standard output now; what is printed there later goes to the standard error.
+inline void serve(const Subject& subject, const Solve& solve) {
+  std::fflush(stdout);
+  std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
+  if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("the standard output cannot be used");
+  std::string line;
+  for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
+    std::string text;
+    try {
+      const Json message = JsonReader(line).read();
+      const std::string& type = message.at("type").text;
+      if (type == "stop") return;
+      if (type == "hello") text = hello(subject);
+      else if (type == "run") text = reply_to(message, solve);
+      else throw std::invalid_argument("a message that is no hello, run or stop");
+    } catch (const std::exception& why) {
+      throw std::invalid_argument("line " + std::to_string(number) + ": " + why.what());
+    }
+    text += '\n';
+    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
+      throw std::runtime_error("an answer cannot be written");
+  }
+}
+
+}  // namespace details
+
+/// Answers cases until there are no more. Returns the exit code of the program: 0, or 2 for a line that is not of the protocol, which is
+/// reported on standard error.
+inline int run(const Subject& subject, const Solve& solve) {
+  try {
+    details::serve(subject, solve);
+    return 0;
+  } catch (const std::exception& why) {
+    std::cerr << subject.name << ": " << why.what() << std::endl;
+    return 2;
+  }
+}
+
+}  // namespace fathom_subject

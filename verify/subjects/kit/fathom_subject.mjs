@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lets `fathom certify` put cases to your code: one function that answers a pair of bodies. Copy this file; it needs Node 18 alone.
+//
+//   import { run } from './fathom_subject.mjs';
+//
+//   run((a, b) => {
+//     const hit = world.collide(a.vertices, b.vertices);
+//     return { overlap: hit !== null, depth: hit?.depth, direction: hit?.normal };
+//   }, { name: 'my engine', version: '1.0', precision: 'binary32' });
+//
+// and then `fathom certify --subject 'node my_subject.mjs' cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md):
+// answers are written at once, NaN and infinities so that they are judged, whatever your code prints goes to standard error, its exceptions
+// become the answer `failed`, and each answer says how many microseconds it took.
+import { writeSync } from 'node:fs';
+import { createInterface } from 'node:readline';
+
+export const protocol = 'fathom/subject/1';
+
+/** Throw it for a pair that your code does not take: the case is not judged then. Any other error is a failure to answer. */
+export class Unsupported extends Error {}
+
+/** The matrix, as rows, of v -> q v q^-1 for a quaternion [w, x, y, z] of any length but 0. */
+export function rotationOf(quaternion) {
+  const largest = Math.max(...quaternion.map(Math.abs));
+  const [w, x, y, z] = quaternion.map((c) => c / largest);
+  const s = 2 / (w * w + x * x + y * y + z * z);
+  return [
+    [1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
+    [s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)],
+    [s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)],
+  ];
+}
+
+/**
+ * One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. `faces` are the hull's facets,
+ * counter-clockwise from outside, if they were asked for. A shape has its fields as docs/shapes.md names them (radius, half_length, ...),
+ * `axis`, `margin` (0 if there is none), and lies at rotation p + translation; `quaternion` is there unless the case gave a matrix.
+ */
+function bodyOf(message) {
+  const { pose, ...fields } = message;
+  const body = { vertices: [], faces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], ...fields };
+  if (Array.isArray(pose)) {
+    body.rotation = pose.map((row) => row.slice(0, 3));
+    body.translation = pose.map((row) => row[3]);
+  } else if (pose) {
+    body.quaternion = pose.quaternion;
+    body.rotation = rotationOf(pose.quaternion);
+    body.translation = pose.translation ?? body.translation;
+  }
+  return body;
+}
+
+// JSON has no NaN and no infinities: they go as texts.
+function number(x) {
+  const value = Number(x);
+  if (Number.isFinite(value)) return value;
+  return Number.isNaN(value) ? 'nan' : value > 0 ? 'inf' : '-inf';
+}
+
+// Arrays, typed arrays, and objects with x, y, z.
+const vector = (v) => ('x' in v ? [v.x, v.y, v.z] : Array.from(v)).map(number);
+
+const isGiven = (value) => value !== undefined && value !== null;
+
+function replyOf(answer) {
+  const reply = { overlap: Boolean(answer.overlap) };
+  if (isGiven(answer.depth)) reply.depth = number(answer.depth);
+  if (isGiven(answer.direction)) reply.direction = vector(answer.direction);
+  if (isGiven(answer.witness)) reply.witness = { a: vector(answer.witness.a), b: vector(answer.witness.b) };
+  return reply;
+}
+
+async function answerTo(solve, message) {
+  const a = bodyOf(message.a), b = bodyOf(message.b);
+  const start = process.hrtime.bigint();
+  try {
+    const answer = await solve(a, b);
+    const microseconds = Number(process.hrtime.bigint() - start) / 1000;
+    return { ...replyOf(answer), microseconds };
+  } catch (why) {
+    if (why instanceof Unsupported) return { unsupported: why.message };
+    return { failed: String(why) };
+  }
+}
+
+// The pipe may be full for a moment.
+function write(line) {
+  const bytes = Buffer.from(line + '\n');
+  for (let written = 0; written < bytes.length;) {
+    try {
+      written += writeSync(1, bytes, written);
+    } catch (why) {
+      if (why.code !== 'EAGAIN') throw why;
+    }
+  }
+}
+
+// Standard output is for answers: everything else that is printed goes to standard error.
+function divertPrints() {
+  process.stdout.write = process.stderr.write.bind(process.stderr);
+  console.log = console.info = console.debug = console.error;
+}
+
+/**
+ * Answers cases until there are no more. solve(a, b) returns, now or by a promise, { overlap, depth, direction, witness: { a, b } }; all but
+ * `overlap` may be left out, and what is there is judged. What the subject declares:
+ *
+ * name, version   of what is tested
+ * precision       'binary64' or 'binary32': in which it computes. Bodies are rounded to it before they are sent
+ * touching        what it says of bodies that touch: 'overlap', 'separate', or 'either' if it makes no promise
+ * depth           the sign of the depth of bodies that overlap: 'positive' or 'negative'
+ * moves           which body |depth| * direction moves apart: 'a' or 'b'
+ * unit            whether directions are promised to have length 1
+ * faces           whether bodies of vertices need faces
+ * shapes          names of the shapes that it takes, and 'margin' if they may have one; others come as vertices or not at all
+ * promises        which of 'depth', 'direction', 'witness' each answer holds that says 'overlap'
+ * settings        { iterations: 100, ... }: shown beside the verdicts
+ */
+export async function run(solve, declared) {
+  const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
+          shapes = [], promises = [], settings = {} } = declared;
+  const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit },
+                  capabilities: { faces, shapes }, promises, settings };
+  divertPrints();
+  for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
+    const message = JSON.parse(line);
+    if (message.type === 'hello') write(JSON.stringify(hello));
+    else if (message.type === 'run') write(JSON.stringify({ type: 'reply', id: message.id, ...(await answerTo(solve, message)) }));
+    else break;
+  }
+}

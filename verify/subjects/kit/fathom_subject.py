@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lets `fathom certify` put cases to your code: one function that answers a pair of bodies. Copy this file; it needs Python 3.8 alone.
+
+    import fathom_subject
+
+    def solve(a, b):
+        hit = my_library.collide(a.vertices, b.vertices)
+        return fathom_subject.Reply(hit.overlap, hit.depth, hit.normal)
+
+    fathom_subject.run(solve, name="my library", version="1.0")
+
+and then `fathom certify --subject 'python3 my_subject.py' cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md):
+lines are flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its
+exceptions become the answer `failed`, and each answer says how many microseconds it took.
+"""
+import json
+import math
+import os
+import sys
+import time
+
+PROTOCOL = "fathom/subject/1"
+
+
+class Unsupported(Exception):
+    """Raise it for a pair that your code does not take: the case is not judged then. Any other exception is a failure to answer."""
+
+
+class Body:
+    """One body of a case: the convex hull of `vertices`; or a shape, if your subject declared some.
+
+    vertices     [[x, y, z], ...]; of a shape, only hulls and triangles have them
+    faces        [[i, j, k, ...], ...]: facets of the hull, counter-clockwise from outside; [] unless asked for, or of a flat body
+    shape        "sphere", "cylinder", ...; None for a body of vertices
+    axis         "x", "y" or "z": along which a shape lies before it is placed
+    margin       the radius of the ball that is added around a shape; 0 if there is none
+    rotation     3 x 3, rows; a shape's point p is at rotation p + translation. Exactly what the case says, up to rounding
+    translation  [x, y, z]
+
+    The other fields of a shape, `radius`, `half_length`, `half`, `radii`, `normal`, `offset` and so on, are attributes too.
+    docs/shapes.md says what they mean.
+    """
+
+    def __init__(self, message):
+        self.vertices, self.faces, self.shape, self.margin = [], [], None, 0
+        self.rotation, self.translation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
+        for field, value in message.items():
+            if field != "pose":
+                setattr(self, field, value)
+        pose = message.get("pose")
+        if isinstance(pose, dict):
+            self.translation = pose.get("translation", self.translation)
+            self.rotation = rotation_of(pose["quaternion"])
+        elif pose:
+            self.rotation, self.translation = [row[:3] for row in pose], [row[3] for row in pose]
+
+
+def rotation_of(quaternion):
+    """Returns the matrix of v -> q v q^-1, for a quaternion [w, x, y, z] of any length but 0."""
+    largest = max(map(abs, quaternion))
+    w, x, y, z = (c / largest for c in quaternion)
+    s = 2 / (w * w + x * x + y * y + z * z)
+    return [[1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
+            [s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)],
+            [s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)]]
+
+
+class Reply:
+    """What your code answers. Only `overlap` is needed, and what is there is judged. Numbers may be anything that float() takes.
+
+    depth      how deep, with the sign that `run` declares
+    direction  moving the declared body by |depth| * direction takes the bodies apart
+    witness    a point of A and one of B, which differ by that translation of A
+    """
+
+    def __init__(self, overlap, depth=None, direction=None, witness=None):
+        self.overlap, self.depth, self.direction, self.witness = overlap, depth, direction, witness
+
+    def fields(self):
+        found = {"overlap": bool(self.overlap)}
+        if self.depth is not None:
+            found["depth"] = _number(self.depth)
+        if self.direction is not None:
+            found["direction"] = _vector(self.direction)
+        if self.witness is not None:
+            a, b = self.witness
+            found["witness"] = {"a": _vector(a), "b": _vector(b)}
+        return found
+
+
+def _number(x):
+    x = float(x)
+    return x if math.isfinite(x) else str(x)
+
+
+def _vector(v):
+    x, y, z = v
+    return [_number(x), _number(y), _number(z)]
+
+
+def _answers():
+    """The stream for answers. Behind it standard output is standard error, also for libraries in C."""
+    sys.stdout.flush()
+    stream = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    return stream
+
+
+def _answer(solve, message):
+    a, b = Body(message["a"]), Body(message["b"])
+    start = time.perf_counter_ns()
+    try:
+        reply = solve(a, b)
+        spent = (time.perf_counter_ns() - start) / 1000
+        return {**reply.fields(), "microseconds": spent}
+    except Unsupported as why:
+        return {"unsupported": str(why)}
+    except Exception as why:  # whatever the code under test throws is its answer
+        return {"failed": f"{type(why).__name__}: {why}"}
+
+
+def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
+        faces=False, shapes=(), promises=(), settings=None):
+    """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
+
+    name, version   of what is tested
+    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent
+    touching        what it says of bodies that touch: "overlap", "separate", or "either" if it makes no promise
+    depth           the sign of the depth of bodies that overlap: "positive" or "negative"
+    moves           which body |depth| * direction moves apart: "a" or "b"
+    unit            whether directions are promised to have length 1
+    faces           whether bodies of vertices need faces
+    shapes          names of the shapes that it takes, and "margin" if they may have one; others come as vertices or not at all
+    promises        which of "depth", "direction", "witness" each answer holds that says "overlap"
+    settings        {"iterations": 100, ...}: shown beside the verdicts
+    """
+    hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
+             "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit},
+             "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
+    answers = _answers()
+    for line in sys.stdin:
+        message = json.loads(line)
+        if message["type"] == "hello":
+            answer = hello
+        elif message["type"] == "run":
+            answer = {"type": "reply", "id": message["id"], **_answer(solve, message)}
+        else:
+            break
+        answers.write(json.dumps(answer, allow_nan=False) + "\n")
+        answers.flush()
