@@ -19,6 +19,17 @@ endif()
 
 find_package(zstd REQUIRED)
 
+# Optional: the Python module.
+if(FATHOM_PYTHON)
+  # That of the distribution, for which its packages are; a program of this name may come before it in PATH.
+  find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  find_package(Python QUIET COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 QUIET)
+  if(NOT TARGET pybind11::module)
+    message(STATUS "the Python module is left out: it needs pybind11 (Debian: pybind11-dev, python3-dev)")
+  endif()
+endif()
+
 # Optional: several processes that share the work of `fathom golden generate`.
 find_package(MPI QUIET COMPONENTS CXX)
 if(MPI_CXX_FOUND)

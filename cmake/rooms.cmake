@@ -34,6 +34,8 @@ function(fathom_room target folder)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_cgal>)
     list(APPEND parts ${target}_cgal)
   endif()
+  # For the shared libraries that are made of it: the Python module. What is hidden costs no detour there.
+  set_target_properties(${parts} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   foreach(part ${parts})
     target_link_libraries(${part} PUBLIC ${room_PUBLIC} $<BUILD_INTERFACE:${target}_headers> PRIVATE ${room_PRIVATE} ${room_HIDDEN})
     target_compile_options(${part} PRIVATE ${room_OPTIONS})

@@ -21,13 +21,15 @@ int main() {
   std::cout << "move by " << out.alpha << " n + " << out.beta << " n/|n|, n = " << out.normal.x << " " << out.normal.y << " "
             << out.normal.z << "\n";
   const RoundedWitness witness = *depth.witness();
+  std::cout << name(depth.contact()->kind) << " of the cores\n";
   std::cout << "the pill's point: " << witness.a.core.y << " along y on its axis, then " << witness.a.distance << " n/|n|\n";
 
   const std::string proof = certificate_text(pill, crate, depth, "pill");
   std::cout << proof.substr(0, proof.find('\n')) << ", radius " << make_certificate(pill, crate, depth).a.radius << "\n";
 
   const SignedDepth resting = signed_depth(sphere(1), halfspace({0, 0, 1}, -1));
-  std::cout << name(*resting.status()) << ", bounds: " << (resting.bounds() != nullptr) << "\n";
+  std::cout << name(*resting.status()) << ", bounds: " << (resting.bounds() != nullptr)
+            << ", support calls: " << resting.counters().support_calls << "\n";
 
   // Crossing capsules: the cores touch, and every way out is a multiple of the cone's directions.
   const SignedDepth crossing = signed_depth(capsule(tenth, 1, Axis::x), capsule(tenth, 1, Axis::y));
@@ -49,8 +51,9 @@ int main() {
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5
 //> move by -1/50 n + 3/5 n/|n|, n = 0 4 3
+//> edge-edge of the cores
 //> the pill's point: 27/25 along y on its axis, then -1/2 n/|n|
 //> fathom-certificate 2, radius 1/2
-//> touching, bounds: 0
+//> touching, bounds: 0, support calls: 1
 //> a line along z, 0 rays; -1 -1
 //> 8 terms; flat: 0, a triangle: 1

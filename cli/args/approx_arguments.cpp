@@ -81,6 +81,7 @@ std::string wrong_approximation(Request& request, bool exact_options) {
   if (request.command != Command::width || !request.delta) return "";
   if (exact_options) return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
   if (request.counters) return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
+  if (request.bits) return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
   return "";
 }
 

@@ -17,6 +17,7 @@
 #include "cli/args/shell_words.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/signed_depth.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
@@ -47,6 +48,13 @@ std::optional<std::uint64_t> seed_of(const std::string& value) {
   return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
 }
 
+std::string check_bits(const std::string& value) {
+  const std::optional<std::uint64_t> bits = seed_of(value);
+  return bits && *bits > 0 && *bits <= most_bound_bits
+             ? ""
+             : fmt::format("expected an integer from 1 to {}, found {}", most_bound_bits, kernels::shown(value));
+}
+
 std::string check_optima(const std::string& value) {
   const std::optional<std::uint64_t> number = seed_of(value);
   return number && *number > 0 ? "" : fmt::format("expected an integer from 1 on, found {}", kernels::shown(value));
@@ -75,9 +83,26 @@ void add_inputs(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
 }
 
+void add_poses(CLI::App& app, Request& request, bool of_one) {
+  app.add_option(
+         of_one ? "--pose-a,--pose" : "--pose-a", request.pose_a,
+         "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4\nnumbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or\n"
+         "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these")
+      ->type_name("POSE");
+  if (!of_one) app.add_option("--pose-b", request.pose_b, "the same for B")->type_name("POSE");
+}
+
+void add_exact(CLI::App& app, Request& request) {
+  app.add_flag("--exact", request.exact,
+               "text: the exact numbers, as fractions in full and directions as\nintegers, where else the nearest decimals stand");
+}
+
 /// The inputs of a command that answers two meshes, or a stream.
-void add_questions(CLI::App& app, Request& request, Texts& texts) {
+void add_questions(CLI::App& app, Request& request, Texts& texts, bool of_one = false) {
   add_inputs(app, request, texts);
+  add_poses(app, request, of_one);
+  app.add_flag("--require-convex", request.require_convex,
+               "a mesh with faces that is not convex is an error, exit code 2;\nelse its hull is taken, and the result says so");
   app.add_option_function<std::string>(
          "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
          "cases of a stream that are answered at once; as many as there are\ncores unless given. The output is the same with any number")
@@ -99,12 +124,12 @@ void add_schema(CLI::App& app, Request& request, Texts& texts) {
            texts.schema = text;
            request.schema = text == "1" ? 1 : newest_result_schema;
          },
-         "the version of the schema of JSON results: 2, or 1 for programs that\nread that one, without the fields fathom and signed_depth")
+         "the version of the schema of JSON results: 2, or 1 for programs that\nread that one, without the fields that came later")
       ->check(one_of({"1", "2"}, {}))
       ->type_name("VERSION");
 }
 
-void add_options(CLI::App& app, Request& request, Texts& texts) {
+void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
   app.add_option("--method", texts.method,
                  "how: auto, exact, certificate (an expanding polytope; exact where\nthat takes too many points), shallow (the part of B - "
                  "A near O: for\n"
@@ -121,13 +146,24 @@ void add_options(CLI::App& app, Request& request, Texts& texts) {
          "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
       ->check(check_seed)
       ->type_name("N");
-  app.add_option("--digits", request.digits, "add an enclosure of the depth to N significant digits")->check(check_digits)->type_name("N");
-  add_questions(app, request, texts);
+  app.add_option(
+         "--digits", request.digits,
+         "add an enclosure of the depth to N significant digits. Of curved\nbodies, bounds so near are looked for, unless --bits says "
+         "how near")
+      ->check(check_digits)
+      ->type_name("N");
+  app.add_option("--bits", request.bits,
+                 "how near the bounds of curved bodies are to be: within 2^-K of the\nvalue, or of the bodies' extent; 40 unless given, at "
+                 "most 1000")
+      ->check(check_bits)
+      ->type_name("K");
+  add_questions(app, request, texts, of_one);
   app.add_option("--certificate", request.certificate,
                  "write the proof of the answer to FILE; for a stream: a directory, one\nfile for each case")
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
+  add_exact(app, request);
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
   add_schema(app, request, texts);
 }
@@ -160,7 +196,10 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   add_schema(approx, request, texts);
   add_ray_options(ray, request);
   add_metric_options(metric, request);
-  for (CLI::App* command : {&approx, &ray, &metric}) add_questions(*command, request, texts);
+  for (CLI::App* command : {&approx, &ray, &metric}) {
+    add_questions(*command, request, texts);
+    add_exact(*command, request);
+  }
   for (CLI::App* command : {&approx, &ray}) {
     command->add_option("--digits", request.digits, "add an enclosure of the length to N significant digits")
         ->check(check_digits)
@@ -223,6 +262,7 @@ Arguments completed(Request request, const Texts& texts) {
   const bool asks_exact =
       texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
   if (const std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return refusal(fault, command);
+  if (request.exact && request.json) return refusal("--exact is about text: JSON has every number exactly, and rounded beside it", command);
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
   if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
   request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
@@ -249,9 +289,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App& depth =
       add_command(app, "depth", "Exact penetration depth of two bodies.", depth_examples, "fathom depth [OPTIONS] A B | CASES.jsonl | -");
   CLI::App& width = add_command(app, "width", "Exact width of one body.", width_examples, "fathom width [OPTIONS] A | CASES.jsonl | -");
-  add_options(depth, request, texts);
+  add_options(depth, request, texts, false);
   add_optima(depth, request);
-  add_options(width, request, texts);
+  add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
   CLI::App& study =
@@ -268,6 +308,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.add_subcommand("golden", "Golden test data: make a release, or prove one.");
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
+  add_poses(cases, request, false);
   const CLI::App* const apps[] = {&depth, &width, approx, ray, metric, &study, &cases, &certify};  // in the order of `commands`
   const auto asked = [&] { return std::find_if(std::begin(apps), std::end(apps), [](const CLI::App* a) { return a->parsed(); }); };
 

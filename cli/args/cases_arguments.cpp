@@ -46,9 +46,6 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
                  "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input):\n"
                  "boxes and Convex with their poses; the placed points are rounded once to binary64")
       ->type_name("FILE");
-  const char* const pose = "how to place it: \"r11 r12 r13 t1; r21 r22 r23 t2; r31 r32 r33 t3\"\nor the same as a JSON array of rows";
-  app.add_option("--pose-a", cases.pose_a, pose)->type_name("POSE");
-  app.add_option("--pose-b", cases.pose_b, "the same for B")->type_name("POSE");
 }
 
 std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vector<std::string>& inputs) {

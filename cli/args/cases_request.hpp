@@ -15,8 +15,7 @@ struct CasesRequest {
   bool shapes = false;                ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;       ///< if not set, the family's usual size
-  std::optional<std::string> pose_a, pose_b;
-  std::string fcl;  ///< the file with the text of FCL's exceptions
+  std::string fcl;                    ///< the file with the text of FCL's exceptions
 };
 
 }  // namespace fathom::cli

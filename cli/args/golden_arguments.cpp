@@ -36,7 +36,7 @@ CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
 }
 
 std::string check_level(const std::string& text) {
-  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2 or L3, found {}", kernels::shown(text));
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2, L3, P0 or P1, found {}", kernels::shown(text));
 }
 
 /// "i/n".
@@ -62,8 +62,8 @@ void add_jobs(CLI::App& app, GoldenRequest& request) {
 void add_generate_options(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>(
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
-         "L0, L1, L2 or L3: hundreds of records, about ten thousand, over a hundred\nthousand, about ten million; each holds the shards of "
-         "those below it")
+         "L0, L1, L2 or L3, of polytopes: hundreds of records, about ten thousand,\nover a hundred thousand, about ten million; P0 or P1, "
+         "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it")
       ->check(check_level)
       ->type_name("LEVEL")
       ->required();

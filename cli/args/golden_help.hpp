@@ -21,6 +21,8 @@ inline constexpr std::string_view generate_examples =
     "  mpirun -np 4 fathom golden generate --level L2 --out data\n"
     "                                           four processes, which take shard after shard; Open MPI wants --oversubscribe\n"
     "                                           for more processes than cores, and --allow-run-as-root of root\n"
+    "  fathom golden generate --level P0 --out shapes\n"
+    "                                           spheres, capsules, cylinders and their like\n"
     "  zstd -dc data/golden-L0-*.jsonl.zst | fathom depth --json -\n"
     "                                           the records are cases for every other command\n";
 
@@ -34,8 +36,8 @@ inline constexpr std::string_view verify_examples =
     "                                           the certificates alone, by the independent checker\n";
 
 inline constexpr std::string_view golden_footer =
-    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates, CSV, a C++ include file. Its NOTES.md\n"
-    "explains every field. The data is in the public domain (CC0-1.0).\n"
+    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV and a C++ include file\n"
+    "too. Its NOTES.md explains every field. The data is in the public domain (CC0-1.0).\n"
     "Exit codes: 0 fine, or verified; 1 refused; 2 usage, or a folder that holds something else or cannot be read; 3 internal error,\n"
     "or files cannot be written; 130 interrupted.\n";
 

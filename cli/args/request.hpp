@@ -28,6 +28,8 @@ struct Request {
   std::uint64_t seed = 1;
   std::optional<std::size_t> optima;  ///< depth: how many optima are listed; all if not set
   std::optional<unsigned> digits;     ///< of the enclosure of the depth, if one is wanted
+  std::optional<unsigned> bits;       ///< depth, width: how near the bounds of curved bodies are to be
+  bool exact = false;                 ///< text: exact numbers where else decimals stand
   bool json = false;
   unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
   bool csv = false;                        ///< study: rows of counts
@@ -39,6 +41,8 @@ struct Request {
   std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
   std::optional<Point> direction;   ///< ray
   std::string ball;                 ///< metric: a mesh
+  std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
+  bool require_convex = false;                ///< of bodies with faces
   CasesRequest cases;
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves

@@ -29,10 +29,15 @@ void warn_of_many_rays(const Request& request) {
 Replies approximate_replies(const Request& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.reply = [&request](const Case& single, Monitor& monitor, Workspace&) -> CaseReply {
-    const ApproxDepth depth = solve(single, request, monitor);
-    if (request.json) return {approx_json(single.id, depth, request)};
-    return {is_stream(request) ? approx_line(single.id, depth, request) : approx_block(depth, request)};
+  replies.tells_of_dents = true;
+  replies.refuses_shapes = has_one_body(request)
+                               ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
+                               : "depth answers about those, exactly or within bounds as near as --bits asks for";
+  replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
+    const std::string& id = asked.input.id;
+    const ApproxDepth depth = solve(asked, request, monitor);
+    if (request.json) return {approx_json(id, depth, asked.bodies, request)};
+    return {is_stream(request) ? approx_line(id, depth, request) : approx_block(depth, asked.bodies, request)};
   };
   if (request.json)
     replies.error_line = [&request](const CaseItem& item, const std::string& fault) {

@@ -8,6 +8,7 @@
 
 #include "cli/commands/cases_json.hpp"
 #include "cli/io/output.hpp"
+#include "reference/files/body_json.hpp"
 #include "reference/files/fcl_text.hpp"
 #include "reference/files/source.hpp"
 
@@ -19,8 +20,8 @@ ExitCode print_fcl_cases(const std::string& path) {
   const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   for (const files::FclFailure& failure : files::read_fcl_text(text, name)) {
     CaseText line{fmt::format("{}:{}", name, failure.line),
-                  body_json(failure.first.body, failure.first.pose),
-                  body_json(failure.second.body, failure.second.pose),
+                  files::body_json(failure.first.body, failure.first.pose),
+                  files::body_json(failure.second.body, failure.second.pose),
                   {},
                   {{"fcl", name}},
                   failure.message};

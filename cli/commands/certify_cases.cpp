@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/io/case_stream.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -42,8 +41,6 @@ std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {
     std::string fault;
     if (!item->ok()) fault = item->error().what();
-    else if (const std::string wrong = wrong_shapes(item->value(), false, false); !wrong.empty())
-      fault = InputError(input_ == "-" ? "<stdin>" : input_, item->line, wrong).what();
     else if (!ids_.insert(item->id).second)
       fault = InputError(input_ == "-" ? "<stdin>" : input_, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
     if (fault.empty()) return std::get<Case>(std::move(item->outcome));

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
-#include "reference/certificate/certificate.hpp"
-#include "verify/check/check.hpp"
+#include "verify/harness/proof.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/junit.hpp"
 
@@ -21,19 +19,6 @@ namespace {
 using harness::ExpectedFailures;
 using harness::HtmlFailure;
 using harness::Outcome;
-
-/// The proof of the truth about a case, accepted by the checker.
-std::string certificate_of(const Case& seen, Progress& progress) {
-  Options options;
-  options.monitor = &progress;
-  const Depth depth = penetration_depth(seen.a.points, seen.b.points, options);
-  Certificate certificate = make_certificate(seen.a.points, seen.b.points, depth, &progress);
-  certificate.id = seen.id;
-  const std::string text = certificate_text(certificate);
-  if (const fathom_check::Verdict verdict = fathom_check::verify(text); !verdict.accepted())
-    throw std::logic_error("the certificate of case " + seen.id + " was refused: " + verdict.reason);
-  return text;
-}
 
 std::vector<HtmlFailure> shown_failures(const Collector& found, const CertificateNames& certificates) {
   std::map<std::size_t, const Case*> cases;
@@ -68,7 +53,7 @@ CertificateNames write_certificates(const CertifyRequest& certify, Collector& fo
   for (const FailedCase& failed : found.failed()) {
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
-    CertificateFile(path).write(certificate_of(failed.seen, found.progress()));
+    CertificateFile(path).write(harness::accepted_certificate(failed.seen, &found.progress()));
     names[failed.outcome] = path;
     if (interrupt_requested()) throw Interrupted();
   }

@@ -11,6 +11,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "verify/harness/report/markup.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 #include "verify/harness/shrink/write_shrunk.hpp"
@@ -24,14 +25,15 @@ using harness::Shrunk;
 
 std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
 
-/// By verdict and variant, the failing case with the fewest points; of several the one with the least id.
+/// By verdict and variant, the failing case with the fewest points, one of points alone if there is one; of several the one with the least id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const FailedCase*& so_far = best[{outcome.verdict, outcome.variant}];
     const auto smaller = [&](const FailedCase& than) {
-      return std::pair(points_of(failed.seen), outcome.id) < std::pair(points_of(than.seen), found.outcomes()[than.outcome].id);
+      const auto size = [](const FailedCase& of) { return std::pair(harness::has_words(of.seen), points_of(of.seen)); };
+      return std::pair(size(failed), outcome.id) < std::pair(size(than), found.outcomes()[than.outcome].id);
     };
     if (!so_far || smaller(*so_far)) so_far = &failed;
   }
@@ -63,6 +65,11 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     // Only a comparison with the original needs both; a variant that fails by itself is a case like any other.
     if (verdict == Verdict::not_invariant) examine = harness::examine_variant(examine, variant, info.precision, request.certify.tolerance);
     std::vector<std::string> files;
+    if (harness::has_words(failed->seen)) {  // of points alone some can be left out, and the others made simpler
+      const std::string path = harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
+      talk(fmt::format("{}: cases of shapes are not made smaller; the case as it was seen: {}", title, path));
+      continue;
+    }
     const auto better = [&](const Shrunk& best) {
       files = harness::write_shrunk(request.certify.shrink, best, info);
       found.progress().report(fmt::format("shrinking {}: {} points", title, points_of(best.pair)), -1);

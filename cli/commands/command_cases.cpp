@@ -10,17 +10,18 @@
 
 #include "cli/commands/cases_fcl.hpp"
 #include "cli/commands/cases_json.hpp"
-#include "cli/commands/cases_pose.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/near_miss.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/body_json.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
-#include "verify/harness/near_miss.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -35,7 +36,7 @@ std::vector<std::string_view> nearest_names(std::string_view name) {
   for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
-    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : harness::slips(typed, other);
+    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);
   };
   std::ranges::stable_sort(names, {}, distance);
   names.resize(std::min(names.size(), suggestions));
@@ -52,13 +53,13 @@ std::string known_text(const Surd& value) {
 using Source = std::vector<std::pair<std::string, std::string>>;
 
 void print_case(const Case& pair, Source source, const std::string& comment) {
-  print(case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, std::move(source), comment}));
+  print(case_json({pair.id, files::body_json(pair.a), files::body_json(pair.b), {}, std::move(source), comment}));
 }
 
 void print_case(const families::ShapeCase& shapes, Source source, const std::string& comment) {
   const families::NamedPair& pair = shapes.pair;
   if (pair.known) source.emplace_back("signed_depth", known_text(pair.known->signed_depth));
-  print(case_json({shapes.id, body_json(pair.a), body_json(pair.b), {}, std::move(source), comment}));
+  print(case_json({shapes.id, files::body_json(pair.a), files::body_json(pair.b), {}, std::move(source), comment}));
 }
 
 template <class Family>
@@ -116,12 +117,13 @@ ExitCode print_list(const Families& all) {
 
 ExitCode print_meshes(const Request& request) {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
-    return text ? std::optional<files::Pose>(parse_pose(*text, option, request.decimals)) : std::nullopt;
+    return text ? std::optional(files::exact_pose(asked_pose(*text, option, request.decimals, false))) : std::nullopt;
   };
-  const std::optional<files::Pose> pose_a = pose(request.cases.pose_a, "--pose-a"), pose_b = pose(request.cases.pose_b, "--pose-b");
+  const std::optional<files::Pose> pose_a = pose(request.pose_a, "--pose-a"), pose_b = pose(request.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
-  print(case_json({path_a + " " + path_b, body_json(a, pose_a), body_json(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
+  print(
+      case_json({path_a + " " + path_b, files::body_json(a, pose_a), files::body_json(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;
 }
 

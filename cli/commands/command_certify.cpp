@@ -134,6 +134,7 @@ class Certify {
     plan.jobs = elsewhere_.count > 0 ? elsewhere_.count : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
     plan.variants = certify_.variants;
     plan.precision = info().precision;
+    plan.shapes = info().shapes;
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };
     plan.worker = [this] { return make_worker(); };

@@ -22,10 +22,11 @@ UnitBall ball_of(const Request& request) {
 ExitCode run_metric(const Request& request) {
   const UnitBall ball = ball_of(request);
   Replies replies;
+  replies.refuses_shapes = "depth answers about those, in Euclid's norm";
   replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, &monitor);
     if (request.json) return {metric_json(pair.id, result, ball)};
-    return {is_stream(request) ? metric_line(pair.id, result, ball) : metric_block(result, ball)};
+    return {is_stream(request) ? metric_line(pair.id, result, ball, request) : metric_block(result, ball, request)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return metric_json_error(item.id, item.line, fault); };

@@ -9,10 +9,11 @@ namespace fathom::cli {
 
 ExitCode run_ray(const Request& request) {
   Replies replies;
+  replies.refuses_shapes = "how far it must move in one direction is not answered about those; depth says how far in the best one";
   replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, *request.direction, &monitor);
     if (request.json) return {ray_json(pair.id, depth, request)};
-    return {is_stream(request) ? ray_line(pair.id, depth) : ray_block(depth, request)};
+    return {is_stream(request) ? ray_line(pair.id, depth, request) : ray_block(depth, request)};
   };
   if (request.json)
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };

@@ -5,16 +5,30 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/output/study_output.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/study/study.hpp"
 
 namespace fathom::cli {
 namespace {
 
-Study study_of(const Case& pair, const Request& request, Monitor& monitor) {
+StudyOptions options_of(const Request& request, Monitor& monitor) {
   StudyOptions options;
   if (request.all) options.listed = std::numeric_limits<std::size_t>::max();
   options.monitor = &monitor;
-  return study(pair.a.points, pair.b.points, options);
+  return options;
+}
+
+ShapeStudy shape_study_of(const Case& pair, const Request& request, Monitor& monitor) {
+  if (request.csv) throw InputError(pair.id, 0, "the rows of --csv are about polytopes, found a shape that is none: --json takes both");
+  const Shape a = files::shape_of(pair.a), b = files::shape_of(pair.b);
+  require_depth(pair.id, a, b);
+  return study(a, b, options_of(request, monitor));
+}
+
+std::string text_of(const std::string& id, const ShapeStudy& study, const Request& request) {
+  if (request.json) return study_json(id, study);
+  return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
 }
 
 std::string text_of(const std::string& id, const Study& study, const Request& request) {
@@ -28,7 +42,8 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
 ExitCode run_study(const Request& request) {
   Replies replies;
   replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) {
-    return CaseReply{text_of(pair.id, study_of(pair, request, monitor), request)};
+    if (has_shape(pair)) return CaseReply{text_of(pair.id, shape_study_of(pair, request, monitor), request)};
+    return CaseReply{text_of(pair.id, study(pair.a.points, pair.b.points, options_of(request, monitor)), request)};
   };
   if (request.csv) {
     replies.header = study_csv_header();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/exact_replies.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -34,9 +35,11 @@ Depth solve(const Case& single, const Body& b, const Request& request, Monitor& 
   return has_one_body(request) ? width(single.a.points, options) : penetration_depth(single.a, b, options);
 }
 
-Answer answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
+Answer answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
+  const Case& single = asked;
   const Body& b = has_one_body(request) ? single.a : single.b;
   Answer answer{single.id, solve(single, b, request, monitor, workspace)};
+  answer.bodies = asked.bodies;
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(single.a, b, answer.depth, single.id, &monitor);
   return answer;
@@ -62,16 +65,28 @@ class CertificatePlaces {
   std::optional<CertificateFolder> folder_;
 };
 
+/// The bits that bounds must have so that their digits can agree.
+unsigned bits_of(const Request& request) {
+  const unsigned usual = SignedDepthOptions{}.bits;
+  if (request.bits || !request.digits) return request.bits.value_or(usual);
+  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
+  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
+}
+
 /// Throws InputError if the request asks for what shapes do not have.
-ShapeAnswer shape_answer_to(const Case& single, const Request& request, Monitor& monitor, Workspace& workspace) {
+ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
+  const Case& single = asked;
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
   if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
   SignedDepthOptions options;
   options.cores = options_of(request, monitor, workspace);
-  const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
-  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
-    throw InputError(single.id, 0, "expected one half-space at most, found two: they have no depth");
+  options.bits = bits_of(request);
+  const Shape a = files::shape_of(single.a), b = has_one_body(request) ? a : files::shape_of(single.b);
+  if (has_one_body(request) && std::holds_alternative<HalfSpace>(a.core))
+    throw InputError(single.id, 0, "a half-space has no width: it is infinite");
+  require_depth(single.id, a, b);
   ShapeAnswer answer{single.id, signed_depth(a, b, options), {is_flat(a), is_flat(b)}};
+  answer.bodies = asked.bodies;
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(a, b, answer.depth, single.id, ShapeFormat::shortest, &monitor);
   return answer;
@@ -91,8 +106,8 @@ std::string text_of(const ShapeAnswer& answer, const Request& request) {
 
 Replies exact_replies(const Request& request) {
   Replies replies;
-  replies.takes_shapes = !has_one_body(request);
-  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const Case& single, Monitor& monitor,
+  replies.tells_of_dents = true;
+  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const AskedCase& asked, Monitor& monitor,
                                                                                     Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
     const auto reply_with = [&](const auto& answer) {
@@ -102,8 +117,9 @@ Replies exact_replies(const Request& request) {
         reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
       return reply;
     };
-    return has_shape(single) ? reply_with(shape_answer_to(single, request, monitor, workspace))
-                             : reply_with(answer_to(single, request, monitor, workspace));
+    const Case& single = asked;
+    return single.a.shape || (single.b.shape && !has_one_body(request)) ? reply_with(shape_answer_to(asked, request, monitor, workspace))
+                                                                        : reply_with(answer_to(asked, request, monitor, workspace));
   };
   if (request.json)
     replies.error_line = [&request](const CaseItem& item, const std::string& fault) {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/replies.hpp"
 
+#include <optional>
+#include <stdexcept>
+
 #include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
+#include "cli/output/sizes.hpp"
 #include "fathom/files.hpp"
+#include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
 
@@ -17,7 +22,17 @@ namespace {
 Case single_case(const Request& request) {
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
-    return files::is_shape_text(input) ? files::parse_shape(input, request.decimals) : read_mesh(input, request.decimals);
+    Body result = files::is_shape_text(input) ? files::parse_shape(input, request.decimals) : read_mesh(input, request.decimals);
+    const std::string option = i == 0 ? "--pose-a" : "--pose-b";
+    if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
+      const files::GivenPose pose = asked_pose(*text, option, request.decimals, result.shape && result.shape->radius > 0);
+      try {
+        files::place(result, pose);
+      } catch (const std::invalid_argument& error) {
+        throw InputError(option, 0, error.what());
+      }
+    }
+    return result;
   };
   Case single =
       has_one_body(request) ? Case{request.inputs[0], body(0), {}} : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
@@ -27,6 +42,12 @@ Case single_case(const Request& request) {
 
 }  // namespace
 
+files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
+  files::GivenPose pose = files::read_pose(text, option, decimals);
+  if (const std::string note = files::pose_note(pose, has_radius); !note.empty()) talk(option + ": " + note);
+  return pose;
+}
+
 bool is_stream(const Request& request) {
   if (!has_one_body(request)) return request.inputs.size() == 1;
   const std::string& input = request.inputs[0];  // its name tells
@@ -34,28 +55,42 @@ bool is_stream(const Request& request) {
   return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
 }
 
+void require_depth(const std::string& id, const Shape& a, const Shape& b) {
+  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
+    throw InputError(id, 0, "expected one half-space at most, found two: they have no depth");
+}
+
 StreamWork stream_work(const Request& request, const Replies& replies) {
   StreamWork work;
   work.one_body = has_one_body(request);
   work.header = replies.header;
   work.error_line = replies.error_line;
-  work.takes_shapes = replies.takes_shapes;
+  work.refuses_shapes = replies.refuses_shapes;
   work.answer = replies.reply;
+  work.require_convex = request.require_convex;
   work.threads = request.threads.value_or(usual_threads());
   return work;
 }
 
 ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
+  if (is_stream(request) && (request.pose_a || request.pose_b))
+    throw InputError(request.pose_a ? "--pose-a" : "--pose-b", 0,
+                     "expected bodies, found a stream of cases, which have poses of their own");
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = single_case(request);
-  if (const std::string fault = wrong_shapes(single, has_one_body(request), replies.takes_shapes); !fault.empty())
+  if (const std::string fault = wrong_shapes(single, has_one_body(request), replies.refuses_shapes); !fault.empty())
     throw InputError(single.id, 0, fault);
   const Working working;
   Progress progress;
+  const AskedCase asked(single, has_one_body(request));
+  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
+    throw InputError(single.id, 0, fault);
   Workspace workspace;
-  const CaseReply reply = replies.reply(single, progress, workspace);
+  const CaseReply reply = replies.reply(asked, progress, workspace);
   if (reply.keep) reply.keep();
   progress.answered();
+  if (const std::optional<std::string> note = sizes_note(asked.bodies.sizes)) talk(*note);
+  if (const std::string dents = dents_text(asked.bodies.hull); !dents.empty() && !(replies.tells_of_dents && !request.json)) talk(dents);
   if (!has_shape(single)) tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);

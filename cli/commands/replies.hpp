@@ -9,24 +9,35 @@
 #include "cli/io/case_stream.hpp"
 #include "cli/io/exit_code.hpp"
 #include "fathom/files.hpp"
+#include "fathom/shape.hpp"
+#include "reference/files/pose.hpp"
 
 namespace fathom::cli {
 
 /// Returns whether the request's input is a stream of cases. Otherwise it is the meshes of a single case.
 bool is_stream(const Request& request);
 
+/// Returns the pose that an option asks for, and notes on standard error if it is no rotation and translation, of a body with a radius or
+/// without. Throws InputError.
+files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius);
+
 /// How a command replies to cases.
 struct Replies {
   /// Returns the reply to a case: several lines for a single case, one line in a stream. For a stream it is called by several threads at
   /// once. May throw anything.
-  std::function<CaseReply(const Case&, Monitor&, Workspace&)> reply;
+  std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
   /// Printed before all replies, unless empty.
   std::string header = {};
-  /// Whether `reply` takes bodies that are no polytopes.
-  bool takes_shapes = false;
+  /// As in StreamWork.
+  std::string refuses_shapes = {};
+  /// Whether the reply tells of meshes that are not convex; else a line on standard error does.
+  bool tells_of_dents = false;
 };
+
+/// Throws InputError if both shapes are half-spaces.
+void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.
 StreamWork stream_work(const Request& request, const Replies& replies);

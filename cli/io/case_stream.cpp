@@ -4,20 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/io/case_input.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
+#include "cli/io/passage.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
+#include "cli/output/sizes.hpp"
 #include "reference/files/unread_cases.hpp"
 
 namespace fathom::cli {
@@ -26,31 +31,10 @@ namespace {
 // A longer text is answered before more is read: so many at once would take much memory, and two threads share the work on large bodies.
 constexpr std::size_t long_text = std::size_t{1} << 20;
 
-/// A case on its way.
-struct Passage {
-  std::size_t number = 0;  ///< of cases before it
-  files::UnreadCase text;
-  std::optional<Working> working;
-  bool answered = false;
-
-  std::string id;
-  CaseReply reply;
-  std::optional<InputError> fault;  ///< in place of the reply
-  ExitCode code = fine;
-  std::optional<std::string> hull_note;  ///< if none was said when it was answered
-  bool perhaps_inner = false;
-};
-
 using Block = std::vector<std::shared_ptr<Passage>>;
 
 // A block that is answered by another process ends with this many cases, or with this many bytes.
 constexpr std::size_t cases_in_a_block = 64, bytes_of_a_block = std::size_t{1} << 18;
-
-/// What an error says behind file and line.
-std::string message_of(const InputError& error) {
-  const std::string sentence = error.what(), place = InputError(error.file(), error.line(), "").what();
-  return sentence.substr(std::min(place.size(), sentence.size()));
-}
 
 /// What is used for one case after another.
 struct Memory {
@@ -99,11 +83,18 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     std::string().swap(passage.text.text);
     passage.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_shapes(item.value(), work.one_body, work.takes_shapes); !fault.empty())
+    if (const std::string fault = wrong_shapes(item.value(), work.one_body, work.refuses_shapes); !fault.empty())
       return lose({name, line, fault}, bad_input);
+    for (const CaseNote& note : item.notes)
+      passage.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
+    const AskedCase asked(item.value(), work.one_body);
+    if (const std::string fault = wrong_meshes(asked.bodies.hull, work.require_convex); !fault.empty())
+      return lose({name, line, fault}, bad_input);
+    if (std::string dents = dents_text(asked.bodies.hull); !dents.empty()) passage.notes.push_back({NoteKind::dents, std::move(dents)});
+    if (std::optional<std::string> note = sizes_note(asked.bodies.sizes)) passage.notes.push_back({NoteKind::sizes, *std::move(note)});
     passage.perhaps_inner = !has_shape(item.value()) && may_have_inner_points(item.value(), work.one_body);
     if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
-    passage.reply = work.answer(item.value(), monitor, memory.workspace);
+    passage.reply = work.answer(asked, monitor, memory.workspace);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {
@@ -111,27 +102,6 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
   } catch (const std::exception& error) {
     lose({name, line, fault_text(error)}, internal_error);
   }
-}
-
-/// What answer_case found, as texts, and back.
-void pack_answer(std::string& all, const Passage& passage) {
-  const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
-  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "",
-                                    optional(passage.hull_note)};
-  if (passage.fault) texts.insert(texts.end(), {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
-  else texts.push_back(passage.reply.text);
-  pack(all, packed(texts));
-}
-
-void take_answer(const std::string& text, Passage& passage) {
-  const std::vector<std::string> texts = unpacked(text);
-  passage.id = texts.at(0);
-  passage.code = static_cast<ExitCode>(std::stoi(texts.at(1)));
-  passage.perhaps_inner = !texts.at(2).empty();
-  if (!texts.at(3).empty()) passage.hull_note = texts[3].substr(1);
-  if (texts.size() > 5) passage.fault = InputError(texts[4], std::stoull(texts.at(5)), texts.at(6));
-  else passage.reply.text = texts.at(4);
-  passage.answered = true;
 }
 
 class Stream {
@@ -153,6 +123,7 @@ class Stream {
   class CaseMonitor;
 
   void tell_of_hull(const Passage& passage);
+  void tell_notes(const Passage& passage);
   void report(const Passage& bad);
 
   const StreamWork& work_;
@@ -163,6 +134,7 @@ class Stream {
   Progress progress_;
   std::size_t read_ = 0, failures_ = 0, perhaps_inner_ = 0;
   std::atomic<std::size_t> delivered_ = 0;
+  std::array<std::size_t, later_notes.size()> cases_with_{};  // notes of a kind
   ExitCode code_ = fine;
 };
 
@@ -252,6 +224,7 @@ void Stream::answer_elsewhere(Block& block) {
 
 void Stream::deliver(Passage& passage) try {
   tell_of_hull(passage);
+  tell_notes(passage);
   if (!passage.fault && passage.reply.keep) {
     try {
       passage.reply.keep();
@@ -282,6 +255,14 @@ void Stream::tell_of_hull(const Passage& passage) {
   talk(fmt::format("{}:{}: {}; later cases are counted", texts_.name(), passage.text.line, *passage.hull_note));
 }
 
+void Stream::tell_notes(const Passage& passage) {
+  for (const StreamNote& note : passage.notes) {
+    if (cases_with_[static_cast<std::size_t>(note.kind)]++ > 0) continue;
+    progress_.clear();
+    talk(fmt::format("{}:{}: {}", texts_.name(), passage.text.line, note.text));
+  }
+}
+
 void Stream::report(const Passage& bad) {
   const std::string sentence = bad.fault->what();
   ++failures_;
@@ -294,15 +275,22 @@ ExitCode Stream::finish() {
   progress_.clear();
   if (failures_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failures_, read_));
   if (perhaps_inner_ > 0) talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
+  for (std::size_t i = 0; i < later_notes.size(); ++i)
+    if (cases_with_[i] > 1) talk(fmt::format("later {}: {}", later_notes[i], cases_with_[i] - 1));
   return code_;
 }
 
 }  // namespace
 
-std::string wrong_shapes(const Case& single, bool one_body, bool takes_shapes) {
-  if (takes_shapes) return "";
+std::string wrong_shapes(const Case& single, bool one_body, const std::string& refusal) {
+  if (refusal.empty()) return "";
   const char* const body = single.a.shape ? "a" : single.b.shape && !one_body ? "b" : "";
-  return *body ? fmt::format("{}: expected a polytope, found a shape that is none: only depth answers about those", body) : "";
+  return *body ? fmt::format("{}: expected a polytope, found a shape that is none: {}", body, refusal) : "";
+}
+
+std::string wrong_meshes(const HullFacts& facts, bool require_convex) {
+  const std::string dents = require_convex ? dents_text(facts) : "";
+  return dents.empty() ? "" : "expected convex meshes, as --require-convex says: " + dents;
 }
 
 ExitCode for_each_case(const std::string& input, const StreamWork& work) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/io/asked_case.hpp"
 #include "cli/io/exit_code.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
@@ -21,15 +22,17 @@ struct CaseReply {
 /// What a command does with the cases of a stream.
 struct StreamWork {
   /// Answers one case. Called for several at once, on other threads, each with a workspace of its own. May throw anything.
-  std::function<CaseReply(const Case&, Monitor&, Workspace&)> answer;
+  std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> answer;
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
   /// Printed before all results, unless empty.
   std::string header;
   /// Whether B is ignored.
   bool one_body = false;
-  /// Whether bodies may be shapes that are no polytopes; else such cases are errors.
-  bool takes_shapes = false;
+  /// Empty if bodies may be shapes that are no polytopes; else such cases are errors, and this says which command takes them.
+  std::string refuses_shapes;
+  /// Whether a mesh that is not convex is an error.
+  bool require_convex = false;
   /// How many cases are answered at once.
   unsigned threads = 1;
   /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by `answer`: it passes the block to
@@ -40,8 +43,11 @@ struct StreamWork {
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Returns what is wrong with the bodies of a case if they must be polytopes, or "".
-std::string wrong_shapes(const Case& single, bool one_body, bool takes_shapes);
+/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refusal` says unless it is empty, or "".
+std::string wrong_shapes(const Case& single, bool one_body, const std::string& refusal);
+
+/// Returns what is wrong with the meshes of a case if they must be convex, or "".
+std::string wrong_meshes(const HullFacts& facts, bool require_convex);
 
 /// Answers a block of cases for for_each_case in another process, with the same `input` and a `work` that is the same except for `threads`
 /// and `elsewhere`; replies must not have `keep`. Throws Interrupted, and std::invalid_argument for other texts.

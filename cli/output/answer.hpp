@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/output/about_bodies.hpp"
 #include "fathom/depth.hpp"
 
 namespace fathom::cli {
@@ -13,6 +14,7 @@ struct Answer {
   std::string id;
   Depth depth;                   ///< for `width`: of the body against itself
   std::string certificate = {};  ///< as text, if one is requested
+  AboutBodies bodies = {};
 };
 
 /// The word for the method that answered.

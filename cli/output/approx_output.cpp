@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
@@ -29,21 +30,22 @@ SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least, 
 
 }  // namespace
 
-std::string approx_block(const ApproxDepth& depth, const Request& request) {
+std::string approx_block(const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {
   const std::string what = quantity(request);
   std::vector<Row> rows;
   rows.emplace_back(what + " at most", root_text(depth.squared()));
-  rows.emplace_back(what + "^2 at most", exact_text(depth.squared()));
+  if (request.exact) rows.emplace_back(what + "^2 at most", exact_text(depth.squared()));
   rows.emplace_back(what + " at least", root_text(depth.bound_squared()));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
   rows.emplace_back("delta", exact_text(depth.delta));
   rows.emplace_back("rays", fmt::format("{}", rays(depth)));
-  rows.emplace_back(direction_label(depth), direction_text(depth.direction()));
+  rows.emplace_back(direction_label(depth), way_text(depth.direction(), request.exact));
   if (const ApproxPenetration* found = depth.penetration()) {
-    if (!has_one_body(request)) rows.emplace_back("translation", point_text(found->translation));
+    if (!has_one_body(request)) rows.emplace_back("translation", place_text(found->translation, request.exact));
     rows.emplace_back("contact", contact_text(found->contact, has_one_body(request)));
-    if (found->witness) rows.push_back(witness_row(*found->witness, has_one_body(request)));
+    if (found->witness) add_witness(rows, *found->witness, request);
   }
+  add_bodies(rows, bodies);
   if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.penetration()) rows.push_back(flat_note());
   return aligned(has_one_body(request) ? "" : std::string(name(depth.status())), rows);
@@ -55,17 +57,16 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
   parts.push_back(quantity(request) + " at most " + root_text(depth.squared()));
   parts.push_back("at least " + root_text(depth.bound_squared()));
   if (depth.penetration()) {
-    const std::string squared = exact_text(depth.squared());
-    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + "^2 at most " + squared);
+    if (request.exact) parts.push_back(quantity(request) + "^2 at most " + exact_text(depth.squared()));
     if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
   }
-  parts.push_back(direction_label(depth) + " " + direction_text(depth.direction()));
+  parts.push_back(direction_label(depth) + " " + way_text(depth.direction(), request.exact));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
 }
 
-std::string approx_json(const std::string& id, const ApproxDepth& depth, const Request& request) {
+std::string approx_json(const std::string& id, const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
   Json result = result_head(request, id, name(depth.status()));
   const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
@@ -76,7 +77,10 @@ std::string approx_json(const std::string& id, const ApproxDepth& depth, const R
   result["direction"] = exact(depth.direction());
   result["contact"] = found ? contact_object(found->contact) : Json();
   result["witness"] = found && found->witness ? witness_object(*found->witness) : Json();
+  if (request.schema >= 2)
+    add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(found ? found->witness : std::nullopt));
   result["optima"] = Json::array();
+  if (request.schema >= 2) add_bodies(result, bodies);
   result["flat"] = flat_array(depth);
   result["method"] = "approx";
   result["delta"] = exact_text(depth.delta);

@@ -36,6 +36,7 @@ inline std::vector<StageCounts> counts_by_stage(const Counters& c) {
         {"facets_b", c.facets_b}}},
       {"position", {{"scans", c.scans}}},
       {"expanding polytope", {{"expansions", c.expansions}, {"inner_facets", c.inner_facets}}},
+      {"supports", {{"support_calls", c.support_calls}}},
       {"vertex-facet pairs", {{"vertex_facet_pairs", c.vertex_facet_pairs}}},
       {"canonical subsets", {{"canonical_pairs", c.canonical_pairs}, {"sum_a", c.sum_a}, {"sum_b", c.sum_b}, {"crossings", c.crossings}}},
       {"closest lines",

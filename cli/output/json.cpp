@@ -43,6 +43,12 @@ Json Json::plain(std::string_view string) {
   return result;
 }
 
+Json Json::boolean(bool value) {
+  Json result;
+  result.text_ = value ? "true" : "false";
+  return result;
+}
+
 Json Json::array(std::initializer_list<Json> values) {
   Json result;
   result.text_ = "[]";

@@ -37,6 +37,7 @@ class Json {
 
   /// A string of characters that need no escapes: what numbers are written with.
   static Json plain(std::string_view string);
+  static Json boolean(bool value);
   static Json array(std::initializer_list<Json> values = {});
   static Json object();
 

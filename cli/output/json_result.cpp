@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "cli/output/coordinates.hpp"
 #include "cli/output/counts.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
@@ -25,30 +26,12 @@ Json optima_array(const Depth& depth, const Json& direction, const Json& transla
   return result;
 }
 
-Json distance_object(const Distance& distance, const kernels::Roundings& rounded, const std::optional<unsigned>& digits) {
-  Json result = length(distance.squared, rounded, digits);
+Json distance_object(const Distance& distance, const kernels::Roundings& rounded, const Request& request) {
+  Json result = length(distance.squared, rounded, request.digits);
   result["direction"] = exact(distance.direction);
   result["translation"] = exact(distance.translation);
   result["witness"] = witness_object(distance.witness);
-  return result;
-}
-
-Json counters_object(const Counters& counters) {
-  Json result;
-  Json stages = Json::array();
-  for (const StageCounts& stage : counts_by_stage(counters)) {
-    if (stage.ran()) stages.push_back(stage.stage);
-    for (const Count& count : stage.counts) result[count.name] = count.value;
-  }
-  result["stages"] = stages;
-  Json predicates = Json::object();
-  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
-    const TierCounts& tiers = counters.predicates[i];
-    Json decided = Json::object();
-    for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
-    predicates[predicate_names[i]] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
-  }
-  result["predicates"] = predicates;
+  if (request.schema >= 2) add_rounded(result, distance.direction, coordinates(distance.translation), coordinates(distance.witness));
   return result;
 }
 
@@ -79,6 +62,25 @@ SignedDepthBounds apart_by(const kernels::Roundings& distance) { return {-distan
 
 Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}}; }
 
+Json counters_object(const Counters& counters) {
+  Json result;
+  Json stages = Json::array();
+  for (const StageCounts& stage : counts_by_stage(counters)) {
+    if (stage.ran()) stages.push_back(stage.stage);
+    for (const Count& count : stage.counts) result[count.name] = count.value;
+  }
+  result["stages"] = stages;
+  Json predicates = Json::object();
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = counters.predicates[i];
+    Json decided = Json::object();
+    for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
+    predicates[predicate_names[i]] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
+  }
+  result["predicates"] = predicates;
+  return result;
+}
+
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
   Json result = result_head(request, answer.id, name(depth.status()));
@@ -94,12 +96,14 @@ std::string json_result(const Answer& answer, const Request& request) {
   const Json translation = exact(depth.translation()), direction = exact(depth.direction());
   result["translation"] = translation;
   result["direction"] = direction;
-  result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
+  result["contact"] = depth.contact() && (request.schema >= 2 || !distance) ? contact_object(*depth.contact()) : Json();
   const std::optional<Witness> witness = depth.witness();
   result["witness"] = witness ? witness_object(*witness) : Json();
+  if (request.schema >= 2) add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(witness));
   result["optima"] = optima_array(depth, direction, translation);
   if (request.optima) result["optima_count"] = depth.optima_count();
-  if (distance) result["distance"] = distance_object(*distance, rounded_distance, request.digits);
+  if (distance) result["distance"] = distance_object(*distance, rounded_distance, request);
+  if (request.schema >= 2) add_bodies(result, answer.bodies);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);
   if (request.counters) result["counters"] = counters_object(depth.counters);

@@ -28,6 +28,9 @@ SignedDepthBounds apart_by(const kernels::Roundings& distance);
 /// The field "signed_depth" but for its exact form. A bound that is infinite becomes null.
 Json signed_depth_object(const SignedDepthBounds& bounds);
 
+/// The field "counters".
+Json counters_object(const Counters& counters);
+
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string json_result(const Answer& answer, const Request& request);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/text_result.hpp"
@@ -54,29 +55,31 @@ std::string direction_label(const MetricResult& result) { return result.status()
 
 }  // namespace
 
-std::string metric_block(const MetricResult& result, const UnitBall& ball) {
-  std::vector<Row> rows{{"depth", decimal(result.depth())}, {"exactly", exact_text(result.depth())}, {"unit ball", ball_text(ball)}};
+std::string metric_block(const MetricResult& result, const UnitBall& ball, const Request& request) {
+  std::vector<Row> rows{{"depth", decimal(result.depth())}};
+  if (request.exact) rows.emplace_back("exactly", exact_text(result.depth()));
+  rows.emplace_back("unit ball", ball_text(ball));
   if (!result.optima().empty()) rows.emplace_back("vertices", deciding_text(result));
-  rows.emplace_back(direction_label(result), direction_text(result.direction()));
+  rows.emplace_back(direction_label(result), way_text(result.direction(), request.exact));
   if (!result.optima().empty()) {
     const MetricOptimum& first = result.optima().front();
-    rows.emplace_back("translation", point_text(first.translation));
+    rows.emplace_back("translation", place_text(first.translation, request.exact));
     rows.emplace_back("contact", contact_text(first.contact));
-    rows.push_back(witness_row(first.witness));
+    add_witness(rows, first.witness, request);
   }
   if (const std::string flat = flat_text(result); !flat.empty()) rows.emplace_back("flat", flat);
   if (result.flat_a && result.status() == Status::penetrating) rows.push_back(flat_note());
   return aligned(std::string(name(result.status())), rows);
 }
 
-std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball) {
+std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball, const Request& request) {
   std::vector<std::string> parts{std::string(name(result.status())),
                                  fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
   if (!result.optima().empty()) {
-    parts.push_back("translation " + point_text(result.optima().front().translation));
+    parts.push_back("translation " + place_text(result.optima().front().translation, request.exact));
     parts.emplace_back(name(result.optima().front().contact.kind));
   } else {
-    parts.push_back(direction_label(result) + " " + direction_text(result.direction()));
+    parts.push_back(direction_label(result) + " " + way_text(result.direction(), request.exact));
   }
   if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
   if (const std::string flat = flat_text(result); !flat.empty()) parts.push_back("flat " + flat);

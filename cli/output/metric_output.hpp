@@ -5,13 +5,14 @@
 #include <cstddef>
 #include <string>
 
+#include "cli/args/request.hpp"
 #include "reference/approximate/metric.hpp"
 
 namespace fathom::cli {
 
 /// Several lines, or one; without the last newline.
-std::string metric_block(const MetricResult& result, const UnitBall& ball);
-std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball);
+std::string metric_block(const MetricResult& result, const UnitBall& ball, const Request& request);
+std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball, const Request& request);
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball);

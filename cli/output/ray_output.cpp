@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/text_result.hpp"
@@ -20,25 +21,25 @@ std::string normal_label(const DirectionalDepth& depth) { return depth.status() 
 }  // namespace
 
 std::string ray_block(const DirectionalDepth& depth, const Request& request) {
-  std::vector<Row> rows{{"depth along", point_text(*request.direction)}, {"length", root_text(depth.squared())}};
-  rows.emplace_back("length^2", exact_text(depth.squared()));
+  std::vector<Row> rows{{"depth along", place_text(*request.direction, request.exact)}, {"length", root_text(depth.squared())}};
+  if (request.exact) rows.emplace_back("length^2", exact_text(depth.squared()));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
-  rows.emplace_back("factor", exact_text(depth.factor()));
-  if (depth.status() == Status::penetrating) rows.emplace_back("translation", point_text(depth.translation()));
-  rows.emplace_back(normal_label(depth), direction_text(depth.normal()));
+  if (request.exact) rows.emplace_back("factor", exact_text(depth.factor()));
+  if (depth.status() == Status::penetrating) rows.emplace_back("translation", place_text(depth.translation(), request.exact));
+  rows.emplace_back(normal_label(depth), way_text(depth.normal(), request.exact));
   if (const RayExit* exit = depth.penetration()) {
     rows.emplace_back("contact", contact_text(exit->contact));
-    rows.push_back(witness_row(exit->witness));
+    add_witness(rows, exit->witness, request);
   }
   if (const std::string flat = flat_text(depth); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
   return aligned(std::string(name(depth.status())), rows);
 }
 
-std::string ray_line(const std::string& id, const DirectionalDepth& depth) {
+std::string ray_line(const std::string& id, const DirectionalDepth& depth, const Request& request) {
   std::vector<std::string> parts{std::string(name(depth.status())), "length " + root_text(depth.squared())};
-  if (depth.status() == Status::penetrating) parts.push_back("translation " + point_text(depth.translation()));
-  parts.push_back(normal_label(depth) + " " + direction_text(depth.normal()));
+  if (depth.status() == Status::penetrating) parts.push_back("translation " + place_text(depth.translation(), request.exact));
+  parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), request.exact));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
   return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));

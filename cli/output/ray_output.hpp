@@ -12,7 +12,7 @@ namespace fathom::cli {
 
 /// Several lines, or one; without the last newline.
 std::string ray_block(const DirectionalDepth& depth, const Request& request);
-std::string ray_line(const std::string& id, const DirectionalDepth& depth);
+std::string ray_line(const std::string& id, const DirectionalDepth& depth, const Request& request);
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/args/request.hpp"
+#include "cli/output/about_bodies.hpp"
 #include "fathom/signed_depth.hpp"
 
 namespace fathom::cli {
@@ -15,6 +16,7 @@ struct ShapeAnswer {
   SignedDepth depth;
   BodyFacts facts = {};          ///< which bodies are flat
   std::string certificate = {};  ///< as text, if one is requested
+  AboutBodies bodies = {};
 };
 
 /// Several lines; one line, which begins with the id; one line of JSON. Each without the last newline.

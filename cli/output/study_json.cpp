@@ -46,16 +46,21 @@ Json coincidences_object(const Study& study) {
 
 }  // namespace
 
+Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
+
+void add_study(Json& object, const Study& study) {
+  object["status"] = name(study.depth.status());
+  object["squared"] = exact_text(study.depth.squared());
+  object["optima"] = study.depth.optima().size();
+  object["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
+  object["predicates"] = predicates_object(study.predicates);
+  object["coincidences"] = coincidences_object(study);
+}
+
 std::string study_json(const std::string& id, const Study& study) {
-  return Json{{"schema", schema},
-              {"id", id},
-              {"status", name(study.depth.status())},
-              {"squared", exact_text(study.depth.squared())},
-              {"optima", study.depth.optima().size()},
-              {"bodies", {{"a", size_object(study.a)}, {"b", size_object(study.b)}}},
-              {"predicates", predicates_object(study.predicates)},
-              {"coincidences", coincidences_object(study)}}
-      .text();
+  Json result = study_head(id);
+  add_study(result, study);
+  return result.text();
 }
 
 std::string study_json_error(const std::string& id, std::size_t line, const std::string& error) {

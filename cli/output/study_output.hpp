@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
+#include "cli/output/json.hpp"
 #include "verify/study/study.hpp"
 
 namespace fathom::cli {
@@ -12,8 +14,20 @@ namespace fathom::cli {
 /// Several lines, without the last newline. `all`: with every coincidence that the study lists.
 std::string study_block(const Study& study, bool all);
 
+/// "parallel edges", for parallel_edges.
+std::string spoken(std::string_view name);
+
 /// One line, without its newline: what is not zero.
 std::string study_line(const std::string& id, const Study& study);
+
+/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
+Json study_head(const std::string& id);
+void add_study(Json& object, const Study& study);
+
+/// The same for shapes.
+std::string study_block(const ShapeStudy& study, bool all);
+std::string study_line(const std::string& id, const ShapeStudy& study);
+std::string study_json(const std::string& id, const ShapeStudy& study);
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string study_json(const std::string& id, const Study& study);

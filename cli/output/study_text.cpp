@@ -20,15 +20,6 @@ constexpr std::size_t longest_exact = 40;
 
 using Lines = std::vector<std::string>;
 
-/// A name as a reader would say it.
-std::string spoken(std::string_view name) {
-  std::string result(name);
-  std::ranges::replace(result, '_', ' ');
-  if (result.ends_with(" of a")) result.back() = 'A';
-  if (result.ends_with(" of b")) result.back() = 'B';
-  return result;
-}
-
 std::string count_text(std::uint64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -106,6 +97,14 @@ void add_coincidences(Lines& lines, const Study& study, bool all) {
 }
 
 }  // namespace
+
+std::string spoken(std::string_view name) {
+  std::string result(name);
+  std::ranges::replace(result, '_', ' ');
+  if (result.ends_with(" of a")) result.back() = 'A';
+  if (result.ends_with(" of b")) result.back() = 'B';
+  return result;
+}
 
 std::string study_block(const Study& study, bool all) {
   Lines lines{status_text(study.depth), "A  " + body_text(study.a), "B  " + body_text(study.b), ""};

@@ -5,12 +5,11 @@
 
 #include <cmath>
 
-#include "cli/output/decimal.hpp"
+#include "cli/output/coordinates.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "kernels/vector.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -27,17 +26,6 @@ std::optional<mpq_class> rational_square(const Surd& value) {
   if (value.rational == 0) return abs(value.root);
   const std::optional<mpq_class> number = rational(value);
   return number ? std::optional<mpq_class>(*number * *number) : std::nullopt;
-}
-
-Point scaled(const Vector& n, const mpq_class& factor) { return {factor * n.x, factor * n.y, factor * n.z}; }
-
-Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-
-/// length n/|n|, if that is rational.
-std::optional<Point> along(const Vector& n, const mpq_class& length) {
-  if (length == 0) return Point{};
-  const std::optional<mpq_class> size = kernels::rational_root(mpq_class(dot(n, n)));
-  return size ? std::optional(scaled(n, length / *size)) : std::nullopt;
 }
 
 template <class Float>
@@ -88,26 +76,14 @@ Json signed_depth_object(const SignedDepth& depth) {
 }
 
 Json vector_object(const AlongNormal& vector) {
-  if (const std::optional<Point> rest = along(vector.normal, vector.beta)) return exact(sum(scaled(vector.normal, vector.alpha), *rest));
+  if (const std::optional<Point> point = rational_point(vector)) return exact(*point);
   return {
       {"normal", exact(vector.normal)}, {"alpha", Json::plain(exact_text(vector.alpha))}, {"beta", Json::plain(exact_text(vector.beta))}};
 }
 
 Json point_object(const RoundedPoint& point) {
-  if (const std::optional<Point> rest = along(point.normal, point.distance)) return exact(sum(point.core, *rest));
+  if (const std::optional<Point> place = rational_point(point)) return exact(*place);
   return {{"core", exact(point.core)}, {"normal", exact(point.normal)}, {"distance", Json::plain(exact_text(point.distance))}};
-}
-
-std::string vector_text(const AlongNormal& vector) {
-  if (const std::optional<Point> rest = along(vector.normal, vector.beta))
-    return point_text(sum(scaled(vector.normal, vector.alpha), *rest));
-  return fmt::format("{} and {} along {}", point_text(scaled(vector.normal, vector.alpha)), exact_text(vector.beta),
-                     direction_text(vector.normal));
-}
-
-std::string rounded_point_text(const RoundedPoint& point) {
-  if (const std::optional<Point> rest = along(point.normal, point.distance)) return point_text(sum(point.core, *rest));
-  return fmt::format("{} and {} along {}", point_text(point.core), exact_text(point.distance), direction_text(point.normal));
 }
 
 }  // namespace fathom::cli

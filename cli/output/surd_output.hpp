@@ -29,8 +29,4 @@ Json signed_depth_object(const SignedDepth& depth);
 Json vector_object(const AlongNormal& vector);
 Json point_object(const RoundedPoint& point);
 
-/// The same for people: "alpha n + beta n/|n|" with numbers.
-std::string vector_text(const AlongNormal& vector);
-std::string rounded_point_text(const RoundedPoint& point);
-
 }  // namespace fathom::cli

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/io/output.hpp"
+#include "cli/output/coordinates.hpp"
 #include "cli/output/counts.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/text_rows.hpp"
@@ -30,22 +31,23 @@ std::string ties_text(const Depth& depth, const Request& request) {
 
 void add_distance(std::vector<Row>& rows, const Distance& distance, const Request& request) {
   rows.emplace_back("distance", root_text(distance.squared));
-  rows.emplace_back("distance^2", exact_text(distance.squared));
+  if (request.exact) rows.emplace_back("distance^2", exact_text(distance.squared));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(distance.squared, *request.digits));
-  rows.emplace_back("nearest", fmt::format("{} of A, {} of B", point_text(distance.witness.a), point_text(distance.witness.b)));
-  rows.emplace_back("A to B", point_text(distance.translation));
+  add_points(rows, "nearest", place_text(distance.witness.a, request.exact), place_text(distance.witness.b, request.exact));
+  rows.emplace_back("A to B", place_text(distance.translation, request.exact));
 }
 
 void add_result(std::vector<Row>& rows, const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
   rows.emplace_back(quantity(request), root_text(depth.squared()));
-  rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared()));
+  if (request.exact) rows.emplace_back(quantity(request) + "^2", exact_text(depth.squared()));
   if (request.digits && !depth.distance()) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
   if (depth.distance()) add_distance(rows, *depth.distance(), request);
-  rows.emplace_back("direction", direction_text(depth.direction()));
-  if (depth.status() == Status::penetrating && !has_one_body(request)) rows.emplace_back("translation", point_text(depth.translation()));
+  rows.emplace_back("direction", way_text(depth.direction(), request.exact));
+  if (depth.status() == Status::penetrating && !has_one_body(request))
+    rows.emplace_back("translation", place_text(depth.translation(), request.exact));
   if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), has_one_body(request)));
-  if (depth.witness()) rows.push_back(witness_row(*depth.witness(), has_one_body(request)));
+  if (const std::optional<Witness> witness = depth.witness()) add_witness(rows, *witness, request);
   if (!depth.optima().empty()) rows.emplace_back("ties", ties_text(depth, request));
 }
 
@@ -65,6 +67,8 @@ void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& requ
   if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
 }
 
+}  // namespace
+
 // Of the stages that ran: what another method would have counted is no 0.
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
   std::vector<std::string_view> stages;
@@ -83,11 +87,10 @@ void add_counters(std::vector<Row>& rows, const Counters& counters) {
   }
 }
 
-}  // namespace
-
 std::string text_block(const Answer& answer, const Request& request) {
   std::vector<Row> rows;
   add_result(rows, answer, request);
+  add_bodies(rows, answer.bodies);
   add_notes(rows, answer, request);
   if (request.counters) add_counters(rows, answer.depth.counters);
   return aligned(has_one_body(request) ? "" : std::string(name(answer.depth.status())), rows);
@@ -99,12 +102,11 @@ std::string text_line(const Answer& answer, const Request& request) {
   if (!has_one_body(request)) parts.emplace_back(name(depth.status()));
   parts.push_back(quantity(request) + " " + root_text(depth.squared()));
   if (depth.status() == Status::penetrating) {
-    const std::string squared = exact_text(depth.squared());
-    if (squared.size() <= longest_in_line) parts.push_back(quantity(request) + "^2 " + squared);
+    if (request.exact) parts.push_back(quantity(request) + "^2 " + exact_text(depth.squared()));
     if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
   }
   if (depth.distance()) parts.push_back("distance " + root_text(depth.distance()->squared));
-  parts.push_back("direction " + direction_text(depth.direction()));
+  parts.push_back("direction " + way_text(depth.direction(), request.exact));
   if (depth.contact()) parts.emplace_back(name(depth.contact()->kind));
   if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
   if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/args/request.hpp"
 #include "cli/output/answer.hpp"
+#include "cli/output/text_rows.hpp"
 
 namespace fathom::cli {
 
@@ -17,5 +19,8 @@ std::string text_line(const Answer& answer, const Request& request);
 
 /// Returns the id, or as a JSON string if it holds control characters.
 std::string safe_id(const std::string& id);
+
+/// Appends what the run did, stage by stage.
+void add_counters(std::vector<Row>& rows, const Counters& counters);
 
 }  // namespace fathom::cli

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 
-#include "cli/output/decimal.hpp"
+#include "cli/output/coordinates.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {
 
 constexpr std::size_t most_indices = 12;
+constexpr std::size_t short_pair = 54;  // characters of two points that share a line of 80
 
 /// Indices of the points that span a face; the first few of a large one.
 std::string indices_text(const std::vector<std::uint32_t>& indices) {
@@ -38,9 +39,20 @@ std::string contact_text(const Contact& contact, bool same_body) {
                      same_body ? "A" : "B");
 }
 
-Row witness_row(const Witness& witness, bool same_body) {
-  if (witness.a == witness.b) return {"common point", point_text(witness.a)};
-  return {"witness", fmt::format("{} of A, {} of {}", point_text(witness.a), point_text(witness.b), same_body ? "A" : "B")};
+void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b, bool same_body) {
+  const char* const of_b = same_body ? "A" : "B";
+  if (a.size() + b.size() <= short_pair) {
+    rows.emplace_back(label, fmt::format("{} of A, {} of {}", a, b, of_b));
+    return;
+  }
+  rows.emplace_back(label, fmt::format("{} of A", a));
+  rows.emplace_back("", fmt::format("{} of {}", b, of_b));
+}
+
+void add_witness(std::vector<Row>& rows, const Witness& witness, const Request& request) {
+  const std::string a = place_text(witness.a, request.exact);
+  if (witness.a == witness.b) rows.emplace_back("common point", a);
+  else add_points(rows, "witness", a, place_text(witness.b, request.exact), has_one_body(request));
 }
 
 std::string flat_text(const BodyFacts& facts, bool same_body) {

@@ -15,9 +15,6 @@ namespace fathom::cli {
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;
 
-/// Exact numbers with more characters are left out of one-line results.
-inline constexpr std::size_t longest_in_line = 40;
-
 /// What the command computes: "depth" or "width".
 std::string quantity(const Request& request);
 
@@ -27,8 +24,9 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows);
 /// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);
 
-/// Two points, or the one that both bodies share.
-Row witness_row(const Witness& witness, bool same_body = false);
+/// Adds two points, in two rows if one would be long; or the one that both bodies share.
+void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b, bool same_body = false);
+void add_witness(std::vector<Row>& rows, const Witness& witness, const Request& request);
 
 /// The bodies without interior: "A and B", or "". For one body against itself: "A", or "".
 std::string flat_text(const BodyFacts& facts, bool same_body = false);

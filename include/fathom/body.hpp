@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -14,6 +15,10 @@
 #include "fathom/shape.hpp"
 
 namespace fathom {
+
+namespace files {
+struct NamedBody;
+}
 
 /// Points in the form in which they were given: in binary64, or as exact points. Read like a const std::vector<Point>: points in binary64
 /// become exact ones when these are first asked for, once, whoever asks; copies share them.
@@ -60,10 +65,22 @@ class GivenPoints {
   std::vector<Point> exact_;            // else
 };
 
+/// The faces of a mesh, each by its corners in order.
+struct MeshFaces {
+  std::vector<std::uint32_t> corners;  ///< indices of points, face after face. Empty, and so are `ends`: each three points are a triangle
+  std::vector<std::uint32_t> ends;     ///< for each face, where its corners end. Empty: triangles
+  friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
+};
+
 /// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
 struct Body {
   GivenPoints points;
   std::optional<Shape> shape = std::nullopt;  ///< then there are no points
+  /// The words that the body was read from, if it was given by the name of a shape: what fathom certify hands on. Whoever changes the points
+  /// or the shape takes them away.
+  std::shared_ptr<const files::NamedBody> words = nullptr;
+  /// Of a mesh that has some. No answer depends on them: they tell whether the mesh is the hull that stands for it.
+  std::shared_ptr<const MeshFaces> faces = nullptr;
 };
 
 }  // namespace fathom

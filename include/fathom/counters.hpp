@@ -36,9 +36,10 @@ using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicat
 /// Counters of one run; those of stages that did not run are 0. A crossing of arcs is an edge-edge facet of P before coplanar ones merge.
 struct Counters {
   std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
-  std::uint64_t scans = 0;         ///< linear scans of the position test
-  std::uint64_t expansions = 0;    ///< points that an expanding polytope took
-  std::uint64_t inner_facets = 0;  ///< facets that it had in the end
+  std::uint64_t scans = 0;          ///< linear scans of the position test
+  std::uint64_t expansions = 0;     ///< points that an expanding polytope took; of bounds, those that are its corners in the end
+  std::uint64_t inner_facets = 0;   ///< facets that it had in the end
+  std::uint64_t support_calls = 0;  ///< how often bounds of shapes asked for the support of P
   std::uint64_t vertex_facet_pairs = 0;
   std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
   std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|

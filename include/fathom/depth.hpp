@@ -29,11 +29,21 @@ namespace fathom {
 /// Where O lies with respect to P: in its interior; on its boundary, or in a flat P; outside.
 enum class Status { penetrating, touching, disjoint };
 
-/// The six kinds of facets of P. A's feature comes first.
-enum class ContactKind { facet_vertex, vertex_facet, facet_edge, edge_facet, facet_facet, edge_edge };
+/// What two faces are. A's comes first. The first six kinds are those of facets of P; the last three occur where bodies do not overlap.
+enum class ContactKind {
+  facet_vertex,
+  vertex_facet,
+  facet_edge,
+  edge_facet,
+  facet_facet,
+  edge_edge,  ///< the edges may be parallel if the bodies do not overlap
+  vertex_vertex,
+  vertex_edge,
+  edge_vertex
+};
 
-/// The faces of the bodies in one direction, as ascending 0-based indices of the input points that span them: extreme points only,
-/// of equal points the lowest index.
+/// The faces of the bodies in one direction n, that of A in direction -n and that of B in direction n, as ascending 0-based indices of the
+/// input points that span them: extreme points only, of equal points the lowest index.
 struct Contact {
   ContactKind kind;
   std::vector<std::uint32_t> a, b;
@@ -112,6 +122,7 @@ struct Distance {
   Vector direction;   ///< primitive n with h(n) / |n| = -distance: no direction separates the bodies more widely
   Point translation;  ///< (h(n) / <n,n>) n. Moving A by it, no shorter way, the bodies touch
   Witness witness;    ///< nearest points: b - a = translation
+  Contact contact{};  ///< the faces in that direction, which hold all nearest points
 };
 
 /// A plane between bodies that do not penetrate: rays and approximations return nothing else about them.
@@ -210,9 +221,9 @@ struct Depth : BodyFacts {
   [[nodiscard]] const Vector& direction() const;
   /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0 unless penetrating.
   [[nodiscard]] Point translation() const;
-  /// Of the first optimum; null unless penetrating.
+  /// Of the first optimum, or of the distance; null if touching.
   [[nodiscard]] const Contact* contact() const;
-  /// Points with b - a = translation(): in the faces of contact(), or a common point twice. nullopt if disjoint: see distance()->witness.
+  /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point twice. nullopt if disjoint: see distance()->witness.
   [[nodiscard]] std::optional<Witness> witness() const;
 };
 

@@ -44,8 +44,8 @@ enum class MeshFormat { off, obj, ply, stl, xyz };
 /// Returns the points of the mesh in the file `path`, exactly, in order of appearance; repeated points stay (an STL repeats each corner).
 /// Binary floats, hexadecimal floats, integers and ratios p/q are taken as they are. `decimals` says what a decimal stands for: the nearest
 /// binary64, which is what other programs read, or its own value.
-/// Of faces, only the indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh without faces is a
-/// point set. The extension tells the format (.off .obj .ply .stl .xyz .txt .pts), else the first bytes do.
+/// Faces are kept as they are, once their indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh
+/// without faces is a point set. The extension tells the format (.off .obj .ply .stl .xyz .txt .pts), else the first bytes do.
 /// Throws InputError, with file and line (in binary files, the byte), for anything missing, truncated, out of range or not a number.
 Body read_mesh(const std::string& path, Decimals decimals = Decimals::binary64);
 
@@ -59,15 +59,25 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 //
 // A case is a JSON object of the schema fathom/case/1 (schemas/case.schema.json).
 // A JSON number means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is an error.
-// A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as an affine map. "pose_rounding": "binary64",
-// in the case or in one body, then rounds the placed vertices once. Unknown fields are skipped. A known field that is given twice is an
-// error, since readers differ in which one they take. null stands for an optional field that is not given.
+// A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as an affine map: a matrix of 3 or 4 rows, a
+// quaternion or angles and a translation, or text as on the command line. "pose_rounding": "binary64", in the case or in one body, then
+// rounds the placed vertices once. Unknown fields are skipped. A known field that is given twice is an error, since readers differ in which
+// one they take. null stands for an optional field that is not given.
+
+/// What may be a slip in a case that can be read: a field that is not read and looks like one that is ("poze"), or a pose that is no rotation
+/// and translation. One sentence for the user.
+struct CaseNote {
+  enum Kind { field, pose };
+  Kind kind;
+  std::string text;
+};
 
 /// One case of a stream, or the reason why it cannot be read.
 struct CaseItem {
   std::size_t line = 1;  ///< where it begins
   std::string id;        ///< its id, else its line number as text; also of a bad case, if it could be read
   std::variant<Case, InputError> outcome;
+  std::vector<CaseNote> notes = {};
 
   // value() throws std::bad_variant_access unless ok(), and error() if ok().
   [[nodiscard]] bool ok() const { return std::holds_alternative<Case>(outcome); }

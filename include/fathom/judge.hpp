@@ -15,6 +15,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/signed_depth.hpp"
 
 namespace fathom {
 
@@ -102,25 +103,35 @@ enum class Accuracy { correctly_rounded, ulps_4, u_r_16, millionth, tolerance };
 /// "correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance".
 std::string_view name(Accuracy accuracy);
 
+/// low <= value <= high: a length, rounded outward; equal only if it is known and a double. Infinite beyond binary64.
+struct Between {
+  double low, high;
+  friend bool operator==(const Between&, const Between&) = default;
+};
+
 /// What is right and wrong about one answer, with the truth beside it.
 struct Judgement {
   Verdict verdict = Verdict::garbage;
   std::vector<Verdict> findings;     ///< everything that is wrong with the answer, in order of rank
   std::optional<Accuracy> accuracy;  ///< of a pass with a depth
 
-  Status status = Status::disjoint;  ///< the truth
-  mpq_class depth_squared;           ///< the truth; 0 unless penetrating
-  mpq_class distance_squared;        ///< the truth; 0 unless disjoint
+  std::optional<Status> status = Status::disjoint;  ///< the truth; nullopt if the bounds of shapes leave it open
+  mpq_class depth_squared;                          ///< the truth about polytopes; 0 unless penetrating
+  mpq_class distance_squared;                       ///< the truth about polytopes; 0 unless disjoint
+  std::optional<Between> signed_depth;              ///< the truth about shapes
 
   // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are infinite beyond binary64.
+  // Of shapes, a residual that is not known is the least one that the bounds of the truth allow, rounded towards 0: at least so much is wrong.
   // Of a claimed depth: how much deeper it is than the true one, correctly rounded to nearest; negative if it is too shallow.
   std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of depth 0
-  // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart.
+  // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart. Of polytopes.
   std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
   std::optional<mpq_class> travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
   std::optional<double> inconsistency;      ///< the claimed depth less the price
   std::optional<double> overlap_left;       ///< travel less the claimed depth, if that is positive
-  // Of witness points: squared distances from their bodies, exact, and the length of (b - a) - translation, rounded;
+  // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead out of it.
+  std::optional<Between> price, witness_a_distance, witness_b_distance;
+  // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of (b - a) - translation, rounded;
   // if no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;
   std::optional<double> witness_gap;
@@ -150,6 +161,22 @@ Truth truth_about(GivenPoints a, GivenPoints b, const Options& options = {});
 
 /// Judges the reply by a truth that is known.
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
+                const Tolerance& tolerance = {});
+
+// ---- shapes ----
+
+/// Two shapes as the implementation saw them, and what is known of the answer.
+struct ShapeTruth {
+  Shape a, b;
+  SignedDepth depth;
+};
+
+/// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.
+ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {});
+
+/// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for every value within the bounds of the truth;
+/// where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
+Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
                 const Tolerance& tolerance = {});
 
 }  // namespace fathom

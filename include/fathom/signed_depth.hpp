@@ -88,6 +88,7 @@ struct Bracket {
   std::vector<InnerPoint> inner_a, inner_b;  ///< points of the cores, to which the indices of what follows point
   InnerPolytope polytope;                    ///< inside P, with O in its interior; or empty, and then there are
   std::vector<Weight> weights_a, weights_b;  ///< convex combinations of inner points, whose distance bounds that of the cores
+  std::size_t support_calls = 0;             ///< no part of the proof: how often the search asked for the support of P
 };
 
 // ---- the answer ----
@@ -104,6 +105,7 @@ struct SignedDepth {
   mpq_class radius_a, radius_b;
   std::variant<Depth, PlaneSupport, Bracket> core;  ///< of two polytopes; of a half-space and a polytope; of other shapes
   std::optional<OptimalCone> cone;                  ///< if the cores are polytopes, or a half-space and a polytope, and touch
+  std::optional<Contact> touching{};                ///< if the cores are polytopes and touch: see contact()
 
   /// Of the bodies, with their radii; nullopt if the bounds leave it open.
   [[nodiscard]] std::optional<Status> status() const;
@@ -120,6 +122,11 @@ struct SignedDepth {
   [[nodiscard]] std::vector<AlongNormal> translations() const;
   /// Points of the bodies that belong to the first translation t: b - a = t. nullopt if the value is enclosed.
   [[nodiscard]] std::optional<RoundedWitness> witness() const;
+  /// The faces of the cores in direction(), by the indices of the cores' points. Of cores that touch, those in any direction inside the
+  /// cone, which are the least that share points. Null unless both cores are polytopes.
+  [[nodiscard]] const Contact* contact() const;
+  /// What the run did: of the depth of polytopes, or of the search for bounds.
+  [[nodiscard]] Counters counters() const;
 };
 
 /// Bounds are not asked for more closely than to 2^-most_bound_bits.
@@ -128,7 +135,7 @@ inline constexpr unsigned most_bound_bits = 1000;
 /// How to find a signed depth. Exact answers do not depend on it, except for the number of optima that are listed.
 struct SignedDepthOptions {
   Options cores;       ///< of the cores if both are polytopes; its monitor serves in any case
-  unsigned bits = 40;  ///< bounds: until high - low is at most 2^-bits of the value, or of the bodies' extent; at most most_bound_bits
+  unsigned bits = 40;  ///< bounds: to 2^-bits of the value or of the bodies' extent, <= most_bound_bits; to 2^-160 if the sign is open
   std::size_t support_calls = 5000;  ///< bounds: how often the cores' supports may be asked for; the bounds found until then are the answer
 };
 

@@ -9,6 +9,7 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/ratio.hpp"
+#include "kernels/number/rational_interval.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -23,12 +24,8 @@ mpq_class shifted(const mpz_class& value, long exponent) {
   return result;
 }
 
-struct Interval {
-  mpq_class low, high;
-};
-
 /// Around sqrt(x), x > 0, to `bits` bits or one more.
-Interval enclosed_root(const mpq_class& x, long bits) {
+RationalInterval enclosed_root(const mpq_class& x, long bits) {
   const long shift = bits - (bit_length(x.get_num()) - bit_length(x.get_den())) / 2;
   mpz_class numerator = x.get_num(), denominator = x.get_den();
   if (shift >= 0) numerator <<= static_cast<mp_bitcnt_t>(2 * shift);
@@ -38,8 +35,8 @@ Interval enclosed_root(const mpq_class& x, long bits) {
 }
 
 /// Around a value with an irrational root.
-Interval enclosed(const Surd& value, long bits) {
-  const Interval root = enclosed_root(abs(value.root), bits);
+RationalInterval enclosed_irrational(const Surd& value, long bits) {
+  const RationalInterval root = enclosed_root(abs(value.root), bits);
   if (sgn(value.root) > 0) return {value.rational + root.low, value.rational + root.high};
   return {value.rational - root.high, value.rational - root.low};
 }
@@ -48,7 +45,7 @@ Interval enclosed(const Surd& value, long bits) {
 template <class Round>
 auto refined(const Surd& value, const Round& round) {
   for (long bits = 128;; bits *= 2) {
-    const Interval range = enclosed(value, bits);
+    const RationalInterval range = enclosed_irrational(value, bits);
     const auto low = round(range.low);
     if (low == round(range.high)) return low;
   }
@@ -68,6 +65,18 @@ std::optional<mpq_class> rational_root(const mpq_class& x) {
   if (!mpz_perfect_square_p(n.get_mpz_t()) || !mpz_perfect_square_p(x.get_den_mpz_t())) return std::nullopt;
   const mpq_class root = ratio(sqrt(n), sqrt(x.get_den()));
   return sgn(x) < 0 ? mpq_class(-root) : root;
+}
+
+RationalInterval quotient(const RationalInterval& x, const RationalInterval& y) {
+  return {x.low / (sgn(x.low) < 0 ? y.low : y.high), x.high / (sgn(x.high) < 0 ? y.high : y.low)};
+}
+
+RationalInterval enclosed(const Surd& value, unsigned bits) {
+  if (const std::optional<mpq_class> root = rational_root(value.root)) {
+    const mpq_class known = value.rational + *root;
+    return {known, known};
+  }
+  return enclosed_irrational(value, bits);
 }
 
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y) {

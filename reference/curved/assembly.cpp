@@ -71,16 +71,21 @@ mpq_class Assembly::square_of(const polytope::SimplexFoot& z) const {
   return -kernels::ratio(dot(z.point, z.point), mpz_class(z.denominator * z.denominator)) * unit * unit;
 }
 
-bool Assembly::met(const mpq_class& lower) const {
+mpq_class Assembly::upper() const {
   const Ceiling& ceiling = *oracle_.lowest();
-  const mpq_class upper = signed_square(ceiling.height * oracle_.lattice().fine_unit, ceiling.direction);
+  return signed_square(ceiling.height * oracle_.lattice().fine_unit, ceiling.direction);
+}
+
+bool Assembly::closed() const { return lower_ == upper(); }
+
+bool Assembly::met(const mpq_class& lower) const {
+  const mpq_class upper = this->upper();
   return lower == upper || goal_.met(goal_.from_below(lower), goal_.from_above(upper));
 }
 
 void Assembly::set_lower(const NearestFoot& nearest) {
   const polytope::SimplexFoot& z = nearest.foot;
   const mpq_class exact = square_of(z);
-  const Ceiling& ceiling = *oracle_.lowest();
   Combination combination;
   const auto take = [&](std::size_t i, mpq_class weight) {
     if (weight == 0) return;
@@ -88,7 +93,7 @@ void Assembly::set_lower(const NearestFoot& nearest) {
     combination.b.push_back(oracle_.inner_point(nearest.corners[i].ids.first, false));
     combination.weights.push_back(std::move(weight));
   };
-  if (exact == 0 || exact == signed_square(ceiling.height * oracle_.lattice().fine_unit, ceiling.direction)) {
+  if (exact == 0 || exact == upper()) {
     for (std::size_t i = 0; i < nearest.corners.size(); ++i) take(i, kernels::ratio(z.weights[i], z.denominator));
     lower_ = exact;
   } else {

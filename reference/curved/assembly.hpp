@@ -31,6 +31,9 @@ class Assembly {
   /// Requires the lowest height to be at most 0. Whether the bounds meet there; if so that is the lower side.
   bool meets_in_face();
 
+  /// What the lower side says of the cores, squared, with its sign; and whether both sides are one number.
+  [[nodiscard]] const mpq_class& lower() const { return lower_; }
+  [[nodiscard]] bool closed() const;
   /// -|z|^2 in the shapes' unit.
   [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot& z) const;
   /// Whether the goal is met by this lower bound and the lowest ceiling.
@@ -39,6 +42,8 @@ class Assembly {
   CurvedBounds take();
 
  private:
+  /// What the lowest ceiling says of the cores, as `lower`.
+  [[nodiscard]] mpq_class upper() const;
   void set_weights(const Combination& combination);
 
   kernels::Context& context_;

@@ -17,30 +17,40 @@ namespace fathom::curved {
 namespace {
 
 constexpr std::size_t directions_tried = 4;
+constexpr unsigned further_bits[] = {80, 160};  // of the extent, where the status is open
 
 // The points' coordinates are multiples of so small a part of the axes that it does not show in the bounds.
 unsigned fine_for(unsigned bits) { return bits + 6; }
 
 class Search {
  public:
-  Search(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, std::size_t budget)
+  Search(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, unsigned status_bits, std::size_t budget)
       : a_(std::get<std::vector<Term>>(a.core)),
         b_(std::get<std::vector<Term>>(b.core)),
-        lattice_(lattice(a_, b_, fine_for(bits))),
-        goal_(bits, lattice_.extent * lattice_.unit + 2 * (a.radius + b.radius), a.radius + b.radius),
+        lattice_(lattice(a_, b_, fine_for(status_bits))),
+        goal_(bits, status_bits, lattice_.extent * lattice_.unit + 2 * (a.radius + b.radius), a.radius + b.radius),
         oracle_(context, lattice_, budget),
         assembly_(context, a_, b_, oracle_, goal_) {}
 
   CurvedBounds run() {
-    for (const Vector& n : likely_directions(lattice_, directions_tried))
-      if (oracle_.calls() == 0 || !oracle_.spent()) oracle_.ask(n, lattice_.fine);
+    ask(likely_directions(lattice_, directions_tried));
     // Cores that a plane separates, or touches, are often nearest where the plane says.
-    if (oracle_.lowest()->height <= 0 && assembly_.meets_in_face()) return assembly_.take();
+    if (meets()) return assembly_.take();
     search();
+    if (assembly_.lower() > 0 || assembly_.closed()) return assembly_.take();
+    const Ceiling before = *oracle_.lowest();
+    ask(short_directions(lattice_, before.direction));
+    if (compare(*oracle_.lowest(), before) < 0) meets();
     return assembly_.take();
   }
 
  private:
+  bool meets() { return oracle_.lowest()->height <= 0 && assembly_.meets_in_face(); }
+  // At least one direction is asked for.
+  void ask(const std::vector<Vector>& directions) {
+    for (const Vector& n : directions)
+      if (oracle_.calls() == 0 || !oracle_.spent()) oracle_.ask(n, lattice_.fine);
+  }
   void search() {
     const Estimates estimates(lattice_, goal_);
     const auto distance = [&](const polytope::SimplexFoot& z) {
@@ -54,7 +64,7 @@ class Search {
     const NearestFoot nearest = find_nearest(oracle_, {0, 0}, enough, precision);
     if (nearest.end == NearestEnd::near || nearest.end == NearestEnd::open) {
       ask_exactly(-nearest.foot.point);
-      if (!(oracle_.lowest()->height <= 0 && assembly_.meets_in_face())) assembly_.set_lower(nearest);
+      if (!meets()) assembly_.set_lower(nearest);
       return;
     }
     if (nearest.end == NearestEnd::common) assembly_.set_lower(nearest);
@@ -63,7 +73,7 @@ class Search {
   }
 
   void grow(const NearestFoot& nearest, const Estimates& estimates) {
-    Growth growth(oracle_, goal_, estimates);
+    Growth growth(oracle_, goal_, estimates, nearest.end == NearestEnd::common);
     if (nearest.end == NearestEnd::inside) {
       const auto& c = nearest.corners;
       growth.start({c[0].ids, c[1].ids, c[2].ids, c[3].ids});
@@ -89,13 +99,28 @@ class Search {
   Assembly assembly_;
 };
 
+bool open(const CurvedBounds& bounds) { return bounds.low < bounds.high && !Goal::decided(bounds.low, bounds.high); }
+
 }  // namespace
 
 CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, std::size_t support_calls) {
   const kernels::DefaultFloatEnvironment environment;
-  if (const auto* plane = std::get_if<HalfSpace>(&a.core)) return half_space_bounds(context, *plane, b, true, a.radius, bits);
-  if (const auto* plane = std::get_if<HalfSpace>(&b.core)) return half_space_bounds(context, *plane, a, false, b.radius, bits);
-  return Search(context, a, b, bits, support_calls).run();
+  const auto search = [&](unsigned status_bits, std::size_t budget) {
+    if (const auto* plane = std::get_if<HalfSpace>(&a.core)) return half_space_bounds(context, *plane, b, true, a.radius, status_bits);
+    if (const auto* plane = std::get_if<HalfSpace>(&b.core)) return half_space_bounds(context, *plane, a, false, b.radius, status_bits);
+    return Search(context, a, b, bits, status_bits, budget).run();
+  };
+  CurvedBounds result = search(bits, support_calls);
+  std::size_t calls = result.support_calls;
+  for (const unsigned finer : further_bits) {
+    if (!open(result) || calls >= support_calls) break;
+    if (finer <= bits) continue;
+    CurvedBounds next = search(finer, support_calls - calls);
+    calls += next.support_calls;
+    if (!open(next) || next.high - next.low < result.high - result.low) result = std::move(next);
+  }
+  result.support_calls = calls;
+  return result;
 }
 
 }  // namespace fathom::curved

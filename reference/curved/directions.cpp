@@ -2,18 +2,22 @@
 #include "reference/curved/directions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "kernels/filters/double_images.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {
 namespace {
 
 constexpr std::size_t most_hull_points = 200;  // a term of more has no facets tried
+constexpr std::size_t most_frames = 6;
+constexpr unsigned short_by = 7;  // a fraction stands out if it is nearer by this many bits than one of its length has to be
 
 Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
@@ -179,7 +183,74 @@ class Directions {
   std::vector<Vector> found_, lines_;
 };
 
+// The convergent of p/q, |p| <= q, before the greatest partial quotient, if that is large. A random number has none; one that is near to a
+// fraction has it there. Quotients of convergents whose denominator squared is beyond q are not looked at: they are noise.
+std::optional<mpq_class> short_fraction(const mpz_class& p, const mpz_class& q) {
+  mpz_class number = abs(p), divisor = q, quotient, rest;
+  mpz_class above = 1, below = 0, last_above = 0, last_below = 1;  // the convergent, and the one before
+  std::optional<mpq_class> best;
+  mpz_class largest = mpz_class(1) << short_by;
+  for (bool first = true; divisor != 0 && below * below <= q; first = false) {
+    mpz_fdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), number.get_mpz_t(), divisor.get_mpz_t());
+    if (!first && quotient >= largest) {
+      largest = quotient;
+      best = kernels::ratio(sgn(p) < 0 ? mpz_class(-above) : above, below);
+    }
+    last_above += quotient * above;
+    last_below += quotient * below;
+    swap(above, last_above);
+    swap(below, last_below);
+    swap(number, divisor);
+    swap(divisor, rest);
+  }
+  if (divisor == 0 && below * below <= q) best = kernels::ratio(sgn(p) < 0 ? mpz_class(-above) : above, below);
+  return best;
+}
+
+// A multiple > 0 of the short vector that n is near to.
+std::optional<Vector> short_vector(const Vector& n) {
+  const mpz_class longest = std::max({mpz_class(abs(n.x)), mpz_class(abs(n.y)), mpz_class(abs(n.z))});
+  const std::optional<mpq_class> x = short_fraction(n.x, longest), y = short_fraction(n.y, longest), z = short_fraction(n.z, longest);
+  if (!x || !y || !z) return std::nullopt;
+  const mpz_class multiple = lcm(lcm(x->get_den(), y->get_den()), z->get_den());
+  return Vector{mpz_class(*x * multiple), mpz_class(*y * multiple), mpz_class(*z * multiple)};
+}
+
+// Three independent vectors: the axes of a ball, or of a disc with its normal, which is as long if they are orthogonal and of one length.
+std::optional<std::array<Vector, 3>> frame_of(const LatticeAtom& atom) {
+  if (atom.axes.empty()) return std::nullopt;
+  std::array<Vector, 3> frame{atom.axes[0], atom.axes[1], atom.axes.size() == 3 ? atom.axes[2] : cross(atom.axes[0], atom.axes[1])};
+  if (sgn(det(frame[0], frame[1], frame[2])) == 0) return std::nullopt;
+  if (atom.axes.size() == 3) return frame;
+  mpz_class length, rest;
+  mpz_sqrtrem(length.get_mpz_t(), rest.get_mpz_t(), mpz_class(dot(frame[0], frame[0])).get_mpz_t());
+  if (rest == 0)
+    for (std::size_t k = 0; k < 2; ++k) frame[k] = scaled(length, frame[k]);
+  return frame;
+}
+
 }  // namespace
+
+std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n) {
+  std::vector<std::array<Vector, 3>> frames{{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}};
+  for (const LatticeTerm& term : lattice.terms) {
+    for (const LatticeAtom& atom : term.atoms) {
+      if (frames.size() == most_frames || atom.repeats) continue;
+      if (auto frame = frame_of(atom)) frames.push_back(std::move(*frame));
+    }
+  }
+  std::vector<Vector> result{primitive(n)};
+  for (const auto& [u, v, w] : frames) {
+    const std::optional<Vector> found = short_vector({dot(u, n), dot(v, n), dot(w, n)});
+    if (!found) continue;
+    // <u,m>, <v,m>, <w,m> are those of m times the determinant.
+    const Vector m = scaled(found->x, cross(v, w)) + scaled(found->y, cross(w, u)) + scaled(found->z, cross(u, v));
+    const Vector other = primitive(sgn(det(u, v, w)) < 0 ? Vector(-m) : m);
+    if (std::find(result.begin(), result.end(), other) == result.end()) result.push_back(other);
+  }
+  result.erase(result.begin());
+  return result;
+}
 
 std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most) { return Directions(lattice).run(most); }
 

@@ -38,13 +38,17 @@ long binary_order(const mpq_class& value) {
   return static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
 }
 
-Goal::Goal(unsigned bits, mpq_class extent, mpq_class rho)
-    : bits_(bits), extent_(std::move(extent)), rho_(std::move(rho)), share_(shifted(15, -static_cast<long>(bits) - 4)) {}
+Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
+    : status_bits_(status_bits),
+      extent_(std::move(extent)),
+      rho_(std::move(rho)),
+      share_(shifted(15, -static_cast<long>(bits) - 4)),
+      status_share_(shifted(15, -static_cast<long>(status_bits) - 4)) {}
 
 long Goal::finest(const mpq_class& x) const {
   if (extent_ == 0 && x == 0) return 0;
   const long order = extent_ == 0 ? binary_order(x) / 2 - 1 : binary_order(extent_);
-  return static_cast<long>(bits_) + 6 - order;
+  return static_cast<long>(status_bits_) + 6 - order;
 }
 
 mpq_class Goal::from_below(const mpq_class& x) const {
@@ -67,8 +71,8 @@ mpq_class Goal::exact_or_above(const mpq_class& x) const {
 
 bool Goal::met(const mpq_class& low, const mpq_class& high) const {
   const mpq_class width = high - low;
-  if (width <= share_ * extent_) return true;
-  return sgn(low) == sgn(high) && width <= share_ * std::min(mpq_class(abs(low)), mpq_class(abs(high)));
+  if (!decided(low, high)) return width <= status_share_ * extent_;
+  return width <= share_ * std::max({extent_, std::min(mpq_class(abs(low)), mpq_class(abs(high)))});
 }
 
 }  // namespace fathom::curved

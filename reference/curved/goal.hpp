@@ -9,8 +9,9 @@ namespace fathom::curved {
 /// A number is rho + the signed root of x: sqrt(x), or -sqrt(-x) for x < 0. It is named by x.
 class Goal {
  public:
-  /// high - low is to be at most 2^-bits of the extent, or of both numbers, if they have one sign.
-  Goal(unsigned bits, mpq_class extent, mpq_class rho);
+  /// If low and high have one sign, high - low is to be at most 2^-bits of both, or of the extent; if not, at most 2^-status_bits of the
+  /// extent, which are not fewer.
+  Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho);
 
   /// Multiples of 2^-k, moved by rho, at most and at least the number. They differ by less than the goal allows.
   [[nodiscard]] mpq_class from_below(const mpq_class& x) const;
@@ -19,6 +20,8 @@ class Goal {
   [[nodiscard]] mpq_class exact_or_below(const mpq_class& x) const;
   [[nodiscard]] mpq_class exact_or_above(const mpq_class& x) const;
   [[nodiscard]] bool met(const mpq_class& low, const mpq_class& high) const;
+  /// Whether these bounds have one sign.
+  static bool decided(const mpq_class& low, const mpq_class& high) { return low > 0 || high < 0; }
 
   [[nodiscard]] const mpq_class& extent() const { return extent_; }
   [[nodiscard]] const mpq_class& rho() const { return rho_; }
@@ -28,8 +31,8 @@ class Goal {
   [[nodiscard]] const mpq_class& share() const { return share_; }
 
  private:
-  unsigned bits_;
-  mpq_class extent_, rho_, share_;
+  unsigned status_bits_;
+  mpq_class extent_, rho_, share_, status_share_;
 };
 
 /// value * 2^exponent.

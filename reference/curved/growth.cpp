@@ -101,7 +101,7 @@ void Growth::run() {
       ask_exactly(first->triangle);
       return;
     }
-    if (oracle_.spent()) return;
+    if (oracle_.spent() || (oracle_.calls() >= checkpoint_ && hopeless(high - low))) return;
     expand(first->triangle, high - low);
     const double improved = key(oracle_.lowest()->height, oracle_.lowest()->direction);
     if (improved < 0x1p24 * (first->key - improved)) refer_to(*oracle_.lowest());
@@ -109,12 +109,33 @@ void Growth::run() {
 }
 
 bool Growth::met() {
-  const std::optional<mpq_class> low = squared();
+  std::optional<mpq_class> low = squared();
+  if (!low && common_) low = 0;
   if (!low) return false;
   const Ceiling& ceiling = *oracle_.lowest();
   const mpq_class& unit = oracle_.lattice().fine_unit;
   const mpq_class high = kernels::ratio(ceiling.height * ceiling.height, dot(ceiling.direction, ceiling.direction)) * unit * unit;
   return goal_.met(goal_.from_below(*low), goal_.from_above(high));
+}
+
+// Whether the gap is expected to stay too wide until all calls are spent. Never while the sign of the bounds is open. Where optima form a
+// continuum it shrinks by one factor whenever the calls double; if it did so at the last two checkpoints, it is expected to do so again. Else
+// it is expected to shrink by that factor with every as many calls as there were between them, though it will do so ever faster.
+bool Growth::hopeless(double gap) {
+  const std::size_t between = checkpoint_ / 2;
+  checkpoint_ *= 2;
+  const double factor = last_gap_ / gap, last_factor = std::exchange(last_factor_, factor);
+  last_gap_ = gap;
+  if (last_factor == 0) return false;
+  const bool by_doubling = factor < 1.2 * last_factor;
+  double expected = gap;
+  if (factor > 1.1)
+    for (std::size_t calls = oracle_.calls(); calls < oracle_.budget() && expected > estimates_.allowed();
+         calls += by_doubling ? calls : between)
+      expected /= factor;
+  if (expected <= estimates_.allowed()) return false;
+  const std::optional<mpq_class> low = squared();
+  return low && goal_.from_below(*low) > 0;
 }
 
 void Growth::expand(TriangleId t, double gap) {

@@ -18,6 +18,8 @@ namespace fathom::curved {
 
 /// Of a normal that is asked for without being shortened.
 inline constexpr long most_exact_bits = 128;
+/// After so many calls the search looks for the first time at how fast it gets on.
+inline constexpr std::size_t first_checkpoint = 128;
 
 /// What binary64 says of bounds, of which it decides nothing: in the lattice's coordinates times 2^-exponent.
 class Estimates {
@@ -31,6 +33,8 @@ class Estimates {
   [[nodiscard]] double root(const mpz_class& numerator, const mpz_class& denominator) const;
   /// False if the goal is out of sight.
   [[nodiscard]] bool perhaps_met(double low, double high) const;
+  /// How far bounds of one sign may be apart.
+  [[nodiscard]] double allowed() const { return share_ * extent_; }
   /// How fine a point has to be while the bounds differ by this.
   [[nodiscard]] unsigned precision(double gap) const;
 
@@ -42,11 +46,13 @@ class Estimates {
 
 class Growth {
  public:
-  Growth(Oracle& oracle, const Goal& goal, const Estimates& estimates) : oracle_(oracle), goal_(goal), estimates_(estimates) {}
+  /// `common`: O is known to be in P.
+  Growth(Oracle& oracle, const Goal& goal, const Estimates& estimates, bool common)
+      : oracle_(oracle), goal_(goal), estimates_(estimates), common_(common) {}
 
   /// The points must not lie in one plane.
   void start(const std::array<polytope::Difference, 4>& points);
-  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, or no call is left.
+  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is left, or the calls that are left will not do.
   void run();
 
   /// The squared distance of the nearest facet plane of Q, in the shapes' unit; nullopt if O is not in the interior of Q. Exact.
@@ -77,16 +83,20 @@ class Growth {
   [[nodiscard]] double key(const mpz_class& height, const Vector& normal) const;
   [[nodiscard]] double distance(double key) const;
   bool met();
+  bool hopeless(double gap);
   void expand(TriangleId t, double gap);
   void ask_exactly(TriangleId t);
 
   Oracle& oracle_;
   const Goal& goal_;
   const Estimates& estimates_;
+  bool common_;
   expanding::Surface<mpz_class> surface_;
   expanding::MergeMemory merge_;
   std::vector<Waiting> waiting_;  // a heap
   Reference reference_;
+  std::size_t checkpoint_ = first_checkpoint;  // a power of two
+  double last_gap_ = 0, last_factor_ = 0;      // at the one before, if any; and by how much it had shrunk there
 };
 
 }  // namespace fathom::curved

@@ -31,7 +31,7 @@ CurvedBounds half_space_bounds(kernels::Context& context, const HalfSpace& plane
                                const mpq_class& radius, unsigned bits) {
   const auto& terms = std::get<std::vector<Term>>(other.core);
   const Lattice points = plane_is_a ? lattice({}, terms, bits + 6) : lattice(terms, {}, bits + 6);
-  const Goal goal(bits, points.extent * points.unit + 2 * (radius + other.radius), radius + other.radius);
+  const Goal goal(bits, bits, points.extent * points.unit + 2 * (radius + other.radius), radius + other.radius);
   const mpq_class factor = factor_of(plane.normal);
   const Point& m = plane.normal;
   const Vector outward{mpz_class(m.x * factor), mpz_class(m.y * factor), mpz_class(m.z * factor)};

@@ -63,6 +63,7 @@ class Oracle {
   [[nodiscard]] Vector shortened(const Vector& n) const;
 
   [[nodiscard]] std::size_t calls() const { return points_.size(); }
+  [[nodiscard]] std::size_t budget() const { return budget_; }
   [[nodiscard]] bool spent() const { return calls() >= budget_; }
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] const std::vector<PickedPoint>& points() const { return points_; }

@@ -22,7 +22,8 @@ Distance distance(kernels::Context& context, const polytope::PlacedPair& pair, b
   return {factor * factor * dot(n, n),
           n,
           {factor * n.x, factor * n.y, factor * n.z},
-          {combination(pair, pair.a.points(), nearest.a), combination(pair, pair.b.points(), nearest.b)}};
+          {combination(pair, pair.a.points(), nearest.a), combination(pair, pair.b.points(), nearest.b)},
+          contact_of(facing_faces(pair, n))};
 }
 
 }  // namespace

@@ -41,6 +41,15 @@ ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> poin
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
 
+Contact contact_of(FacingFaces faces) {
+  const std::size_t a = faces.a.ids.size(), b = faces.b.ids.size();
+  const ContactKind kind = a + b == 2         ? ContactKind::vertex_vertex
+                           : a == 1 && b == 2 ? ContactKind::vertex_edge
+                           : a == 2 && b == 1 ? ContactKind::edge_vertex
+                                              : kind_of(a, b);
+  return {kind, std::move(faces.a.ids), std::move(faces.b.ids)};
+}
+
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights) {
   Point sum;
   for (const Weight& w : weights) {

@@ -32,6 +32,9 @@ ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> poin
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 
+/// The contact of any two faces.
+Contact contact_of(FacingFaces faces);
+
 /// Returns the optimum in direction n, the outward normal of a facet of P, given the faces in that direction. Throws std::logic_error if
 /// these do not span a facet.
 Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);

@@ -85,7 +85,10 @@ const Vector& Depth::direction() const {
 
 Point Depth::translation() const { return penetration() ? optima().front().translation() : Point{}; }
 
-const Contact* Depth::contact() const { return penetration() ? &optima().front().contact : nullptr; }
+const Contact* Depth::contact() const {
+  if (penetration()) return &optima().front().contact;
+  return distance() ? &distance()->contact : nullptr;
+}
 
 std::optional<Witness> Depth::witness() const {
   if (touch()) return Witness{touch()->point, touch()->point};

@@ -23,6 +23,9 @@ std::string_view name(ContactKind kind) {
     case ContactKind::edge_facet: return "edge-facet";
     case ContactKind::facet_facet: return "facet-facet";
     case ContactKind::edge_edge: return "edge-edge";
+    case ContactKind::vertex_vertex: return "vertex-vertex";
+    case ContactKind::vertex_edge: return "vertex-edge";
+    case ContactKind::edge_vertex: return "edge-vertex";
   }
   throw std::logic_error("unknown contact kind");
 }

@@ -9,6 +9,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/case_places.hpp"
+#include "reference/files/misspelt_fields.hpp"
 
 namespace fathom::files {
 namespace {
@@ -72,7 +73,9 @@ class Listener : public nlohmann::json_sax<Json> {
     return true;
   }
   bool skip(CasePlace place, const std::string& found) {
-    const bool ours = place != CasePlace::other && place != CasePlace::shape && (place != CasePlace::pose || !body().is_shape);
+    if (place == CasePlace::faces) body().has_faces = true;
+    const bool ours = place != CasePlace::other && place != CasePlace::shape && place != CasePlace::faces &&
+                      (place != CasePlace::pose || !body().is_shape);
     if (ours) fault(path(), expected_at(place), found);
     if (++skipped_ + frames_.size() > deepest) fault("", "values nested at most 64 deep", "a deeper one");
     return true;
@@ -176,7 +179,7 @@ bool Listener::number(const mpz_class& value) {
 bool Listener::string(std::string& text) {
   const CasePlace place = next_place();
   bool good = true;
-  if (place == CasePlace::shape) return read_elsewhere();
+  if (place == CasePlace::shape || place == CasePlace::pose) return read_elsewhere();
   if (place == CasePlace::coordinate || place == CasePlace::pose_entry) {
     ParsedNumber number = parse_number(text, Decimals::exact);
     mpq_class* const to = target(place);
@@ -210,7 +213,10 @@ bool Listener::key(std::string& name) {
   Frame& top = frames_.back();
   top.key = name;
   const CasePlace place = next_place();
-  if (place == CasePlace::other) return true;
+  if (place == CasePlace::other) {
+    fields.misspelt = fields.misspelt || looks_misspelt(name, top.place == CasePlace::body);
+    return true;
+  }
   if (std::ranges::find(top.seen, name) == top.seen.end()) top.seen.push_back(name);
   else fault(path(), "one field of this name", "a second one");
   return true;
@@ -243,6 +249,8 @@ bool Listener::end_array() {
   const Frame ended = frames_.back();
   frames_.pop_back();
   const std::size_t wanted = ended.place == CasePlace::pose_row ? 4 : 3;
+  const bool four_rows = ended.place == CasePlace::pose && ended.index == 4;
+  if (four_rows) return read_elsewhere();
   if (ended.place == CasePlace::vertices) {
     if (ended.index == 0) fault(path(), "at least one point", "none");
   } else if (ended.index != wanted) {

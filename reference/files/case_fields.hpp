@@ -16,8 +16,9 @@ namespace fathom::files {
 struct BodyFields {
   GivenPoints vertices;
   std::optional<Pose> pose;
-  bool rounded = false;   ///< "pose_rounding": "binary64"
-  bool is_shape = false;  ///< it has a shape's name, a margin or a quaternion: shape_fields.hpp reads it
+  bool rounded = false;    ///< "pose_rounding": "binary64"
+  bool has_faces = false;  ///< case_faces.hpp reads them
+  bool is_shape = false;   ///< it has a shape's name, a margin, or a pose that is no 3 x 4 matrix: shape_fields.hpp reads it
 };
 
 /// The fields of a case, or the first error in it.
@@ -25,6 +26,7 @@ struct CaseFields {
   std::optional<std::string> id;  ///< also of a bad case, if it could be read
   BodyFields a, b;
   bool rounded = false;        ///< of both bodies
+  bool misspelt = false;       ///< perhaps: see looks_misspelt
   std::string fault;           ///< empty if the case is good; else what was expected where, and what was found
   std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
 };

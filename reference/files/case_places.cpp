@@ -13,6 +13,7 @@ std::string expected_at(CasePlace place) {
     case CasePlace::body: return "an object with 'vertices' or 'shape'";
     case CasePlace::vertices: return "an array of points";
     case CasePlace::vertex: return "three coordinates";
+    case CasePlace::faces: return "an array of faces";
     case CasePlace::pose: return "three rows of four numbers";
     case CasePlace::pose_row: return "four numbers";
     default: return "a number, or an exact number in quotes";
@@ -29,13 +30,14 @@ CasePlace field_of_case(std::string_view key) {
 CasePlace field_of_body(std::string_view key) {
   if (key == "vertices") return CasePlace::vertices;
   if (key == "pose") return CasePlace::pose;
+  if (key == "faces") return CasePlace::faces;
   if (key == "shape" || key == "margin") return CasePlace::shape;
   return key == "pose_rounding" ? CasePlace::body_rounding : CasePlace::other;
 }
 
 bool may_be_null(CasePlace place) {
   return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id || place == CasePlace::pose ||
-         place == CasePlace::rounding || place == CasePlace::body_rounding;
+         place == CasePlace::faces || place == CasePlace::rounding || place == CasePlace::body_rounding;
 }
 
 }  // namespace fathom::files

@@ -20,6 +20,7 @@ enum class CasePlace {
   pose,
   pose_row,
   pose_entry,
+  faces,  ///< case_faces.cpp reads them
   shape,  ///< a shape's name, or a margin: of a body that shape_fields.cpp reads
   other   ///< no field of ours: skipped
 };

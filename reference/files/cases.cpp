@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases as JSON: the text of one, and one after another from a stream.
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/files/case_faces.hpp"
 #include "reference/files/case_fields.hpp"
+#include "reference/files/misspelt_fields.hpp"
+#include "reference/files/named_body.hpp"
 #include "reference/files/quick_case_fields.hpp"
 #include "reference/files/shape_fields.hpp"
 #include "reference/files/unread_cases.hpp"
@@ -33,16 +38,34 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
   return "";
 }
 
+void note_pose(const BodyFields& body, const char* name, std::vector<CaseNote>& notes) {
+  if (body.is_shape || !body.pose) return;
+  if (const std::string note = pose_note({body.pose}, false); !note.empty())
+    notes.push_back({CaseNote::pose, std::string(name) + ".pose: " + note});
+}
+
+/// Whether the body has faces and is the hull of the points that they name: those of other shapes are not read.
+bool has_mesh(const BodyFields& fields, const Body& body) {
+  return fields.has_faces && !body.shape && (!body.words || body.words->shape == "hull");
+}
+
 /// Places both bodies. Returns a sentence on what went wrong, or "".
-std::string place(const std::string& text, CaseFields& fields, Case& result) {
+std::string place(const std::string& text, CaseFields& fields, Case& result, std::vector<CaseNote>& notes) {
   std::string fault;
+  note_pose(fields.a, "a", notes);
+  note_pose(fields.b, "b", notes);
   if (!fields.a.is_shape) fault = place(fields.a, fields.rounded, "a", result.a);
   if (fault.empty() && !fields.b.is_shape) fault = place(fields.b, fields.rounded, "b", result.b);
-  if (!fault.empty() || (!fields.a.is_shape && !fields.b.is_shape)) return fault;
-  ShapesOfCase shapes = read_shapes(text, fields.a.is_shape, fields.b.is_shape, fields.rounded);
-  if (shapes.a) result.a = *std::move(shapes.a);
-  if (shapes.b) result.b = *std::move(shapes.b);
-  return std::move(shapes.fault);
+  if (fault.empty() && (fields.a.is_shape || fields.b.is_shape)) {
+    ShapesOfCase shapes = read_shapes(text, fields.a.is_shape, fields.b.is_shape, fields.rounded);
+    if (shapes.a) result.a = *std::move(shapes.a);
+    if (shapes.b) result.b = *std::move(shapes.b);
+    std::ranges::move(shapes.notes, std::back_inserter(notes));
+    fault = std::move(shapes.fault);
+  }
+  if (fault.empty() && has_mesh(fields.a, result.a)) fault = read_faces(text, "a", result.a);
+  if (fault.empty() && has_mesh(fields.b, result.b)) fault = read_faces(text, "b", result.b);
+  return fault;
 }
 
 }  // namespace
@@ -55,9 +78,13 @@ CaseItem read_case(QuickCaseReader& reader, const UnreadCase& text, const std::s
   CaseFields fields = quick ? *std::move(quick) : read_case_fields(text.text);
   Case result{fields.id.value_or(std::to_string(line)), {}, {}};
   std::string fault = std::move(fields.fault);
-  if (fault.empty()) fault = place(text.text, fields, result);
+  std::vector<CaseNote> notes = fields.misspelt ? misspelt_fields(text.text) : std::vector<CaseNote>{};
+  std::string meant;  // perhaps, where a field is missing
+  for (const CaseNote& note : notes) meant += "; " + note.text;
+  if (fault.empty()) fault = place(text.text, fields, result, notes);
+  if (!fault.empty()) fault += meant;
   std::string id = result.id;
-  if (fault.empty()) return {line, std::move(id), std::move(result)};
+  if (fault.empty()) return {line, std::move(id), std::move(result), std::move(notes)};
   return {line, std::move(id), InputError(name, line + fields.fault_line, fault)};
 }
 

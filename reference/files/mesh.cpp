@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tells the format of a mesh by extension or first bytes; what the formats share.
 #include <array>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -47,6 +48,20 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::shared_ptr<const MeshFaces> faces_of(MeshFaces faces) {
+  if (faces.ends.empty()) return nullptr;
+  bool triangles = true;
+  for (std::size_t i = 0; i < faces.ends.size() && triangles; ++i) triangles = faces.ends[i] == 3 * (i + 1);
+  if (triangles) faces.ends = {};
+  return std::make_shared<const MeshFaces>(std::move(faces));
+}
+
+Body mesh_body(CollectedPoints points, MeshFaces faces) {
+  Body body{points.take()};
+  body.faces = faces_of(std::move(faces));
+  return body;
+}
 
 Coordinate parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals) {
   if (const std::optional<double> quick = kernels::quick_number(token, decimals)) return *quick;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,12 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
 Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimals);
 Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals);
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
+
+/// The faces as a body keeps them; null if there are none.
+std::shared_ptr<const MeshFaces> faces_of(MeshFaces faces);
+
+/// The body of what a file holds; it has no faces if there are none.
+Body mesh_body(CollectedPoints points, MeshFaces faces);
 
 /// Returns whether the size is that which the header of a binary STL announces.
 bool is_binary_stl(std::string_view bytes);

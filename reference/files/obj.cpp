@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: lines "v x y z" and "f i/j/k ..."; skips every other kind of line.
 #include <charconv>
+#include <utility>
 
 #include "reference/files/mesh_formats.hpp"
 
@@ -21,7 +22,7 @@ struct HighestIndex {
   std::size_t line = 0;
 };
 
-void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex& highest) {
+void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex& highest, MeshFaces& faces) {
   std::string_view token = scanner.next_token();
   if (token.empty()) scanner.fail("the corners of a face", token);
   for (; !token.empty(); token = scanner.next_token()) {
@@ -33,7 +34,9 @@ void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex
     } else if (static_cast<std::uint64_t>(index) > highest.index) {
       highest = {static_cast<std::uint64_t>(index), scanner.line()};
     }
+    faces.corners.push_back(static_cast<std::uint32_t>(index < 0 ? static_cast<std::int64_t>(vertices_so_far) + index : index - 1));
   }
+  faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
 }
 
 }  // namespace
@@ -42,10 +45,11 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
   TextScanner scanner(text, name, {.comment = '#', .continuation = true});
   CollectedPoints points;
   HighestIndex highest;
+  MeshFaces faces;
   while (scanner.next_line()) {
     const std::string_view keyword = scanner.next_token();
     if (keyword == "v") read_point(scanner, decimals, points);
-    if (keyword == "f") read_face(scanner, points.size(), highest);
+    if (keyword == "f") read_face(scanner, points.size(), highest, faces);
   }
   if (points.empty()) scanner.fail_at_end("at least one vertex 'v x y z'");
   if (highest.index > points.size()) {
@@ -53,7 +57,7 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
         name, highest.line,
         "expected a vertex index of at most " + std::to_string(points.size()) + ", found '" + std::to_string(highest.index) + "'");
   }
-  return {points.take()};
+  return mesh_body(std::move(points), std::move(faces));
 }
 
 }  // namespace fathom::files

@@ -34,7 +34,7 @@ void read_vertex(Values& values, const PlyElement& element, CollectedPoints& poi
 }
 
 template <class Values>
-void read_face(Values& values, const PlyElement& element, std::uint64_t vertices) {
+void read_face(Values& values, const PlyElement& element, std::uint64_t vertices, MeshFaces& faces) {
   for (const PlyProperty& property : element.properties) {
     if (property.name != "vertex_indices" && property.name != "vertex_index") {
       skip_property(values, property);
@@ -46,7 +46,9 @@ void read_face(Values& values, const PlyElement& element, std::uint64_t vertices
       const std::int64_t index = values.integer(property.type);
       const bool good = index >= 0 && static_cast<std::uint64_t>(index) < vertices;
       if (!good) values.fail("a vertex index below " + std::to_string(vertices), std::to_string(index));
+      faces.corners.push_back(static_cast<std::uint32_t>(index));
     }
+    faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
   }
 }
 
@@ -61,6 +63,7 @@ std::size_t least_size(const PlyElement& element, PlyEncoding encoding) {
 template <class Values>
 Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertices) {
   CollectedPoints points;
+  MeshFaces faces;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no room, whatever its count
     if (element.name == "vertex") reserve_within(points, vertices, values.bytes_left(), least_size(element, header.encoding));
@@ -69,7 +72,7 @@ Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertice
       if (element.name == "vertex") {
         read_vertex(values, element, points);
       } else if (element.name == "face") {
-        read_face(values, element, vertices);
+        read_face(values, element, vertices, faces);
       } else {
         for (const PlyProperty& property : element.properties) skip_property(values, property);
       }
@@ -77,7 +80,7 @@ Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertice
     }
   }
   values.finish();
-  return {points.take()};
+  return mesh_body(std::move(points), std::move(faces));
 }
 
 // Checks the shape of what will be read; returns the number of vertices.

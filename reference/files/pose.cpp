@@ -2,11 +2,15 @@
 #include "reference/files/pose.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "fathom/numbers.hpp"
 
 namespace fathom::files {
 namespace {
+
+using Rows = std::array<std::array<mpq_class, 3>, 3>;
 
 mpq_class applied(const std::array<mpq_class, 4>& row, const Point& p) {
   return mpq_class(row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3]);
@@ -19,10 +23,140 @@ bool round_coordinate(mpq_class& value) {
   return true;
 }
 
+mpq_class determinant(const Rows& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/// Whether the rows are orthogonal and of one length, but for 1/100000 of its square.
+bool is_similarity(const Rows& m) {
+  const auto dot = [&](std::size_t i, std::size_t j) { return mpq_class(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2]); };
+  const mpq_class square = dot(0, 0), slack = square / 100000;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      if (abs(mpq_class(dot(i, j) - (i == j ? square : mpq_class(0)))) > slack) return false;
+  return square != 0;
+}
+
+bool is_near_1(const mpq_class& value) { return abs(mpq_class(value - 1)) * 100000 <= 3; }
+
+bool is_rotation(const Rows& m) { return is_similarity(m) && is_near_1(determinant(m)); }
+
+std::string short_text(const mpq_class& value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", round_binary64(value));
+  return text;
+}
+
+std::string note_on(const Rows& m) {
+  if (m == Rows{}) return "the matrix is 0: the body becomes a point";
+  const mpq_class det = determinant(m);
+  if (det == 0) return "det 0, not a rotation: the body becomes flat";
+  const std::string found = "det " + short_text(det);
+  if (is_similarity(m)) {
+    if (is_near_1(det)) return "";
+    if (is_near_1(abs(det))) return found + ", a reflection: the body is mirrored";
+    const double scale = std::cbrt(round_binary64(abs(det)));
+    char text[48];
+    std::snprintf(text, sizeof text, ": the body is %sscaled by %.4g", det < 0 ? "mirrored and " : "", scale);
+    return found + ", not a rotation" + text;
+  }
+  return found + ", not a rotation: the body is " + (is_near_1(abs(det)) ? "sheared" : "scaled or sheared") + " by it";
+}
+
+/// The twelve numbers, three rows of four, taken as four columns of three.
+Rows by_columns(const Pose& pose) {
+  Rows result;
+  for (std::size_t i = 0; i < 9; ++i) result[i % 3][i / 3] = pose[i / 4][i % 4];
+  return result;
+}
+
+bool is_last(const std::array<mpq_class, 4>& row) { return row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 1; }
+
 }  // namespace
+
+Quaternion product(const Quaternion& p, const Quaternion& q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+}
 
 Point placed(const Point& p, const Pose& pose) { return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)}; }
 
 bool round_to_binary64(Point& point) { return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z); }
+
+Pose exact_pose(const GivenPose& given) { return given.matrix ? *given.matrix : rigid_pose(given.turn, given.place); }
+
+std::string pose_note(const GivenPose& given, bool has_radius) {
+  if (!given.matrix) return "";
+  Rows rows;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) rows[i][j] = (*given.matrix)[i][j];
+  std::string note = note_on(rows);
+  if (!note.empty() && has_radius) note += "; its radius or margin stays";
+  if (given.transposed) {
+    note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
+  } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {
+    note += "; four columns of three, read column by column, would be a rotation";
+  }
+  return note;
+}
+
+void place(Body& body, const GivenPose& given) {
+  const Pose pose = exact_pose(given);
+  body.words = nullptr;
+  if (body.shape) {
+    body.shape = moved(*body.shape, pose);
+    return;
+  }
+  for (Point& point : body.points.edit()) point = placed(point, pose);
+}
+
+std::optional<PoseWord> pose_word(std::string_view name) {
+  if (name == "translation" || name == "xyz") return PoseWord::translation;
+  if (name == "quaternion" || name == "quat") return PoseWord::quaternion;
+  if (name == "xyzw") return PoseWord::xyzw;
+  return name == "rpy" ? std::optional(PoseWord::rpy) : std::nullopt;
+}
+
+std::string_view name(PoseWord word) {
+  constexpr std::array<std::string_view, 4> names = {"translation", "quaternion", "xyzw", "rpy"};
+  return names[static_cast<std::size_t>(word)];
+}
+
+std::size_t numbers_of(PoseWord word) { return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3; }
+
+GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
+  GivenPose result;
+  bool turned = false;
+  for (const auto& [word, numbers] : words) {
+    if (word == PoseWord::translation) {
+      result.place = {numbers[0], numbers[1], numbers[2]};
+      continue;
+    }
+    if (std::exchange(turned, true)) fault = "expected one rotation, found two";
+    if (word == PoseWord::quaternion) result.turn = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    if (word == PoseWord::xyzw) result.turn = {numbers[3], numbers[0], numbers[1], numbers[2]};
+    if (word != PoseWord::rpy) continue;
+    std::array<kernels::CosineAndSine, 3> half;
+    for (std::size_t i = 0; i < 3; ++i) half[i] = kernels::cosine_and_sine(numbers[i] / 2, unit);
+    const Quaternion roll = {half[0].cosine, half[0].sine, 0, 0}, pitch = {half[1].cosine, 0, half[1].sine, 0},
+                     yaw = {half[2].cosine, 0, 0, half[2].sine};
+    result.turn = product(yaw, product(pitch, roll));
+  }
+  if (result.turn == Quaternion{0, 0, 0, 0}) fault = "expected a quaternion that is not 0, found 0";
+  return result;
+}
+
+GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault) {
+  GivenPose result;
+  Pose& pose = result.matrix.emplace();
+  for (std::size_t i = 0; i < 3; ++i) pose[i] = rows.at(i);
+  if (rows.size() < 4 || is_last(rows[3])) return result;
+  result.transposed = is_last({rows[0][3], rows[1][3], rows[2][3], rows[3][3]});
+  if (!result.transposed) fault = "expected the last row 0 0 0 1 of a 4 x 4 matrix, found another";
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j) pose[i][j] = rows[j][i];
+  return result;
+}
 
 }  // namespace fathom::files

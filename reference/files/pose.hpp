@@ -2,16 +2,69 @@
 // Placing a body: an exact affine map, and the one rounding that a program in doubles would add.      [docs/command_line.md]
 #pragma once
 
-#include "fathom/shape.hpp"
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fathom/body.hpp"
+#include "kernels/number/angle.hpp"
 
 namespace fathom::files {
 
 using fathom::Pose;
+using kernels::AngleUnit;
+
+/// The turn by q, and then by p.
+Quaternion product(const Quaternion& p, const Quaternion& q);
 
 /// Returns M p + t, exactly. M may be any matrix: it need be neither orthonormal nor regular.
 Point placed(const Point& p, const Pose& pose);
 
 /// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too large; then the point is unusable.
 bool round_to_binary64(Point& point);
+
+/// A pose as it was given: a matrix; or a rotation, and then a translation.
+struct GivenPose {
+  std::optional<Pose> matrix = std::nullopt;  ///< if set, in the place of `turn` and `place`
+  Quaternion turn{1, 0, 0, 0};
+  Point place = {};
+  bool transposed = false;  ///< the matrix was written column by column
+};
+
+/// The map that it is, exactly. Throws as rigid_pose does.
+Pose exact_pose(const GivenPose& given);
+
+/// What there is to say of a pose that is no rotation and translation, as "det 0.98, not a rotation: the body is scaled or sheared by it";
+/// or of one that was transposed. Empty if the matrix is a rotation but for 1/100000: that of floats, or of decimals, is no exact one.
+/// `has_radius`: of a body with a radius, which no pose maps.
+std::string pose_note(const GivenPose& given, bool has_radius);
+
+/// Places the body, exactly. Throws std::invalid_argument as moved does.
+void place(Body& body, const GivenPose& given);
+
+/// The words for a rotation and a translation, and what they are called in short.
+enum class PoseWord { translation, quaternion, xyzw, rpy };
+
+/// "translation" or "xyz"; "quaternion" or "quat"; "xyzw"; "rpy".
+std::optional<PoseWord> pose_word(std::string_view name);
+std::string_view name(PoseWord word);
+/// How many numbers belong to it.
+std::size_t numbers_of(PoseWord word);
+
+/// What was read for each word.
+using PoseWords = std::map<PoseWord, std::vector<mpq_class>>;
+
+/// The pose of these words, with as many numbers each as belong to it. A quaternion is (w, x, y, z), or (x, y, z, w) as `xyzw`. rpy: angles
+/// about the fixed axes x, then y, then z, as in URDF. The body is turned about each axis by the quaternion of the half angle's cosine and
+/// sine, both rounded to 53 bits: an exact rotation by an angle that is off by less than 2^-51, and not at all at multiples of 90 degrees.
+/// Returns a sentence in `fault` if the words do not go together.
+GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
+
+/// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0 1; or the last column, and then it was
+/// written column by column. Returns a sentence in `fault` if neither is so.
+GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault);
 
 }  // namespace fathom::files

@@ -17,6 +17,7 @@
 #include "kernels/number/dyadic.hpp"
 #include "reference/files/case_places.hpp"
 #include "reference/files/collected_points.hpp"
+#include "reference/files/misspelt_fields.hpp"
 
 namespace fathom::files {
 namespace {
@@ -211,7 +212,7 @@ class OnceEach {
   std::array<bool, static_cast<std::size_t>(CasePlace::other)> seen_{};
 };
 
-bool read_body(Value value, BodyFields& body) {
+bool read_body(Value value, BodyFields& body, bool& misspelt) {
   OnceEach fields;
   const auto read = [&](std::string_view key, Value field) {
     const CasePlace place = field_of_body(key);
@@ -221,7 +222,8 @@ bool read_body(Value value, BodyFields& body) {
       case CasePlace::pose: return read_pose(field, body.pose);
       case CasePlace::body_rounding: return read_rounding(field, body.rounded);
       case CasePlace::shape: return false;
-      default: return is_value(field, 0);
+      case CasePlace::faces: body.has_faces = true; return is_value(field, 0);
+      default: misspelt = misspelt || looks_misspelt(key, true); return is_value(field, 0);
     }
   };
   return for_each_field(value, read) && fields.seen(CasePlace::vertices);
@@ -234,14 +236,14 @@ bool read_case(Value value, CaseFields& result) {
     const CasePlace place = field_of_case(key);
     if (place == CasePlace::body) {
       const bool first = !std::exchange(key == "a" ? has_a : has_b, true);
-      return first && read_body(field, key == "a" ? result.a : result.b);
+      return first && read_body(field, key == "a" ? result.a : result.b, result.misspelt);
     }
     if (!fields.first(place)) return false;
     switch (place) {
       case CasePlace::schema: return token_of(field) == "\"fathom/case/1\"";
       case CasePlace::id: return read_id(field, result.id);
       case CasePlace::rounding: return read_rounding(field, result.rounded);
-      default: return is_value(field, 0);
+      default: result.misspelt = result.misspelt || looks_misspelt(key, false); return is_value(field, 0);
     }
   };
   return for_each_field(value, read) && has_a && has_b;

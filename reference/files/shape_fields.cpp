@@ -3,7 +3,9 @@
 #include "reference/files/shape_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -12,7 +14,10 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/misspelt_fields.hpp"
+#include "reference/files/named_body.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/pose_text.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
@@ -21,6 +26,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t readable = 40;  // what a message shows of a text
+constexpr const char* expected_pose =
+    "three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\"";
 
 std::string found(const Json& value) {
   if (value.is_object()) return "an object";
@@ -31,7 +38,7 @@ std::string found(const Json& value) {
 /// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
 bool is_ours(std::string_view key) {
   return number_field(key) || key == "shape" || key == "axis" || key == "vertices" || key == "terms" || key == "pose" ||
-         key == "pose_rounding" || key == "quaternion" || key == "translation";
+         key == "pose_rounding" || key == "unit" || pose_word(key);
 }
 
 /// Finds repeated fields, which a document does not show.
@@ -55,6 +62,7 @@ struct Repetitions {
 class Reader {
  public:
   std::string fault;
+  std::vector<CaseNote> notes;
 
   Body body(const Json& json, const std::string& path, bool rounded);
 
@@ -70,10 +78,11 @@ class Reader {
   std::vector<mpq_class> numbers(const Json& value, std::size_t count, const std::string& path);
   std::vector<Point> points(const Json& value, const std::string& path);
   Axis axis(const Json& value, const std::string& path);
-  std::optional<Pose> pose(const Json& value, const std::string& path);
-  ShapeFields fields(const Json& json, const NamedShape& named, const std::string& path);
-  Shape unplaced(const Json& json, const std::string& path);
-  Shape placed_shape(Shape shape, const Json& json, const std::string& path);
+  std::optional<GivenPose> pose(const Json& value, const std::string& path);
+  GivenPose pose_of_words(const Json& value, const std::string& path, std::string& wrong);
+  ShapeFields fields(const Json& json, const NamedShape& named, const std::string& path, NamedBody& words);
+  Shape unplaced(const Json& json, const std::string& path, NamedBody& words);
+  Shape placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words);
   void round(Shape& shape, const std::string& path);
 };
 
@@ -124,30 +133,44 @@ Axis Reader::axis(const Json& value, const std::string& path) {
   return Axis::z;
 }
 
-std::optional<Pose> Reader::pose(const Json& value, const std::string& path) {
-  if (value.is_object() && value.contains("quaternion")) {
-    const std::vector<mpq_class> q = numbers(value["quaternion"], 4, path + ".quaternion");
-    std::vector<mpq_class> t(3);
-    if (value.contains("translation")) t = numbers(value["translation"], 3, path + ".translation");
-    if (std::ranges::all_of(q, [](const mpq_class& x) { return x == 0; })) {
-      report(path + ".quaternion", "one that is not 0", "0");
-      return std::nullopt;
-    }
-    return rigid_pose({q[0], q[1], q[2], q[3]}, {t[0], t[1], t[2]});
+std::optional<GivenPose> Reader::pose(const Json& value, const std::string& path) {
+  std::string wrong;
+  GivenPose result;
+  if (value.is_string()) {
+    result = parse_pose(value.get_ref<const std::string&>(), Decimals::exact, wrong);
+  } else if (value.is_array() && (value.size() == 3 || value.size() == 4)) {
+    std::vector<std::array<mpq_class, 4>> rows(value.size());
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      std::ranges::copy(numbers(value[row], 4, path + "[" + std::to_string(row) + "]"), rows[row].begin());
+    result = pose_of(rows, wrong);
+  } else if (value.is_object()) {
+    result = pose_of_words(value, path, wrong);
+  } else {
+    report(path, expected_pose, found(value));
   }
-  if (!value.is_array() || value.size() != 3) {
-    report(path, "three rows of four numbers, or an object with 'quaternion'", found(value));
-    return std::nullopt;
-  }
-  Pose pose;
-  for (std::size_t row = 0; row < 3; ++row) {
-    const std::vector<mpq_class> entries = numbers(value[row], 4, path + "[" + std::to_string(row) + "]");
-    std::ranges::copy(entries, pose[row].begin());
-  }
-  return pose;
+  if (!wrong.empty()) refuse(path + ": " + wrong);
+  if (!fault.empty()) return std::nullopt;
+  return result;
 }
 
-ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std::string& path) {
+GivenPose Reader::pose_of_words(const Json& value, const std::string& path, std::string& wrong) {
+  PoseWords words;
+  std::vector<std::string> keys;
+  for (const auto& [key, numbers_of_it] : value.items()) {
+    const std::optional<PoseWord> word = pose_word(key);
+    keys.push_back(key);
+    if (!word || numbers_of_it.is_null()) continue;
+    std::vector<mpq_class> read = numbers(numbers_of_it, numbers_of(*word), path + "." + key);
+    if (!words.emplace(*word, std::move(read)).second) wrong = "expected one " + std::string(name(*word)) + ", found two";
+  }
+  if (const std::string sentence = misspelt_in_pose(keys); !sentence.empty()) notes.push_back({CaseNote::field, path + ": " + sentence});
+  if (words.empty()) report(path, expected_pose, found(value));
+  const std::string unit = words.contains(PoseWord::rpy) ? value.value("unit", Json()).dump() : R"("deg")";
+  if (unit != R"("deg")" && unit != R"("rad")") report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, readable));
+  return fault.empty() && wrong.empty() ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong) : GivenPose{};
+}
+
+ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std::string& path, NamedBody& words) {
   const ShapeName& shape = *named.shape;
   ShapeFields result;
   const auto require = [&](std::string_view name) {
@@ -172,16 +195,17 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
     else
       for (std::size_t i = 0; i < terms.size(); ++i) {
         const std::string place = path + ".terms[" + std::to_string(i) + "]";
-        Shape term = unplaced(terms[i], place);
+        NamedBody& of_term = words.terms.emplace_back();
+        Shape term = unplaced(terms[i], place, of_term);
         if (!fault.empty()) break;
         if (terms[i].contains("pose_rounding")) report(place + ".pose_rounding", "no such field of a term", "one");
-        result.terms.push_back(placed_shape(std::move(term), terms[i], place));
+        result.terms.push_back(placed_shape(std::move(term), terms[i], place, of_term));
       }
   }
   return result;
 }
 
-Shape Reader::unplaced(const Json& json, const std::string& path) {
+Shape Reader::unplaced(const Json& json, const std::string& path, NamedBody& words) {
   if (!json.is_object()) {
     report(path, "a shape", found(json));
     return {};
@@ -195,10 +219,13 @@ Shape Reader::unplaced(const Json& json, const std::string& path) {
       return {};
     }
   }
-  const ShapeFields read = fields(json, named, path);
+  words.shape = (named.rounded ? "rounded_" : "") + std::string(named.shape->name);
+  words.fields = fields(json, named, path, words);
   if (!fault.empty()) return {};
   try {
-    return made_shape(*named.shape, read);
+    Shape shape = made_shape(*named.shape, words.fields);
+    words.fields.terms.clear();  // they have words
+    return shape;
   } catch (const std::invalid_argument& error) {
     refuse(path + ": " + error.what());
     return {};
@@ -206,12 +233,17 @@ Shape Reader::unplaced(const Json& json, const std::string& path) {
 }
 
 // The shape where its field "pose" puts it, if it has one.
-Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& path) {
+Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words) {
   if (!fault.empty() || !json.contains("pose") || json["pose"].is_null()) return shape;
-  const std::optional<Pose> placing = pose(json["pose"], path + ".pose");
+  const std::optional<GivenPose> placing = pose(json["pose"], path + ".pose");
   if (!fault.empty()) return shape;
+  if (const std::string note = pose_note(*placing, shape.radius > 0); !note.empty())
+    notes.push_back({CaseNote::pose, path + ".pose: " + note});
   try {
-    return moved(shape, *placing);
+    words.turn = placing->turn;
+    words.place = placing->place;
+    words.matrix = placing->matrix;
+    return moved(shape, exact_pose(*placing));
   } catch (const std::invalid_argument& error) {
     refuse(path + ".pose: " + error.what());
     return shape;
@@ -228,14 +260,24 @@ void Reader::round(Shape& shape, const std::string& path) {
 }
 
 Body Reader::body(const Json& json, const std::string& path, bool rounded) {
-  Shape shape = placed_shape(unplaced(json, path), json, path);
+  NamedBody words;
+  Shape shape = unplaced(json, path, words);
+  shape = placed_shape(std::move(shape), json, path, words);
   if (json.contains("pose_rounding") && !json["pose_rounding"].is_null()) {
     if (json["pose_rounding"] != "binary64") report(path + ".pose_rounding", "\"binary64\"", found(json["pose_rounding"]));
     rounded = true;
   }
   if (!fault.empty()) return {};
   if (rounded) round(shape, path);
-  return body_of(std::move(shape));
+  if (!fault.empty()) return {};
+  if (rounded) {  // its points have other numbers now than those that were read
+    words = named_hull(*points_of(shape));
+    words.fields.numbers["margin"] = {shape.radius};
+  }
+  Body body = body_of(std::move(shape));
+  const bool named = json.contains("shape") && !rounded;
+  if (named || body.shape) body.words = std::make_shared<const NamedBody>(std::move(words));
+  return body;
 }
 
 }  // namespace
@@ -252,6 +294,7 @@ ShapesOfCase read_shapes(std::string_view text, bool a, bool b, bool rounded) {
   if (a) result.a = reader.body(document["a"], "a", rounded);
   if (b) result.b = reader.body(document["b"], "b", rounded);
   result.fault = std::move(reader.fault);
+  result.notes = std::move(reader.notes);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fathom/files.hpp"
 
@@ -14,6 +15,7 @@ namespace fathom::files {
 struct ShapesOfCase {
   std::optional<Body> a, b;
   std::string fault;  ///< "a.radius: expected a number, found null"; empty if all is good
+  std::vector<CaseNote> notes;
 };
 
 /// Reads body a, or b, or both. `text` is the JSON object of a case. `rounded`: the case says that points are rounded once to the nearest

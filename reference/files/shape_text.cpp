@@ -10,7 +10,7 @@
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/shape_names.hpp"
+#include "reference/files/named_body.hpp"
 
 namespace fathom::files {
 namespace {
@@ -33,14 +33,18 @@ class ShapeText {
 
   Body read() {
     const std::size_t colon = word_.find(':');
-    const NamedShape named = named_shape(std::string_view(word_).substr(0, colon));
+    const std::string name = word_.substr(0, colon);
+    const NamedShape named = named_shape(name);
+    if (named.shape == nullptr) fail("expected one of the shapes " + list_of_shapes() + "; found " + kernels::shown(name));
     if (named.shape->part == ShapePart::terms || named.shape->part == ShapePart::vertices)
       fail("a " + std::string(named.shape->name) + " has no short form: give it in a case, or a mesh");
     for (const std::string_view part : split(std::string_view(word_).substr(colon + 1), ',')) field(*named.shape, part);
-    for (const NumberField& field : named.shape->numbers) require(field.name, fields_.numbers.contains(field.name));
-    if (named.rounded) require("margin", fields_.numbers.contains("margin"));
+    const auto& read = words_.fields.numbers;
+    for (const NumberField& field : named.shape->numbers) require(field.name, read.contains(field.name));
+    if (named.rounded) require("margin", read.contains("margin"));
+    words_.shape = name;
     try {
-      return body_of(moved(made_shape(*named.shape, fields_), rigid_pose(turn_, place_)));
+      return body_of(std::move(words_));
     } catch (const std::invalid_argument& error) {
       fail(error.what());
     }
@@ -76,6 +80,12 @@ class ShapeText {
     fail("expected the axis x, y or z, found " + kernels::shown(text));
   }
 
+  static std::string fields(const ShapeName& shape) {
+    std::string all;
+    for (const NumberField& number : shape.numbers) all += std::string(number.name) + ", ";
+    return all + (shape.part == ShapePart::axis ? "axis, margin, at or quaternion" : "margin, at or quaternion");
+  }
+
   void field(const ShapeName& shape, std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) fail("expected FIELD=VALUE, found " + kernels::shown(text));
@@ -83,16 +93,16 @@ class ShapeText {
     const std::string_view value = text.substr(equals + 1);
     if (!seen_.insert(name).second) fail("expected one field '" + name + "', found a second one");
     if (has_number(shape, name)) {
-      fields_.numbers[name] = numbers(value, number_field(name)->count);
+      words_.fields.numbers[name] = numbers(value, number_field(name)->count);
     } else if (name == "axis" && shape.part == ShapePart::axis) {
-      fields_.axis = axis(value);
+      words_.fields.axis = axis(value);
     } else if (name == "at") {
-      place_ = point(value);
+      words_.place = point(value);
     } else if (name == "quaternion") {
       const std::vector<mpq_class> q = numbers(value, 4);
-      turn_ = {q[0], q[1], q[2], q[3]};
+      words_.turn = {q[0], q[1], q[2], q[3]};
     } else {
-      fail("expected a field of a " + std::string(shape.name) + ", found " + kernels::shown(name));
+      fail("expected a field of a " + std::string(shape.name) + ": " + fields(shape) + "; found " + kernels::shown(name));
     }
   }
 
@@ -100,17 +110,18 @@ class ShapeText {
 
   const std::string& word_;
   Decimals decimals_;
-  ShapeFields fields_;
+  NamedBody words_;
   std::set<std::string> seen_;
-  Quaternion turn_{1, 0, 0, 0};
-  Point place_;
 };
 
 }  // namespace
 
 bool is_shape_text(const std::string& word) {
   const std::size_t colon = word.find(':');
-  return colon != std::string::npos && named_shape(std::string_view(word).substr(0, colon)).shape;
+  if (colon == std::string::npos) return false;
+  const std::string_view name = std::string_view(word).substr(0, colon);
+  const bool is_word = !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
+  return named_shape(name).shape != nullptr || (is_word && word.find('=', colon) != std::string::npos);
 }
 
 Body parse_shape(const std::string& word, Decimals decimals) {

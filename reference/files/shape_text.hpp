@@ -9,7 +9,8 @@
 
 namespace fathom::files {
 
-/// Returns whether the word begins with the name of a shape and a colon: "capsule:r=0.1,h=0.5".
+/// Returns whether the word stands for a shape and not for a file: it begins with the name of a shape and a colon, "capsule:r=0.1,h=0.5",
+/// or with another word of small letters and a colon, and there are fields behind: `parse_shape` then says which shapes there are.
 bool is_shape_text(const std::string& word);
 
 /// Reads NAME:FIELD=VALUE,... with the fields of JSON, `r` for radius and `h` for half_length. Three numbers are joined by colons:

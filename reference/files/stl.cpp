@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,13 @@ bool is_binary_stl(std::string_view bytes) { return bytes.size() >= header_size 
 
 namespace {
 
+/// Each three points are a triangle.
+Body soup(GivenPoints points) {
+  Body body{std::move(points)};
+  body.faces = std::make_shared<const MeshFaces>();
+  return body;
+}
+
 Body parse_binary(std::string_view bytes, const std::string& name) {
   if (!is_binary_stl(bytes)) {
     const std::string expected = bytes.size() < header_size ? "at least 84 bytes of a binary STL, or 'solid'"
@@ -53,7 +61,7 @@ Body parse_binary(std::string_view bytes, const std::string& name) {
       points.push_back({read_float(bytes, at, name), read_float(bytes, at + 4, name), read_float(bytes, at + 8, name)});
     }
   }
-  return {GivenPoints(std::move(points))};
+  return soup(GivenPoints(std::move(points)));
 }
 
 // Keywords are compared without case.
@@ -110,7 +118,7 @@ Body parse_text(std::string_view text, const std::string& name, Decimals decimal
     read_solid(scanner, decimals, points);
   }
   if (points.empty()) scanner.fail_at_end("at least one facet");
-  return {points.take()};
+  return soup(points.take());
 }
 
 }  // namespace

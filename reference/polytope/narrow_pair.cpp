@@ -11,7 +11,6 @@
 #include "fathom/numbers.hpp"
 #include "kernels/filters/fixed_images.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/dyadic.hpp"
 
 namespace fathom::polytope {
 namespace {
@@ -23,13 +22,14 @@ std::array<const mpq_class*, 3> coordinates(const Point& p) { return {&p.x, &p.y
 struct Range {
   long low = 0, high = std::numeric_limits<long>::min();
 
-  // False if some number is not dyadic.
-  template <class P>
-  bool cover(std::span<const P> body) {
-    for (const P& p : body) {
+  // Adds the numbers to the list. False if some number is not dyadic.
+  template <class Points>
+  bool cover(Points body, std::vector<kernels::Dyadic>& numbers) {
+    for (const auto& p : body) {
       for (const auto* c : coordinates(p)) {
         const std::optional<kernels::Dyadic> value = kernels::dyadic(*c);
         if (!value) return false;
+        numbers.push_back(*value);
         if (value->mantissa == 0) continue;
         low = std::min(low, value->exponent);
         const auto magnitude = static_cast<std::uint64_t>(value->mantissa < 0 ? -value->mantissa : value->mantissa);
@@ -40,27 +40,16 @@ struct Range {
   }
 };
 
-kernels::Dyadic taken_apart(double c) { return kernels::dyadic(c); }
-kernels::Dyadic taken_apart(const mpq_class& c) { return *kernels::dyadic(c); }
-
-// The point in units of 2^low.
-template <class P>
-void put(const P& p, long low, Vec3<std::int64_t>& q) {
-  const auto at = [&](const auto* c) {
-    const kernels::Dyadic value = taken_apart(*c);
-    return value.mantissa == 0 ? 0 : value.mantissa << (value.exponent - low);
-  };
-  const auto [x, y, z] = coordinates(p);
-  q = {at(x), at(y), at(z)};
+// The point of these three coordinates in units of 2^low.
+void put(const kernels::Dyadic* p, long low, Vec3<std::int64_t>& q) {
+  const auto at = [&](const kernels::Dyadic& c) { return c.mantissa == 0 ? 0 : c.mantissa << (c.exponent - low); };
+  q = {at(p[0]), at(p[1]), at(p[2])};
 }
-template <class P>
-void put(const P& p, long low, Vec3<NarrowCoordinate>& q) {
-  const auto at = [&](const auto* c) {
-    const kernels::Dyadic value = taken_apart(*c);
-    return NarrowCoordinate::shifted(value.mantissa, value.mantissa == 0 ? 0 : static_cast<unsigned>(value.exponent - low));
+void put(const kernels::Dyadic* p, long low, Vec3<NarrowCoordinate>& q) {
+  const auto at = [&](const kernels::Dyadic& c) {
+    return NarrowCoordinate::shifted(c.mantissa, c.mantissa == 0 ? 0 : static_cast<unsigned>(c.exponent - low));
   };
-  const auto [x, y, z] = coordinates(p);
-  q = {at(x), at(y), at(z)};
+  q = {at(p[0]), at(p[1]), at(p[2])};
 }
 
 // Of coordinates: the least number of trailing zeros, and the least e >= 0 with |c| <= 2^e.
@@ -113,17 +102,18 @@ void make_images(const std::vector<Lattice>& points, long exponent, NarrowCloud&
   }
 }
 
-// The same in words or in wider integers: `list` is one of a cloud's two lists.
-template <class P, class Lattice>
-void fill(std::span<const P> a, std::span<const P> b, long low, NarrowPair& pair, std::vector<Lattice> NarrowCloud::*list) {
+// From `pair.numbers`, in words or in wider integers: `list` is one of a cloud's two lists.
+template <class Lattice>
+void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Lattice> NarrowCloud::*list) {
   Lattice origin;
-  put(b.front(), low, origin);
+  put(&pair.numbers[3 * size_a], low, origin);
   Extent<Lattice> extent;
-  for (auto [body, points] : {std::pair(a, &(pair.a.*list)), std::pair(b, &(pair.b.*list))}) {
-    points->resize(body.size());
-    for (std::size_t i = 0; i < body.size(); ++i) {
-      Lattice& q = (*points)[i];
-      put(body[i], low, q);
+  const kernels::Dyadic* p = pair.numbers.data();
+  for (const auto& [size, points] : {std::pair(size_a, &(pair.a.*list)), std::pair(pair.numbers.size() / 3 - size_a, &(pair.b.*list))}) {
+    points->resize(size);
+    for (Lattice& q : *points) {
+      put(p, low, q);
+      p += 3;
       q = q - origin;
       extent.cover(q.x);
       extent.cover(q.y);
@@ -146,18 +136,19 @@ void fill(std::span<const P> a, std::span<const P> b, long low, NarrowPair& pair
   }
 }
 
-template <class P>
-bool place(std::span<const P> a, std::span<const P> b, NarrowPair& pair) {
+template <class Points>
+bool place(Points a, Points b, NarrowPair& pair) {
   Range range;
-  if (a.empty() || b.empty() || !range.cover(a) || !range.cover(b)) return false;
+  pair.numbers.clear();
+  if (a.empty() || b.empty() || !range.cover(a, pair.numbers) || !range.cover(b, pair.numbers)) return false;
   const long bits = std::max(range.high, range.low) - range.low + 1;  // of the differences from the origin
   if (bits > most_narrow_bits) return false;
   for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
     cloud->words.clear();
     cloud->points.clear();
   }
-  if (bits <= most_word_bits) fill(a, b, range.low, pair, &NarrowCloud::words);
-  else fill(a, b, range.low, pair, &NarrowCloud::points);
+  if (bits <= most_word_bits) fill(a.size(), range.low, pair, &NarrowCloud::words);
+  else fill(a.size(), range.low, pair, &NarrowCloud::points);
   return true;
 }
 
@@ -172,7 +163,7 @@ std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
 
 Point exact_point(const std::array<double, 3>& p) { return {exact_value(p[0]), exact_value(p[1]), exact_value(p[2])}; }
 
-bool place_narrow(std::span<const Point> a, std::span<const Point> b, NarrowPair& pair) { return place(a, b, pair); }
+bool place_narrow(kernels::Positions a, kernels::Positions b, NarrowPair& pair) { return place(a, b, pair); }
 
 bool place_narrow(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, NarrowPair& pair) {
   const kernels::DefaultFloatEnvironment environment;

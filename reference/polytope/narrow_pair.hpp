@@ -10,7 +10,9 @@
 
 #include "fathom/point.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/positions.hpp"
 
 namespace fathom::polytope {
 
@@ -38,6 +40,7 @@ struct NarrowPair {
   unsigned shift = 0;
   long exponent = 0;  ///< the least with |c| <= 2^exponent for every coordinate c of both clouds
   NarrowCloud a, b;
+  std::vector<kernels::Dyadic> numbers;  ///< the coordinates that place_narrow was given, taken apart
 };
 
 /// The exact positions. Throws std::invalid_argument if a coordinate is no finite number.
@@ -46,7 +49,7 @@ Point exact_point(const std::array<double, 3>& p);
 
 /// Places both bodies if all coordinates are dyadic and their lattice is narrow: no rationals, and no allocation if `pair` has had room for
 /// as many points before. Returns false otherwise, also for what `place` throws at: empty bodies, numbers not in lowest terms.
-bool place_narrow(std::span<const Point> a, std::span<const Point> b, NarrowPair& pair);
+bool place_narrow(kernels::Positions a, kernels::Positions b, NarrowPair& pair);
 /// The same for coordinates in binary64. Throws std::invalid_argument if one is no finite number.
 bool place_narrow(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, NarrowPair& pair);
 

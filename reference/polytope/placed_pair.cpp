@@ -23,8 +23,8 @@ std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); 
 
 /// Until f(coordinate) is false; tells whether it never was.
 template <class F>
-bool all_coordinates(std::span<const Point> a, std::span<const Point> b, F f) {
-  for (const std::span<const Point> body : {a, b}) {
+bool all_coordinates(kernels::Positions a, kernels::Positions b, F f) {
+  for (const kernels::Positions body : {a, b}) {
     for (const Point& p : body)
       if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
   }
@@ -32,7 +32,7 @@ bool all_coordinates(std::span<const Point> a, std::span<const Point> b, F f) {
 }
 
 /// The most bits that a common denominator in proportion to the coordinates has.
-std::size_t in_proportion(std::span<const Point> a, std::span<const Point> b) {
+std::size_t in_proportion(kernels::Positions a, kernels::Positions b) {
   std::size_t widest = 0;
   all_coordinates(a, b, [&](const mpq_class& q) {
     widest = std::max({widest, bits(q.get_num()), bits(q.get_den())});
@@ -43,7 +43,7 @@ std::size_t in_proportion(std::span<const Point> a, std::span<const Point> b) {
 
 /// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal, so divisibility is asked first.
 template <class More>
-mpz_class common_denominator(std::span<const Point> a, std::span<const Point> b, More more) {
+mpz_class common_denominator(kernels::Positions a, kernels::Positions b, More more) {
   mpz_class common = 1;
   const bool all = all_coordinates(a, b, [&](const mpq_class& q) {
     if (mpz_divisible_p(common.get_mpz_t(), q.get_den_mpz_t())) return true;
@@ -79,7 +79,7 @@ PlacedPair with_clouds(Lattice lattice) {
   return pair;
 }
 
-std::vector<Vector> shifted_multiples(std::span<const Point> body, const mpz_class& denominator, const Vector& origin) {
+std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& denominator, const Vector& origin) {
   std::vector<Vector> result;
   result.reserve(body.size());
   for (const Point& p : body) {
@@ -114,7 +114,7 @@ void coarsen(Lattice& lattice) {
   for_each_coordinate(lattice, [&](mpz_class& c) { mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), shared.get_mpz_t()); });
 }
 
-std::vector<Point> offsets(std::span<const Point> body, const Point& origin) {
+std::vector<Point> offsets(kernels::Positions body, const Point& origin) {
   std::vector<Point> result;
   result.reserve(body.size());
   for (const Point& p : body) result.push_back({p.x - origin.x, p.y - origin.y, p.z - origin.z});
@@ -123,7 +123,7 @@ std::vector<Point> offsets(std::span<const Point> body, const Point& origin) {
 
 /// For points whose common denominator is much longer than they are: what differences do not need is left out first, and there
 /// are limits.
-PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
+PlacedPair place_wide(kernels::Positions a, kernels::Positions b) {
   Lattice lattice;
   lattice.origin = b.front();
   const std::vector<Point> from_a = offsets(a, lattice.origin), from_b = offsets(b, lattice.origin);
@@ -141,12 +141,12 @@ PlacedPair place_wide(std::span<const Point> a, std::span<const Point> b) {
 
 }  // namespace
 
-void require_bodies(std::span<const Point> a, std::span<const Point> b) {
+void require_bodies(kernels::Positions a, kernels::Positions b) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
   all_coordinates(a, b, [](const mpq_class& q) { return kernels::require_lowest_terms(q), true; });
 }
 
-std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b) {
+std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b) {
   require_bodies(a, b);
   std::size_t limit = short_enough;
   Lattice lattice;
@@ -163,7 +163,7 @@ std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<cons
   return with_clouds(std::move(lattice));
 }
 
-PlacedPair place(std::span<const Point> a, std::span<const Point> b) {
+PlacedPair place(kernels::Positions a, kernels::Positions b) {
   std::optional<PlacedPair> slim = place_if_slim(a, b);
   return slim ? std::move(*slim) : place_wide(a, b);
 }

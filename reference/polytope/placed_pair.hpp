@@ -3,10 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "kernels/filters/support.hpp"
+#include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::polytope {
@@ -26,17 +26,17 @@ struct PlacedPair {
 };
 
 /// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a positive denominator.
-void require_bodies(std::span<const Point> a, std::span<const Point> b);
+void require_bodies(kernels::Positions a, kernels::Positions b);
 
 /// On the lattice with the least denominator for which all points, taken from the first point of B, are integral; b[0] is zero. Exact.
 /// The unit is never coarser than 1: a factor that all integers share stays.
 /// Size: each integer has about as many bits as the common denominator of all points, times their extent.
 /// Throws as require_bodies does, and InputError when place_if_slim returns nullopt and all integers together would take more than 256 MB.
-PlacedPair place(std::span<const Point> a, std::span<const Point> b);
+PlacedPair place(kernels::Positions a, kernels::Positions b);
 
 /// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or eight times as many as the widest
 /// coordinate. Returns nullopt otherwise: the points' denominators share little, and fewer points would have a smaller lattice.
-std::optional<PlacedPair> place_if_slim(std::span<const Point> a, std::span<const Point> b);
+std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b);
 
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the origin O.
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);

@@ -4,14 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "kernels/vector.hpp"
+#include "reference/depth/contact.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom::rounded {
 namespace {
+
+constexpr std::size_t few = 8;  // generators: to clip by all of them takes less than to find those that cut
+
+using Directions = std::set<Vector, decltype(&lexicographically_less)>;
 
 // p u + q v, primitive.
 Vector combined(const mpz_class& p, const Vector& u, const mpz_class& q, const Vector& v) {
@@ -68,15 +75,70 @@ Vector upper(const Vector& v) { return lexicographically_less(v, -v) ? -v : v; }
 
 Vector lower(const Vector& v) { return lexicographically_less(v, -v) ? v : -v; }
 
+// The generators of bodies on a lattice, times the denominator k of the common point in its units: k b - v and v - k a, for the point v / k.
+class Generators {
+ public:
+  Generators(const polytope::PlacedPair& pair, const Point& x) : pair_(pair), common_(fraction(on_lattice(pair, x))) {}
+
+  [[nodiscard]] Vector of_a(const Vector& p) const { return common_.numerators - multiple(p); }
+  [[nodiscard]] Vector of_b(const Vector& p) const { return multiple(p) - common_.numerators; }
+
+  // One that the direction is not below.
+  [[nodiscard]] std::optional<Vector> above(const Vector& u) const {
+    Vector g = of_b(pair_.b[kernels::extreme_points(pair_.b, u).front()]);
+    if (dot(g, u) > 0) return g;
+    g = of_a(pair_.a[kernels::extreme_points(pair_.a, -u).front()]);
+    return dot(g, u) > 0 ? std::optional(std::move(g)) : std::nullopt;
+  }
+
+ private:
+  static Point on_lattice(const polytope::PlacedPair& pair, const Point& x) {
+    const auto along = [&](const mpq_class& c, const mpq_class& origin) { return mpq_class((c - origin) * pair.denominator); };
+    return {along(x.x, pair.origin.x), along(x.y, pair.origin.y), along(x.z, pair.origin.z)};
+  }
+
+  [[nodiscard]] Vector multiple(const Vector& p) const {
+    const mpz_class& k = common_.denominator;
+    return k == 1 ? p : Vector{k * p.x, k * p.y, k * p.z};
+  }
+
+  const polytope::PlacedPair& pair_;
+  Fraction common_;
+};
+
+// A generator above one of the rays and lines that span the cone; nullopt if there is none. `below` are directions that none is above.
+std::optional<Vector> next_cut(const ClippedCone& cone, const Generators& generators, Directions& below) {
+  const auto cut = [&](const Vector& u) {
+    if (below.contains(u)) return std::optional<Vector>();
+    std::optional<Vector> g = generators.above(u);
+    if (!g) below.insert(u);
+    return g;
+  };
+  for (const Vector& line : cone.lines)
+    for (const Vector& u : {line, -line})
+      if (std::optional<Vector> g = cut(u)) return g;
+  for (const Vector& ray : cone.rays)
+    if (std::optional<Vector> g = cut(ray)) return g;
+  return std::nullopt;
+}
+
+void require_some(const ClippedCone& cone) {
+  if (cone.lines.empty() && cone.rays.empty()) throw std::logic_error("no plane separates bodies that touch");
+}
+
 // The sign of h(u).
-int support_sign(std::span<const Point> a, std::span<const Point> b, const Vector& u) {
+int support_sign(kernels::Positions a, kernels::Positions b, const Vector& u) {
   const Point &p = a[solve::extreme_points(a, -u).front()], &q = b[solve::extreme_points(b, u).front()];
   return sgn(mpq_class(u.x * (q.x - p.x) + u.y * (q.y - p.y) + u.z * (q.z - p.z)));
 }
 
 }  // namespace
 
-ClippedCone whole_space() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}}; }
+ClippedCone whole_space() {
+  ClippedCone cone{std::vector<Vector>(3), {}};
+  cone.lines[0].x = cone.lines[1].y = cone.lines[2].z = 1;
+  return cone;
+}
 
 void clip(ClippedCone& cone, const Vector& g) {
   for (std::size_t i = 0; i < cone.lines.size(); ++i)
@@ -84,8 +146,8 @@ void clip(ClippedCone& cone, const Vector& g) {
   cut_rays(cone, g);
 }
 
-OptimalCone canonical(const ClippedCone& cone) {
-  OptimalCone result{static_cast<Lineality>(cone.lines.size()), {}, cone.rays};
+OptimalCone canonical(ClippedCone cone) {
+  OptimalCone result{static_cast<Lineality>(cone.lines.size()), {}, std::move(cone.rays)};
   if (cone.lines.size() == 1) {
     const Vector& line = result.axis = upper(primitive(cone.lines[0]));
     for (Vector& ray : result.rays) ray = combined(dot(line, line), ray, -dot(ray, line), line);
@@ -98,11 +160,31 @@ OptimalCone canonical(const ClippedCone& cone) {
   return result;
 }
 
-OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Point& x) {
+// Where the bodies meet in the known direction all generators cut; elsewhere only some that are above a direction of the cone so far.
+OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x, const Vector& known) {
+  context.report("optimal cone");
+  const bool all = pair.a.size() + pair.b.size() <= few;
+  const Vector u = all ? Vector{} : known;  // in direction 0 every point is extreme
+  const Generators generators(pair, x);
+  ClippedCone cone = whole_space();
+  for (const std::uint32_t j : kernels::extreme_points(pair.b, u)) clip(cone, generators.of_b(pair.b[j]));
+  for (const std::uint32_t i : kernels::extreme_points(pair.a, -u)) clip(cone, generators.of_a(pair.a[i]));
+  Directions below({known}, &lexicographically_less);
+  while (!all) {
+    const std::optional<Vector> g = next_cut(cone, generators, below);
+    if (!g) break;
+    clip(cone, *g);
+    context.check();
+  }
+  require_some(cone);
+  return canonical(std::move(cone));
+}
+
+OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Point& x) {
   context.report("optimal cone");
   ClippedCone cone = whole_space();
   const Fraction common = fraction(x);
-  const auto clip_all = [&](std::span<const Point> points, const auto& generator) {
+  const auto clip_all = [&](kernels::Positions points, const auto& generator) {
     for (const Point& p : points) {
       clip(cone, generator(p));
       context.check();
@@ -110,8 +192,30 @@ OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, st
   };
   clip_all(b, [&](const Point& p) { return between(common, fraction(p)); });
   clip_all(a, [&](const Point& p) { return between(fraction(p), common); });
-  if (cone.lines.empty() && cone.rays.empty()) throw std::logic_error("no plane separates bodies that touch");
-  return canonical(cone);
+  require_some(cone);
+  return canonical(std::move(cone));
+}
+
+// The sum of all extreme rays is inside the part orthogonal to the lineality. Without rays the cone is a linear space.
+Vector inner_direction(const OptimalCone& cone) {
+  if (cone.rays.empty()) return cone.direction();
+  Vector sum;
+  for (const Vector& ray : cone.rays) sum = sum + ray;
+  return primitive(sum);
+}
+
+// Only the extreme points are placed on a lattice.
+Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
+  const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
+  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
+    std::vector<Point> result;
+    for (const std::uint32_t i : ids) result.push_back(points[i]);
+    return result;
+  };
+  Contact contact = depth::contact_of(depth::facing_faces(polytope::place(chosen(a, ids_a), chosen(b, ids_b)), n));
+  for (std::uint32_t& i : contact.a) i = ids_a[i];
+  for (std::uint32_t& i : contact.b) i = ids_b[i];
+  return contact;
 }
 
 std::vector<Vector> lineality_basis(const OptimalCone& cone) {
@@ -127,7 +231,7 @@ std::vector<Vector> lineality_basis(const OptimalCone& cone) {
   return basis;
 }
 
-kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b) {
+kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels::Positions b) {
   kernels::Report report;
   const bool axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
   report.expect(is_zero(cone.axis) != axis, "an axis of a lineality that has none, or none");

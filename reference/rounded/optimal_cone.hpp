@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies that touch, and a common point x.
 // Output  all directions in which a plane through x has them on its two sides: the polar of the m + n generators b - x and x - a.
-// Time    O((m + n) r) for at most r rays on the way.                                                              [proofs/shapes.md]
+// Time    scans for support points, and as many clips as there are generators that cut; without a common lattice O((m + n) r) for at most
+//         r rays on the way.                                                                                       [proofs/shapes.md]
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
+#include "kernels/positions.hpp"
 #include "kernels/report.hpp"
+#include "reference/polytope/placed_pair.hpp"
 
 namespace fathom::rounded {
 
@@ -26,15 +28,24 @@ ClippedCone whole_space();
 void clip(ClippedCone& cone, const Vector& g);
 
 /// The canonical form. The order of the rays' cycle is lost.
-OptimalCone canonical(const ClippedCone& cone);
+OptimalCone canonical(ClippedCone cone);
 
-/// {u : h(u) = 0}. Throws std::logic_error if it is empty: then x is no common point of bodies that touch.
-OptimalCone optimal_cone(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Point& x);
+/// {u : h(u) = 0}, where `known` is one of them. Throws std::logic_error if there is none: then x is no common point of bodies that touch.
+OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x, const Vector& known);
+
+/// The same by all generators, for bodies without a common lattice: the naive twin.
+OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Point& x);
+
+/// A direction in the relative interior of the cone, but O: primitive.
+Vector inner_direction(const OptimalCone& cone);
+
+/// The faces in direction n of two bodies given by their points.
+Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n);
 
 /// Independent vectors that span the lineality: as many as its dimension.
 std::vector<Vector> lineality_basis(const OptimalCone& cone);
 
 /// Checks that h is 0 in every direction named, and that the form is canonical; not that no direction is missing.
-[[nodiscard]] kernels::Report validate(const OptimalCone& cone, std::span<const Point> a, std::span<const Point> b);
+[[nodiscard]] kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels::Positions b);
 
 }  // namespace fathom::rounded

@@ -59,6 +59,23 @@ std::vector<AlongNormal> SignedDepth::translations() const {
   return {{n, plane->support / dot(n, n), rho}};
 }
 
+const Contact* SignedDepth::contact() const {
+  const Depth* const cores = std::get_if<Depth>(&core);
+  if (cores == nullptr) return nullptr;
+  return touching ? &*touching : cores->contact();
+}
+
+Counters SignedDepth::counters() const {
+  if (const Depth* const cores = std::get_if<Depth>(&core)) return cores->counters;
+  Counters counters;
+  const Bracket* const bracket = std::get_if<Bracket>(&core);
+  counters.support_calls = bracket != nullptr ? bracket->support_calls : 1;
+  if (bracket == nullptr) return counters;
+  counters.expansions = bracket->polytope.vertices.size();
+  counters.inner_facets = bracket->polytope.facets.size();
+  return counters;
+}
+
 std::optional<RoundedWitness> SignedDepth::witness() const {
   if (!exact() || std::holds_alternative<Bracket>(core)) return std::nullopt;
   const Depth* const cores = std::get_if<Depth>(&core);

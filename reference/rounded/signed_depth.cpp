@@ -8,36 +8,39 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
-#include "reference/polytope/narrow_pair.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/rounded/half_space.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom {
 namespace {
 
-const std::vector<Point>& exact(const std::vector<Point>& points) { return points; }
-std::vector<Point> exact(const std::vector<std::array<double, 3>>& points) { return polytope::exact_points(points); }
-
 // The square of h(n)/|n| with the sign of h(n).
 mpq_class signed_square(const PlaneSupport& plane) { return plane.support * abs(plane.support) / dot(plane.direction, plane.direction); }
 
-// Cores that are polytopes. P is Point, or that in binary64.
-template <class P>
-SignedDepth depth_of_points(const std::vector<P>& a, const std::vector<P>& b, const Shape& of_a, const Shape& of_b,
-                            const Options& options) {
-  SignedDepth result{{}, of_a.radius, of_b.radius, penetration_depth(a, b, options), {}};
-  const Depth& cores = std::get<Depth>(result.core);
-  result.value = Surd{of_a.radius + of_b.radius, signed_square(cores)};
-  if (const Touch* touch = cores.touch()) {
-    kernels::Context context(options.monitor);
-    const std::vector<Point>&exact_a = exact(a), &exact_b = exact(b);
-    result.cone = rounded::optimal_cone(context, exact_a, exact_b, touch->point);
-    if (options.validate) kernels::insist(rounded::validate(*result.cone, exact_a, exact_b));
+// Cores that are polytopes. Those that touch have a common lattice, unless their denominators share too little.
+SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Shape& of_a, const Shape& of_b, const Options& options) {
+  kernels::Context context(options.monitor);
+  solve::PlacedDepth found = solve::placed_depth(context, a, b, options);
+  SignedDepth result{Surd{of_a.radius + of_b.radius, signed_square(found.depth)}, of_a.radius, of_b.radius, std::move(found.depth), {}, {}};
+  if (const Touch* touch = std::get<Depth>(result.core).touch()) {
+    result.cone = found.pair ? rounded::optimal_cone(context, *found.pair, touch->point, touch->direction)
+                             : rounded::optimal_cone(context, a, b, touch->point);
+    const Vector n = rounded::inner_direction(*result.cone);
+    result.touching = found.pair ? depth::contact_of(depth::facing_faces(*found.pair, n)) : rounded::contact_along(a, b, n);
+    if (options.validate) kernels::insist(rounded::validate(*result.cone, a, b));
   }
   return result;
+}
+
+// Of a core that is one hull of points.
+kernels::Positions centers(const Shape& shape) {
+  return kernels::Positions(std::span<const Atom>(std::get<std::vector<Term>>(shape.core).front().atoms));
 }
 
 // nullopt unless every atom is a point.
@@ -50,7 +53,7 @@ std::optional<SignedDepth> depth_of_half_space(const HalfSpace& half, rounded::S
   Surd value{a.radius + b.radius, signed_square(plane)};
   std::optional<OptimalCone> cone;
   if (plane.support == 0) cone = OptimalCone{Lineality::none, {}, {plane.direction}};
-  return SignedDepth{std::move(value), a.radius, b.radius, std::move(plane), std::move(cone)};
+  return SignedDepth{std::move(value), a.radius, b.radius, std::move(plane), std::move(cone), {}};
 }
 
 // nullopt if a core is curved, or a sum of too many points.
@@ -68,7 +71,8 @@ SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOpti
   kernels::Context context(options.cores.monitor);
   curved::CurvedBounds bounds = curved::signed_bounds(context, a, b, options.bits, options.support_calls);
   if (options.cores.validate) kernels::insist(curved::validate(bounds, a, b));
-  SignedDepth result{Bounds{bounds.low, bounds.high}, a.radius, b.radius, std::move(bounds.bracket), {}};
+  bounds.bracket.support_calls = bounds.support_calls;
+  SignedDepth result{Bounds{bounds.low, bounds.high}, a.radius, b.radius, std::move(bounds.bracket), {}, {}};
   if (bounds.low == bounds.high) result.value = Surd{bounds.low, 0};
   return result;
 }
@@ -77,9 +81,8 @@ SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOpti
 
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
   const kernels::DefaultFloatEnvironment environment;
-  if (const auto points_a = shapes::binary64_points(a))
-    if (const auto points_b = shapes::binary64_points(b)) return depth_of_points(*points_a, *points_b, a, b, options.cores);
   const bool points_of_a = shapes::require_all_but_points(a), points_of_b = shapes::require_all_but_points(b);
+  if (points_of_a && points_of_b) return depth_of_points(centers(a), centers(b), a, b, options.cores);
   if (points_of_a && !points_of_b) shapes::require_shape(a);
   if (points_of_b && !points_of_a) shapes::require_shape(b);
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))

@@ -2,13 +2,10 @@
 #include "reference/shapes/core.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "kernels/number/dyadic.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/surd.hpp"
 #include "kernels/point_products.hpp"
@@ -68,15 +65,6 @@ std::optional<mpq_class> round_radius(const Atom& atom) {
   return kernels::rational_root(square);
 }
 
-// False if the number is no such one, or not in lowest terms.
-bool to_binary64(const mpq_class& value, double& result) {
-  const std::optional<kernels::Dyadic> n = kernels::dyadic(value);
-  if (!n || n->exponent < -1074 || n->exponent > 971) return false;
-  if (std::abs(n->mantissa) >= std::int64_t{1} << 53) return false;
-  result = std::ldexp(static_cast<double>(n->mantissa), static_cast<int>(n->exponent));
-  return std::isfinite(result);
-}
-
 }  // namespace
 
 bool require_all_but_points(const Shape& shape) {
@@ -125,20 +113,6 @@ std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_
     for (const Point& p : points)
       for (const Atom& atom : (*terms)[i].atoms) sums.push_back(sum(p, atom.center));
     points = std::move(sums);
-  }
-  return points;
-}
-
-std::optional<std::vector<std::array<double, 3>>> binary64_points(const Shape& shape) {
-  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
-  if (terms == nullptr || terms->size() != 1 || terms->front().atoms.empty()) return std::nullopt;
-  if (!kernels::in_lowest_terms(shape.radius) || shape.radius < 0) return std::nullopt;
-  const std::vector<Atom>& atoms = terms->front().atoms;
-  std::vector<std::array<double, 3>> points(atoms.size());
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    const Point& p = atoms[i].center;
-    std::array<double, 3>& q = points[i];
-    if (!atoms[i].axes.empty() || !to_binary64(p.x, q[0]) || !to_binary64(p.y, q[1]) || !to_binary64(p.z, q[2])) return std::nullopt;
   }
   return points;
 }

@@ -3,7 +3,6 @@
 // Output  the same body with as simple a core as its numbers allow; and the points of a core that is a polytope.    [proofs/shapes.md]
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,9 +23,5 @@ Shape simplified(Shape shape);
 /// The points whose hull is the core: of one term its points, of several all sums of a point of each, unless these are more than `most`.
 /// Returns nullopt then, and if an atom is not a point or the core is a half-space. For a valid shape.
 std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_t most);
-
-/// The points of a core of one term in binary64, for the fast way of penetration_depth. Returns nullopt if the shape is another one, or not
-/// valid, or a coordinate is no such number.
-std::optional<std::vector<std::array<double, 3>>> binary64_points(const Shape& shape);
 
 }  // namespace fathom::shapes

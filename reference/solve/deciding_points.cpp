@@ -35,10 +35,10 @@ mpz_class truncated(const mpq_class& q, long shift) {
 struct Rounded {
   std::vector<Vector> a, b;
 
-  Rounded(std::span<const Point> of_a, std::span<const Point> of_b) {
+  Rounded(kernels::Positions of_a, kernels::Positions of_b) {
     const Point& origin = of_b.front();
     long size = -grid_bits * (1L << 20);
-    for (const std::span<const Point> body : {of_a, of_b})
+    for (const kernels::Positions& body : {of_a, of_b})
       for (const Point& p : body)
         for (const mpq_class& c : {mpq_class(p.x - origin.x), mpq_class(p.y - origin.y), mpq_class(p.z - origin.z)})
           if (c != 0) size = std::max(size, bits(c.get_num()) - bits(c.get_den()));
@@ -53,13 +53,13 @@ struct Rounded {
 };
 
 // Of the listed points, those that maximise <u, p>.
-std::vector<std::uint32_t> extreme_among(std::span<const Point> body, const Vector& u, std::span<const std::uint32_t> listed) {
+std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u, std::span<const std::uint32_t> listed) {
   return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = product(u, body[i]); });
 }
 
 // The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice
 // that of the greatest.
-std::vector<std::uint32_t> extreme_of_all(std::span<const Point> body, std::span<const Vector> images, const Vector& u) {
+std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<const Vector> images, const Vector& u) {
   std::vector<mpz_class> values;
   values.reserve(images.size());
   for (const Vector& p : images) values.push_back(dot(u, p));
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> extreme_of_all(std::span<const Point> body, std::span
 }
 
 // From a point of the body to the others, each lengthened by a factor of its own: of the same rank.
-bool is_flat(std::span<const Point> body) {
+bool is_flat(kernels::Positions body) {
   std::vector<Vector> directions{{0, 0, 0}};
   for (const Point& p : body) {
     const Point d{p.x - body[0].x, p.y - body[0].y, p.z - body[0].z};
@@ -92,7 +92,7 @@ std::vector<Vector> directions_of(const Depth& depth) {
 // The chosen points of one body.
 class Choice {
  public:
-  Choice(std::span<const Point> body, std::span<const Vector> images) : body_(body), images_(images) {}
+  Choice(kernels::Positions body, std::span<const Vector> images) : body_(body), images_(images) {}
 
   void add(std::uint32_t i) { chosen_.insert(i); }
   // Whether one was missing.
@@ -111,15 +111,14 @@ class Choice {
   }
 
  private:
-  std::span<const Point> body_;
+  kernels::Positions body_;
   std::span<const Vector> images_;
   std::set<std::uint32_t> chosen_;
 };
 
 class Deciding {
  public:
-  Deciding(std::span<const Point> a, std::span<const Point> b)
-      : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
+  Deciding(kernels::Positions a, kernels::Positions b) : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
   std::optional<Depth> run(kernels::Context& context, const Options& options) {
     guess(context);
@@ -167,26 +166,27 @@ class Deciding {
       if (penetration->inner)
         for (auto& [i, j] : penetration->inner->vertices) std::tie(i, j) = std::pair(ids_a[i], ids_b[j]);
     }
+    if (auto* distance = std::get_if<Distance>(&depth.outcome)) rename(distance->contact);
     depth.flat_a = depth.flat_a && is_flat(a_);
     depth.flat_b = depth.flat_b && is_flat(b_);
     depth.extreme_a = depth.extreme_b = 0;
     return depth;
   }
 
-  std::span<const Point> a_, b_;
+  kernels::Positions a_, b_;
   Rounded images_;
   Choice chosen_a_, chosen_b_;
 };
 
 }  // namespace
 
-std::optional<Depth> depth_by_deciding_points(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
+std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels::Positions a, kernels::Positions b,
                                               const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
   return Deciding(a, b).run(context, options);
 }
 
-std::vector<std::uint32_t> extreme_points(std::span<const Point> body, const Vector& u) {
+std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u) {
   std::vector<std::uint32_t> all(body.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   return extreme_among(body, u, all);

@@ -50,6 +50,7 @@ void compare(Comparison& comparison, const Distance& x, const Distance& y) {
   comparison.same("distance.squared", x.squared, y.squared);
   comparison.same("distance.translation", x.translation, y.translation);
   comparison.same("distance.witness", std::optional(x.witness), std::optional(y.witness));
+  comparison.same("distance.contact", x.contact, y.contact);
 }
 
 }  // namespace

@@ -30,10 +30,11 @@ Point exact(const Point& p) { return p; }
 Point exact(const std::array<double, 3>& p) { return polytope::exact_point(p); }
 
 // The contact, as depth::penetration_along finds it on any lattice.
-template <class P>
+// Points is a view of those of a body.
+template <class Points>
 class Contacts {
  public:
-  Contacts(std::span<const P> a, std::span<const P> b, Workspace::Parts& parts)
+  Contacts(Points a, Points b, Workspace::Parts& parts)
       : input_a_(a), input_b_(b), pair_(parts.pair), a_(parts.pair.a), b_(parts.pair.b), memory_(parts.scan) {}
 
   Penetration along(const kernels::NearestPlanes& nearest, std::optional<std::size_t> listed) {
@@ -80,14 +81,14 @@ class Contacts {
     return depth::overlap(unit, n, {{points(a_, contact.a), contact.a}, {points(b_, contact.b), contact.b}});
   }
 
-  std::span<const P> input_a_, input_b_;
+  Points input_a_, input_b_;
   const polytope::NarrowPair& pair_;
   NarrowPoints a_, b_;
   kernels::ScanMemory& memory_;
 };
 
-template <class P>
-NarrowResult solve_narrow(kernels::Context& context, std::span<const P> a, std::span<const P> b, const Options& options) {
+template <class Points>
+NarrowResult solve_narrow(kernels::Context& context, Points a, Points b, const Options& options) {
   if (!expands_first(options) || options.validate) return {};
   std::optional<Workspace> own;
   Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
@@ -96,7 +97,7 @@ NarrowResult solve_narrow(kernels::Context& context, std::span<const P> a, std::
   const std::size_t budget = expansion_budget(options, a.size() + b.size());
   expanding::Expansion expansion = expanding::nearest_by_expansion(context, parts.pair, budget, &workspace);
   if (expansion.end != expanding::ExpansionEnd::proved) return {NarrowEnd::failed, std::nullopt};
-  Penetration answer = Contacts<P>(a, b, parts).along(expansion.nearest, options.optima);
+  Penetration answer = Contacts<Points>(a, b, parts).along(expansion.nearest, options.optima);
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   answer.inner = std::move(expansion.inner);
@@ -107,8 +108,7 @@ NarrowResult solve_narrow(kernels::Context& context, std::span<const P> a, std::
 
 }  // namespace
 
-NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
-                                     const Options& options) {
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Options& options) {
   return solve_narrow(context, a, b, options);
 }
 

@@ -9,6 +9,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
+#include "kernels/positions.hpp"
 
 namespace fathom::solve {
 
@@ -24,7 +25,7 @@ struct NarrowResult {
 };
 
 /// The answer equals that of depth_by_method, its naive twin, in every field.
-NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const Options& options);
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Options& options);
 NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const std::array<double, 3>> a,
                                      std::span<const std::array<double, 3>> b, const Options& options);
 

@@ -21,6 +21,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+COUNTERS = ("facets", "facets visited", "records/s", "ms_p90", "cores_us", "ratio_median", "ratio_p90",
+            *(f"{what}_{which}" for what in ("calls", "bytes") for which in ("median", "p90", "max")))
 
 
 def run(command, **options):
@@ -29,7 +31,8 @@ def run(command, **options):
 
 
 def google_benchmark(build, program, pattern=None):
-    """{name: processor time in seconds} of a program by Google Benchmark, with its counters under (name, counter)."""
+    """{name: processor time in seconds} of a program by Google Benchmark, with its counters under (name, counter).
+    Where a program takes the time itself, that is the time, and the name is the one that it gave."""
     unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
         chosen = [f"--benchmark_filter={pattern}"] if pattern else []
@@ -37,10 +40,11 @@ def google_benchmark(build, program, pattern=None):
         measured = json.load(open(out.name))["benchmarks"]
     figures = {}
     for entry in measured:
-        figures[entry["name"]] = entry["cpu_time"] * unit[entry["time_unit"]]
-        for counter in ("facets", "facets visited", "records/s"):
+        name, *own_time = entry["name"].split("/iterations:")
+        figures[name] = entry["real_time" if own_time else "cpu_time"] * unit[entry["time_unit"]]
+        for counter in COUNTERS:
             if counter in entry:
-                figures[entry["name"], counter] = entry[counter]
+                figures[name, counter] = entry[counter]
     return figures
 
 
@@ -126,6 +130,35 @@ def certificates(pair):
     base = "random_sphere/20/bullet_epa"
     table(["20 vertices, as a multiple of Bullet's EPA", "answer", "with text", "check"],
           [["random_sphere", *(p.ratio(f"random_sphere/20/{c}", base) for c in contenders[:3])]])
+
+
+def shapes(pair):
+    p = pair(lambda build: google_benchmark(build, "shapes_benchmark"))
+    rows = [("cylinder, cylinder", "cylinder-cylinder, doubles, deep"), ("the same, mostly apart", "cylinder-cylinder, doubles, mostly apart"),
+            ("cone, box", "cone-box, doubles, deep"), ("cylinder, box", "cylinder-box, doubles, deep"),
+            ("ellipsoid, cylinder", "ellipsoid-cylinder, doubles, deep"), ("ellipsoid, ellipsoid", "ellipsoid-ellipsoid, doubles, deep"),
+            ("the same, of few digits", "ellipsoid-ellipsoid, few digits, deep")]
+
+    def all_three(name, what):
+        return ", ".join(f"{p.now[name, f'{what}_{which}']:,.0f}" for which in ("median", "p90", "max"))
+
+    table(["pair", "time", "9 of 10", "calls", "bytes"],
+          [[label, p.cell(name), p.cell((name, "ms_p90"), lambda value: seconds(1e-3 * value)), all_three(name, "calls"), all_three(name, "bytes")]
+           for label, name in rows])
+    alone = ("parallel cylinders, 1/10 off", "parallel cylinders, 1/1000 off", "coaxial cylinders", "nearly balls, 1/10 off",
+             "nearly balls, concentric")
+    table(["pair", "time", "support calls"], [[name, p.cell(name), p.cell((name, "calls_max"), count)] for name in alone])
+
+    def in_cores(name):
+        name = "rounded/" + name
+        if name not in p.now:
+            return ""
+        of = seconds(1e-6 * p.now[name, "cores_us"])
+        return f"{p.cell((name, 'ratio_median'), '{:.2f}'.format)}, {p.now[name, 'ratio_p90']:.2f} of {of}"
+
+    kinds, numbers = ("hulls of 20", "boxes", "capsule and box", "capsules", "spheres"), ("doubles", "posed", "short rationals")
+    rows = [[f"{kind}, {meeting}", *(in_cores(f"{kind}, {n}, {meeting}") for n in numbers)] for meeting in ("deep", "apart", "touching") for kind in kinds]
+    table(["cores", *numbers], [row for row in rows if any(row[1:])])
 
 
 def exact(pair):
@@ -255,7 +288,7 @@ def worst(pair):
           [[i, *(p.cell(f"{i}/{c}") for c in ("automatic", "exact", "approx", "study"))] for i in sorted(inputs)])
 
 
-TABLES = {f.__name__: f for f in (certificates, stream, exact, lines, rays, shallow, golden, families, worst)}
+TABLES = {f.__name__: f for f in (certificates, stream, shapes, exact, lines, rays, shallow, golden, families, worst)}
 
 
 def main():

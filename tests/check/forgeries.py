@@ -7,7 +7,7 @@ forgeries.py --checker COMMAND [--checker COMMAND].. [--oracle FATHOM] [--count 
 PATH        a genuine certificate, or a folder of them (*.cert)
 --checker   a program that takes certificates as arguments and prints verdict lines; the first one sees every forgery
 --share K   the further ones see every K-th forgery (default 1: all)
---solids N  besides, N certificates of format 2 that solids.py makes
+--solids N  besides, N certificates of format 2 that random_solids.py makes
 --oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones; those
             of format 2 are judged by definition
 --count N   forgeries in all, at least
@@ -29,7 +29,9 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import forging  # noqa: E402
+import random_solids  # noqa: E402
 import solids  # noqa: E402
+from parts import Parts  # noqa: E402
 
 BATCH = 1000  # files a process
 VERDICT = re.compile(r"s (?:(VERIFIED) (.*) (\S+)|(REFUSED|MALFORMED) (\S+?):\d+: .*)")
@@ -56,7 +58,7 @@ def run_checker(command, folder, names):
 
 def statement(text):
     """What a certificate claims, as exact values: two equal ones are true together."""
-    parts = forging.Parts(text)
+    parts = Parts(text)
     if parts.format == "2":
         proof = ("heights", "inner", "weights", "vertices", "facets", "differences", *(["directions"] if parts.which == "some" else []))
         return parts.claim, parts.which, {part: rows for part, rows in parts.rows.items() if not part.startswith(proof)}
@@ -137,7 +139,7 @@ class Campaign:
     def judge_accepted(self):
         polytopes = [(claim, forged) for claim, forged, piece in self.accepted if piece.startswith("fathom-certificate 1")]
         for _, forged, piece in self.accepted:
-            if piece.startswith("fathom-certificate 2") and not solids.is_true(forging.Parts(piece)):
+            if piece.startswith("fathom-certificate 2") and not solids.is_true(Parts(piece)):
                 self.fault("an untrue claim is accepted", forged)
         if polytopes and not self.options.oracle:
             return [self.fault("accepted, and no oracle to ask", forged) for _, forged in polytopes]
@@ -167,8 +169,8 @@ def genuine_texts(options):
     for path in paths:
         for text in re.split(r"^(?=fathom-certificate)", path.read_text(), flags=re.MULTILINE):
             if text.startswith("fathom-certificate"):
-                texts.append(forging.Parts(text).text())
-    return texts + [forging.Parts(text).text() for _, text, _ in solids.genuine(options.solids, options.seed)]
+                texts.append(Parts(text).text())
+    return texts + [Parts(text).text() for _, text, _ in random_solids.genuine(options.solids, options.seed)]
 
 
 def main():
@@ -192,7 +194,7 @@ def main():
             if not found or any(len(v) != 1 or not v[0].startswith("VERIFIED") for v in found.values()):
                 print(f"{checker}: genuine certificates are not accepted, or there are none")
                 return 2
-    others = [forging.Parts(text) for text in texts]
+    others = [Parts(text) for text in texts]
     each = -(-options.count * 3 // (2 * len(texts)))  # some forgeries come out genuine, some ways do not apply
     for number, text in enumerate(texts):
         for kind, forged in forging.forgeries(text, others, each, f"{options.seed}/{number}"):

@@ -32,7 +32,7 @@ class Approx(CliTest):
     def test_fields(self):
         result = self.result("approx", "--delta", "1/4", CUBE, ICOSAHEDRON)
         self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
-                                        "witness", "optima", "flat", "method", "delta", "rays", "bound"])
+                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "hull", "flat", "method", "delta", "rays", "bound"])
         self.assertEqual((result["delta"], result["rays"]), ("1/4", 24))
         self.check(result, self.result("depth", CUBE, ICOSAHEDRON))
 
@@ -80,11 +80,15 @@ class Approx(CliTest):
     def test_text(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", box(["3/4", "1/4", "1/8"], ["7/4", "5/4", "9/8"]))
         out = self.answer("approx", "--delta", "1/2", "--digits", "3", a, b).splitlines()
-        self.assertEqual(out[:3], ["penetrating", "depth at most    0.25", "depth^2 at most  1/16"])
-        self.assertIn("enclosure        [0.25, 0.25]", out)
-        self.assertIn("delta            1/2", out)
-        self.assertIn("translation      (-1/4, 0, 0)", out)
-        self.assertIn("contact          facet-facet: points 1 3 5 7 of A, 0 2 4 6 of B", out)
+        self.assertEqual(out[:2], ["penetrating", "depth at most   0.25"])
+        self.assertIn("enclosure       [0.25, 0.25]", out)
+        self.assertIn("delta           1/2", out)
+        self.assertIn("translation     (-0.25, 0, 0)", out)
+        self.assertIn("contact         facet-facet: points 1 3 5 7 of A, 0 2 4 6 of B", out)
+        self.assertIn("sizes           A 1 x 1 x 1, B 1 x 1 x 1", out)
+        exact = self.answer("approx", "--delta", "1/2", "--exact", a, b).splitlines()
+        self.assertEqual(exact[:3], ["penetrating", "depth at most    0.25", "depth^2 at most  1/16"])
+        self.assertIn("translation      (-1/4, 0, 0)", exact)
 
     def test_says_that_hulls_are_taken(self):
         path = self.file("a.xyz", UNIT + [["1/2", "1/2", "1/2"]])
@@ -107,7 +111,8 @@ class Approx(CliTest):
         for change in ({"delta": "0"}, {"delta": 1}, {"rays": -1}, {"bound": None}, {"method": "exact"}, {"optima": [{}]}, {"witness": 1},
                        {"counters": {}}, {"distance": None}):
             self.assertFalse(VALIDATOR.is_valid({**copy.deepcopy(good), **change}), change)
-        for field in good:
+        optional = {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull"}
+        for field in good.keys() - optional:
             self.assertFalse(VALIDATOR.is_valid({key: value for key, value in good.items() if key != field}), field)
 
 
@@ -120,10 +125,10 @@ class Width(Approx):
 
     def test_text(self):
         out = self.answer("width", "--delta", "1", CUBE).splitlines()
-        self.assertEqual(out[:3], ["width at most    1", "width^2 at most  1", "width at least   0.5"])
+        self.assertEqual(out[:3], ["width at most   1", "width at least  0.5", "delta           1"])
         flat = self.answer("width", "--delta", "1", self.file("flat.xyz", SQUARE))
-        self.assertTrue(flat.startswith("width at most    0\n"), flat)
-        self.assertIn("\nflat             A\n", flat + "\n")
+        self.assertTrue(flat.startswith("width at most   0\n"), flat)
+        self.assertIn("\nflat            A\n", flat + "\n")
 
     def test_stream(self):
         stream = case(UNIT, SQUARE, id="cube") + case(SQUARE, UNIT, id="flat")

@@ -79,7 +79,7 @@ class Reports(CliTest):
         misspelt = [json.dumps({"type": "reply", "id": f"a::{i}", "overlap": True, "depht": 99, "direction": [1, 0, 0],
                                 "witness": {"a": [0, 0, 0], "B": [0, 0, 0]}}) + "\n" for i in range(9)]
         path = self.folder / "page.html"
-        out, err = self.certify(misspelt, "--html", path, code=0)
+        out, err = self.certify(misspelt, "--html", path, "--jobs", "1", code=0)  # one thread: the order is that of the cases
         self.assertIn("\njudged       overlap in 9 of 9 cases; depth in 0 of 9 said to overlap; direction in 0; witness in 0\n", out)
         warning = ('depth judged 0 of 9: no answer that says the bodies overlap has a "depth", and without one no direction and no witness '
                    "is judged")
@@ -90,7 +90,7 @@ class Reports(CliTest):
         self.assertIn(warning, texts)
         self.assertIn("depth in 0 of 9 said to overlap", texts)
 
-        out, err = self.certify([*misspelt, reply("b")], "--json", code=0)
+        out, err = self.certify([*misspelt, reply("b")], "--json", "--jobs", "1", code=0)
         lines = [json.loads(line) for line in out.splitlines()]
         self.assertEqual(lines[-1]["judged"], {"overlap": 10, "overlapping": 10, "depth": 1, "direction": 0, "witness": 0})
         self.assertEqual(lines[1]["detail"][:36], "the field 'depht' is not read: is 'd")

@@ -12,11 +12,10 @@ import unittest
 
 import jsonschema  # Debian: python3-jsonschema
 from certify_harness import CertifyTest, boxes, liar
+from certify_schemas import SUBJECT, VERDICT, validator
 from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, box, case
 from signals_test import run_on_terminal
 
-SUBJECT = json.loads((ROOT / "schemas" / "subject.schema.json").read_text())
-VERDICT = json.loads((ROOT / "schemas" / "verdict.schema.json").read_text())
 EXAMPLES = ROOT / "verify" / "examples"
 PYTHON = f"exec '{sys.executable}' -B '{EXAMPLES / 'subject.py'}'"
 # Passes on what a subject and fathom say to each other, and writes it down.
@@ -37,13 +36,6 @@ copy(child.stdout, sys.stdout.buffer, "< ")
 thread.join()
 sys.exit(child.wait())
 """
-
-
-def validator(schema, part=None):
-    base = "https://schemas.invalid/"  # nothing is fetched
-    store = {base + "subject.schema.json": SUBJECT}
-    part = {**schema, "oneOf": [{"$ref": f"#/$defs/{name}"} for name in part]} if part else schema
-    return jsonschema.Draft202012Validator(part, resolver=jsonschema.RefResolver(base, part, store=store))
 
 
 class Subjects(CertifyTest):

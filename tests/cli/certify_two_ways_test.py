@@ -4,7 +4,7 @@ import json
 import unittest
 
 from certify_harness import CertifyTest, boxes, liar
-from certify_test import VERDICT, validator
+from certify_schemas import VERDICT, validator
 from harness import DATA, ROOT
 
 

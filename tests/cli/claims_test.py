@@ -60,6 +60,12 @@ class Claims(CliTest):
         for direction, verdict in (("x", "right"), ("-x", "right"), ("+-x", "right"), ("y", "wrong"), ("axis", "right")):
             self.assertEqual(self.judged({"direction": direction}, **boxes), [verdict] * 2, direction)
 
+    def test_a_direction_whose_price_is_the_depth_with_too_many_digits(self):
+        """9.9 in binary64 has 47 decimals."""
+        cone = {"shape": "cone", "radius": 5, "half_length": 5}
+        above = {**cone, "pose": {"quaternion": [1, 0, 0, 0], "translation": [0, 0, 9.9]}}
+        self.assertEqual(self.judged({"direction": "z"}, cone, above), ["right"] * 2)
+
     def test_bad_lines(self):
         for line, words in (("{", "expected JSON"), ('{"a": {"shape": "sphere"}, "b": {}}', "a field"), (json.dumps({"a": ball(1), "b": ball(1)}), "expected a field 'claim'"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": 3}), "claim: expected an object"),

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fathom depth A B`: every field and every option, on bodies whose answers can be found by hand."""
 import json
+import math
+import re
 import unittest
 from fractions import Fraction
 
-from harness import DATA, UNIT, VERSION, CliTest, box
+from harness import DATA, UNIT, VERSION, CliTest, box, case
 
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
@@ -14,16 +16,18 @@ class Fields(CliTest):
     def test_one_optimum(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", SHIFTED)
         result = self.result("depth", a, b)
-        witness = result.pop("witness")
+        witness, rounded_witness = result.pop("witness"), result.pop("witness_f64")
+        self.assertEqual(rounded_witness, {body: [float(Fraction(x)) for x in witness[body]] for body in "ab"})
         contact = {"kind": "facet-facet", "a": [1, 3, 5, 7], "b": [0, 2, 4, 6]}
         quarter = {"rn": "0x1p-2", "rd": "0x1p-2", "ru": "0x1p-2"}
         expected = {
             "schema": "fathom/result/2", "fathom": VERSION, "id": f"{a} {b}", "status": "penetrating",
             "signed_depth": {"low": 0.25, "high": 0.25, "exact": {"sign": 1, "root": "1/16", "plus": "0"}},
             "depth": {"squared": "1/16", "value": 0.25, "rounded": {"f64": quarter, "f32": quarter}},
+            "unit_f64": [-1, 0, 0], "translation_f64": [-0.25, 0, 0],
             "translation": ["-1/4", "0", "0"], "direction": ["-1", "0", "0"], "contact": contact,
             "optima": [{"direction": ["-1", "0", "0"], "translation": ["-1/4", "0", "0"], "contact": contact}],
-            "flat": [], "method": "certificate"}
+            "sizes": {"a": [1, 1, 1], "b": [1, 1, 1]}, "flat": [], "method": "certificate"}
         self.assertEqual(result, expected)
         point_a, point_b = ([Fraction(x) for x in witness[body]] for body in "ab")
         self.assertEqual([y - x for x, y in zip(point_a, point_b)], [Fraction(-1, 4), 0, 0])
@@ -32,7 +36,7 @@ class Fields(CliTest):
     def test_order_of_fields(self):
         out = self.answer("depth", "--json", "--counters", "--digits", "3", CUBE, ICOSAHEDRON)
         self.assertEqual(list(json.loads(out)), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction",
-                                                 "contact", "witness", "optima", "flat", "method", "counters"])
+                                                 "contact", "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "hull", "flat", "method", "counters"])
         self.assertEqual(list(json.loads(out)["depth"]), ["squared", "value", "rounded", "enclosure"])
 
     def test_ties_are_listed_in_order(self):
@@ -67,7 +71,8 @@ class Fields(CliTest):
             result = self.result("depth", self.file("a.xyz", UNIT), self.file("b.xyz", [[low, 0, 0], [3, 0, 0], [2, 1, 0], [2, 0, 1]]))
             self.assertEqual(result["status"], status)
             self.assertEqual(result["depth"], {"squared": "0", "value": 0, "rounded": {"f64": nothing, "f32": nothing}})
-            self.assertEqual((result["translation"], result["contact"], result["optima"]), (["0", "0", "0"], None, []))
+            contact = None if status == "touching" else {"kind": "facet-vertex", "a": [1, 3, 5, 7], "b": [0]}
+            self.assertEqual((result["translation"], result["contact"], result["optima"]), (["0", "0", "0"], contact, []))
             self.assertLess(int(result["direction"][0]), 0) if status == "disjoint" else self.assertEqual(result["direction"],
                                                                                                        ["-1", "0", "0"])
             self.assertEqual(result["witness"], {"a": ["1", "0", "0"], "b": ["1", "0", "0"]} if status == "touching" else None)
@@ -199,31 +204,51 @@ class Text(CliTest):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", SHIFTED)
         code, out, err = self.run_cli("depth", a, b)
         self.assertEqual((code, err), (0, ""))
-        self.assertEqual(out.splitlines()[:6], [
-            "penetrating", "depth        0.25", "depth^2      1/16", "direction    (-1, 0, 0)", "translation  (-1/4, 0, 0)",
+        self.assertEqual(out.splitlines()[:5], [
+            "penetrating", "depth        0.25", "direction    (-1, 0, 0)", "translation  (-0.25, 0, 0)",
             "contact      facet-facet: points 1 3 5 7 of A, 0 2 4 6 of B"])
-        self.assertEqual(out.splitlines()[7:8], ["ties         none"])
+        self.assertEqual(out.splitlines()[6:8], ["ties         none", "sizes        A 1 x 1 x 1, B 1 x 1 x 1"])
         self.assertRegex(out.splitlines()[8], r"^method       certificate: an inner polytope of \d+ facets$")
+        exact = self.answer("depth", "--exact", a, b).splitlines()
+        self.assertEqual(exact[:5], ["penetrating", "depth        0.25", "depth^2      1/16", "direction    (-1, 0, 0)", "translation  (-1/4, 0, 0)"])
+        self.assertEqual(len(exact), len(out.splitlines()) + 1)
+        self.assertEqual(self.answer("depth", "--exact", "-", stdin=case(UNIT, SHIFTED, id="x")),
+                         "x: penetrating; depth 0.25; depth^2 1/16; direction (-1, 0, 0); facet-facet\n")
+        self.assertIn("--exact is about text", self.refused("depth", "--exact", "--json", a, b))
         self.assertIn("\nties         6 nearest facets; the first is shown, --json lists all\n", self.answer("depth", a, a))
 
     def test_long_numbers(self):
-        out = self.answer("depth", CUBE, ICOSAHEDRON)
+        """Decimals are the shortest ones of the nearest doubles, which fit a terminal; fractions are in full."""
+        out, exact = self.answer("depth", CUBE, ICOSAHEDRON), self.answer("depth", "--exact", CUBE, ICOSAHEDRON)
         result = self.result("depth", CUBE, ICOSAHEDRON)
-        self.assertIn(f"\ndepth        {result['depth']['value']!r}\n", out)
-        self.assertIn(f"\ndepth^2      {result['depth']['squared']}\n", out)
-        first = Fraction(result["translation"][0])
-        self.assertIn(f"\ntranslation  ~({float(first):.9g}, ", out)
+        for text in (out, exact):
+            self.assertIn(f"\ndepth        {result['depth']['value']!r}\n", text)
+        self.assertIn(f"\ndepth^2      {result['depth']['squared']}\n", exact)
+        self.assertNotIn("/", out)
+        self.assertLessEqual(max(map(len, out.splitlines())), 80)
+        first, witness = Fraction(result["translation"][0]), result["witness"]
+        self.assertIn(f"\ntranslation  ({float(first)!r}, ", out)
+        self.assertIn(f"\ntranslation  ({', '.join(result['translation'])})\n", exact)
+        points = ["({})".format(", ".join(repr(float(Fraction(x))).removesuffix(".0") for x in witness[body])) for body in "ab"]
+        self.assertIn(f"\nwitness      {points[0]} of A\n             {points[1]} of B\n", out)
+        unit = [x / math.hypot(*map(float, result["direction"])) for x in map(float, result["direction"])]
+        shown = re.search(r"\ndirection    \((.*)\)\n", out)[1]
+        for x, y in zip(map(float, shown.split(", ")), unit):
+            self.assertAlmostEqual(x, y, delta=1e-15)
+        self.assertIn(f"\ndirection    ({', '.join(result['direction'])})\n", exact)
 
     def test_beyond_binary64(self):
         huge = self.file("huge.xyz", [[f"{10**400}", 0, 0], [0, f"{10**400}", 0], [0, 0, f"{10**400}"], [0, 0, 0]])
-        self.assertIn("\ndepth        5.7735026918962576e399\n", self.answer("depth", huge, huge))
+        out = self.answer("depth", huge, huge)
+        self.assertIn("\ndepth        5.7735026918962576e399\n", out)
+        self.assertIn("\ntranslation  (-3.3333333333333333e399, -3.3", out)
 
     def test_touching_and_disjoint(self):
         a = self.file("a.xyz", UNIT)
         out = self.answer("depth", a, self.file("b.xyz", box([1, 0, 0], [2, 1, 1])))
         self.assertTrue(out.startswith("touching\ndepth         0\n"), out)
         self.assertIn("\ncommon point  (1, ", out)
-        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth       0\n"))
+        self.assertTrue(self.answer("depth", a, self.file("b.xyz", box([2, 0, 0], [3, 1, 1]))).startswith("disjoint\ndepth      0\n"))
 
 
 if __name__ == "__main__":

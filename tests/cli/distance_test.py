@@ -37,10 +37,12 @@ class Distance(CliTest):
         result = self.result("depth", "--digits", "4", self.file("a.xyz", UNIT), self.file("b.xyz", corner))
         self.check(result)
         self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
-                                        "witness", "optima", "distance", "flat", "method"])
+                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "distance", "sizes", "flat", "method"])
         self.assertEqual({key: value for key, value in result["distance"].items() if key != "rounded"},
                          {"squared": "12", "value": 12 ** 0.5, "enclosure": ["3.464", "3.465"], "direction": ["-1", "-1", "-1"],
-                          "translation": ["2", "2", "2"], "witness": {"a": ["1", "1", "1"], "b": ["3", "3", "3"]}})
+                          "translation": ["2", "2", "2"], "witness": {"a": ["1", "1", "1"], "b": ["3", "3", "3"]},
+                          "unit_f64": [-0.5773502691896257] * 3, "translation_f64": [2, 2, 2], "witness_f64": {"a": [1, 1, 1], "b": [3, 3, 3]}})
+        self.assertEqual((result["unit_f64"], result["translation_f64"], result["witness_f64"]), ([-0.5773502691896257] * 3, [0, 0, 0], None))
 
     def test_signed_depth(self):
         """low <= the number that `exact` says <= high, neighbours among the doubles or equal, whatever the size."""
@@ -83,9 +85,11 @@ class Distance(CliTest):
     def test_text(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", box([3, 0, 0], [4, 1, 1]))
         out = self.answer("depth", "--digits", "2", a, b).splitlines()
-        self.assertEqual(out[:6], ["disjoint", "depth       0", "depth^2     0", "distance    2", "distance^2  4", "enclosure   [2, 2]"])
-        self.assertRegex(out[6], r"^nearest     \(1, .*\) of A, \(3, .*\) of B$")
-        self.assertEqual(out[7:9], ["A to B      (2, 0, 0)", "direction   (-1, 0, 0)"])
+        self.assertEqual(out[:4], ["disjoint", "depth      0", "distance   2", "enclosure  [2, 2]"])
+        self.assertRegex(out[4], r"^nearest    \(1, .*\) of A, \(3, .*\) of B$")
+        self.assertEqual(out[5:7], ["A to B     (2, 0, 0)", "direction  (-1, 0, 0)"])
+        exact = self.answer("depth", "--exact", a, b).splitlines()
+        self.assertEqual(exact[:5], ["disjoint", "depth       0", "depth^2     0", "distance    2", "distance^2  4"])
         line = self.answer("depth", "-", stdin=case(UNIT, box([3, 0, 0], [4, 1, 1]), id="apart"))
         self.assertTrue(line.startswith("apart: disjoint; depth 0; distance 2; direction (-1, "), line)
 

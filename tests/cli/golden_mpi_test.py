@@ -136,6 +136,18 @@ class Mpi(GoldenTest):
         self.same_as_release(folder)
 
 
+@unittest.skipUnless(MPIRUN and PROGRAM.exists(), "Open MPI or Boost.MPI is not here (openmpi-bin, libopenmpi-dev, libboost-mpi-dev)")
+class Shapes(GoldenTest):
+    LEVEL = "P0"
+
+    def test_same_bytes(self):
+        folder = self.folder / "shapes"
+        done = subprocess.run([MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", EXECUTABLE, "golden", "generate", "--level", "P0",
+                               "--seed", "1", "--out", folder], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.same_as_release(folder)
+
+
 class Absent(GoldenTest):
     def test_without_the_program(self):
         lonely = self.folder / "fathom"

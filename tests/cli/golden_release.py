@@ -59,19 +59,21 @@ def repair(folder):
 
 
 class GoldenTest(CliTest):
-    """Has a release of level L0 in `self.release`, made once for each class."""
+    """Has a release of level LEVEL in `self.release`, made once for each class."""
+
+    LEVEL = "L0"
 
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.release = pathlib.Path(folder.name) / "release"
-        subprocess.run([EXECUTABLE, "golden", "generate", "--level", "L0", "--seed", "1", "--out", cls.release], check=True,
+        subprocess.run([EXECUTABLE, "golden", "generate", "--level", cls.LEVEL, "--seed", "1", "--out", cls.release], check=True,
                        stdout=subprocess.PIPE)
         cls.shards = [shard["name"] for shard in json.loads((cls.release / "dataset.json").read_text())["shards"]]
 
     def generate(self, folder, *more, **options):
-        return self.run_cli("golden", "generate", "--level", "L0", "--seed", "1", "--out", folder, *more, **options)
+        return self.run_cli("golden", "generate", "--level", self.LEVEL, "--seed", "1", "--out", folder, *more, **options)
 
     def same_as_release(self, folder):
         ours, theirs = contents(folder), contents(self.release)

@@ -28,7 +28,7 @@ class Release(GoldenTest):
         code, out, err = self.run_cli("golden", "verify", self.release)
         self.assertEqual((code, err), (0, ""), out)
         records = json.loads((self.release / "dataset.json").read_text())["records"]
-        self.assertEqual(out, f"s VERIFIED L0 version=1.0.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
+        self.assertEqual(out, f"s VERIFIED L0 version=1.1.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
 
     def test_same_bytes_on_any_number_of_threads(self):
         for jobs in ("1", "3"):
@@ -111,7 +111,7 @@ class Committed(GoldenTest):
     def test_verified(self):
         code, out, err = self.run_cli("golden", "verify", COMMITTED)
         self.assertEqual((code, err), (0, ""), out)
-        self.assertTrue(out.startswith("s VERIFIED L0 version=1.0.0 seed=1 "), out)
+        self.assertTrue(out.startswith("s VERIFIED L0 version=1.1.0 seed=1 "), out)
 
     def test_made_again(self):
         """The same content; and the same bytes where the same version of libzstd compressed it."""
@@ -258,7 +258,7 @@ class Words(GoldenTest):
         for words, sentence in (
                 ([], "golden expects a task: generate, verify"), (["make"], "unknown task 'make' of golden"),
                 (["generate"], "--level"), (["generate", "--level", "L0"], "--out"), (["generate", "--out", out], "--level"),
-                (["generate", "--level", "L4", "--out", out], "expected L0, L1, L2 or L3, found 'L4'"),
+                (["generate", "--level", "L4", "--out", out], "expected L0, L1, L2, L3, P0 or P1, found 'L4'"),
                 (["generate", "--level", "L0", "--out", out, "--seed", "-1"], "--seed"),
                 (["generate", "--level", "L0", "--out", out, "--seed", "18446744073709551616"], "expected an integer from 0 to 2^64 - 1, found"),
                 (["generate", "--level", "L0", "--out", out, "--jobs", "0"], "expected an integer from 1 to 1024"),

@@ -63,16 +63,16 @@ class Metric(CliTest):
         self.assertEqual([len(line["optima"]) for line in lines[:5]], [1, 6, 0, 0, 0])
         self.assertEqual(list(lines[5]), ["schema", "id", "line", "error"])
         text = self.run_cli("metric", "--ball", self.balls["octahedron"], self.file("cases.jsonl", STREAM))[1].splitlines()
-        self.assertEqual(text[0], "deep: penetrating; depth 0.25 in the norm; translation (-1/4, 0, 0); facet-facet")
+        self.assertEqual(text[0], "deep: penetrating; depth 0.25 in the norm; translation (-0.25, 0, 0); facet-facet")
         self.assertTrue(text[1].endswith("; 6 ties"), text[1])
         self.assertTrue(text[3].startswith("apart: disjoint; depth 0 in the norm; separating normal (-1, "), text[3])
 
     def test_text_says_norm_or_gauge(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", SHIFTED)
         out = self.answer("metric", "--ball", self.balls["cube"], a, b).splitlines()
-        self.assertEqual(out[:5], ["penetrating", "depth        0.25", "exactly      1/4",
-                                   "unit ball    norm: symmetric about O; 8 vertices",
+        self.assertEqual(out[:4], ["penetrating", "depth        0.25", "unit ball    norm: symmetric about O; 8 vertices",
                                    "vertices     0 2 4 6 of the ball; the first is shown, --json lists all"])
+        self.assertIn("exactly      1/4\n", self.answer("metric", "--ball", self.balls["cube"], "--exact", a, b))
         self.assertIn("gauge: not symmetric about O", self.answer("metric", "--ball", self.balls["skew"], a, b))
 
     def test_a_large_ball(self):

@@ -56,15 +56,18 @@ class Ray(CliTest):
         self.assertEqual([line["flat"] for line in lines[:5]], [[], [], [], ["a"], ["a", "b"]])
         self.assertEqual(list(lines[5]), ["schema", "id", "line", "error"])
         text = self.run_cli("ray", "--direction", "0,0,1", self.file("cases.jsonl", STREAM))[1].splitlines()
-        self.assertEqual(text[0], "deep: penetrating; length 1.125; translation (0, 0, 9/8); normal (0, 0, 1); facet-facet")
-        self.assertEqual(text[3], "point: penetrating; length 0.75; translation (0, 0, 3/4); normal (0, 0, 1); vertex-facet; flat A")
+        self.assertEqual(text[0], "deep: penetrating; length 1.125; translation (0, 0, 1.125); normal (0, 0, 1); facet-facet")
+        self.assertEqual(text[3], "point: penetrating; length 0.75; translation (0, 0, 0.75); normal (0, 0, 1); vertex-facet; flat A")
 
     def test_text(self):
         a, b = self.file("a.xyz", UNIT), self.file("b.xyz", SHIFTED)
         out = self.answer("ray", "--direction", "-1,0,0", "--digits", "2", a, b).splitlines()
-        self.assertEqual(out[:7], ["penetrating", "depth along  (-1, 0, 0)", "length       0.25", "length^2     1/16",
-                                   "enclosure    [0.25, 0.25]", "factor       1/4", "translation  (-1/4, 0, 0)"])
+        self.assertEqual(out[:5], ["penetrating", "depth along  (-1, 0, 0)", "length       0.25", "enclosure    [0.25, 0.25]",
+                                   "translation  (-0.25, 0, 0)"])
         self.assertIn("normal       (-1, 0, 0)", out)
+        exact = self.answer("ray", "--direction", "-1,0,0", "--digits", "2", "--exact", a, b).splitlines()
+        self.assertEqual(exact[:7], ["penetrating", "depth along  (-1, 0, 0)", "length       0.25", "length^2     1/16",
+                                     "enclosure    [0.25, 0.25]", "factor       1/4", "translation  (-1/4, 0, 0)"])
 
     def test_says_that_hulls_are_taken(self):
         path = self.file("a.xyz", UNIT + [["1/2", "1/2", "1/2"]])

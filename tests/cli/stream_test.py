@@ -9,7 +9,7 @@ from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, box, case
 
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 GOOD = case(UNIT, SHIFTED, id="good")
-LINE = "good: penetrating; depth 0.25; depth^2 1/16; direction (-1, 0, 0); facet-facet\n"
+LINE = "good: penetrating; depth 0.25; direction (-1, 0, 0); facet-facet\n"
 
 # What stands on a line -> (id, part of the error)
 BAD = {
@@ -134,7 +134,7 @@ class Pipes(CliTest):
                 for _ in range(3):
                     process.stdin.write(GOOD.encode())
                     process.stdin.flush()
-                    self.assertIn(b"1/16", process.stdout.readline())
+                    self.assertIn(b"0.25", process.stdout.readline())
                 process.stdin.close()
                 self.assertEqual((process.stdout.read(), process.wait(PATIENCE)), (b"", 0))
 

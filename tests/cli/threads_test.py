@@ -10,7 +10,7 @@ from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, box, case
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 INNER = UNIT + [[0.5, 0.5, 0.5]]
 GOOD = case(UNIT, SHIFTED, id="good")
-LINE = b"good: penetrating; depth 0.25; depth^2 1/16; direction (-1, 0, 0); facet-facet\n"
+LINE = b"good: penetrating; depth 0.25; direction (-1, 0, 0); facet-facet\n"
 THREADS = ("1", "2", "5")
 
 

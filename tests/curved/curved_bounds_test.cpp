@@ -29,7 +29,7 @@ Shape at(const Shape& shape, const Point& p, const Quaternion& q = {1, 0, 0, 0})
 Shape ball(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}, {0, 0, r}}}); }
 Shape disc(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}}}); }
 
-const Quaternion quarter_x{1, 1, 0, 0}, half_x{0, 1, 0, 0};
+const Quaternion quarter_x{1, 1, 0, 0}, half_x{0, 1, 0, 0}, along_generator{3, 0, -1, 0};
 const Shape unit_box = box({1, 1, 1});
 
 struct Placed {
@@ -71,10 +71,50 @@ TEST(CurvedBounds, DecideTouchingWherePeopleMeetIt) {
       {"discs in one plane", disc(1), at(disc(1), {1, 0, 0})},
       {"a disc on a cylinder's end", cylinder(1, 1), at(disc(3), {0, 1, 1})},
       {"an ellipsoid with edges on a face", box({2, 2, 2}), at(minkowski_sum(ellipsoid({1, 2, 3}), unit_box), {0, 0, 6})},
+      {"cones along a generator", cone(1, 1), at(cone(1, 1), {1, 0, 0}, half_x)},
+      {"a cylinder along a cone", cone(3, 2), at(cylinder(1, third), {mpq_class(23, 10), 0, mpq_class(3, 5)}, along_generator)},
+      {"a cylinder across a cone", cone(3, 2), at(cylinder(1, 2, Axis::y), {mpq_class(23, 10), third, mpq_class(3, 5)})},
+      {"a ball on a cone's side", at(ball(5), {mpq_class(11, 2), 0, 3}), cone(3, 2)},
+      {"rims that cross", cylinder(5, 1), at(cylinder(5, 1), {3, 0, 2}, {1, 0, 0, 2})},
+      {"a rim on a barrel", cylinder(1, 3, Axis::y), at(cylinder(1, 1), {mpq_class(-1, 5), 0, mpq_class(12, 5)}, {3, 0, 1, 0})},
       {"a cylinder on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 3})},
       {"a cylinder lies on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2}, quarter_x)},
       {"a sphere on a slope", halfspace({1, 2, 2}, 3), at(ball(1), {mpq_class(2, 3), mpq_class(4, 3), mpq_class(4, 3)})}};
   for (const Placed& placed : touching) expect_exactly(placed, 0);
+}
+
+// Normal n and unit vectors y are chosen; the radii are such that an ellipsoid has the normal n at y.
+TEST(CurvedBounds, DecideTouchingOfEllipsoidsAtRationalPoints) {
+  ShapeMaker make{families::Random(11), 4};
+  const auto small = [&] { return Quaternion{make.random.between(1, 5), make.random.between(-5, 5), make.random.between(-5, 5), 2}; };
+  const auto of_pose = [](const Quaternion& q, const Point& p) {
+    const Pose pose = rigid_pose(q, {});
+    std::array<mpq_class, 3> result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = pose[i][0] * p.x + pose[i][1] * p.y + pose[i][2] * p.z;
+    return Point{result[0], result[1], result[2]};
+  };
+  const Pose odd = rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
+  for (int pairs = 0; pairs < 60;) {
+    const Point n{make.random.between(-20, 20), make.random.between(-20, 20), make.random.between(1, 20)};
+    std::array<Shape, 2> shapes;
+    bool proper = true;
+    for (int i = 0; i < 2 && proper; ++i) {
+      const Quaternion turn = small();
+      const Point m = of_pose({turn.w, -turn.x, -turn.y, -turn.z}, i == 0 ? n : Point{-n.x, -n.y, -n.z}), y = of_pose(small(), {0, 0, 1});
+      proper = m.x * m.y * m.z * y.x * y.y * y.z != 0;
+      if (!proper) break;
+      const Point r{abs(y.x / m.x), abs(y.y / m.y), abs(y.z / m.z)};
+      const Point there = of_pose(turn, {r.x * r.x * m.x, r.y * r.y * m.y, r.z * r.z * m.z});  // r y, with the signs of m
+      shapes[static_cast<std::size_t>(i)] = at(ellipsoid(r), {-there.x, -there.y, -there.z}, turn);
+    }
+    if (!proper) continue;
+    ++pairs;
+    const auto& [a, b] = shapes;
+    for (const bool turned : {false, true}) {
+      const CurvedBounds bounds = turned ? bounds_of(moved(a, odd), moved(b, odd)) : bounds_of(a, b);
+      EXPECT_TRUE(bounds.low == 0 && bounds.high == 0) << pairs << (turned ? ", turned" : "") << ": [" << bounds.low << ", " << bounds.high;
+    }
+  }
 }
 
 TEST(CurvedBounds, MeetWhereTheNearestFeaturesAreRational) {
@@ -122,22 +162,69 @@ TEST(CurvedBounds, EndByTheirBudgetWhereOptimaFormAContinuum) {
     for (const std::size_t budget : {10U, 100U, 500U}) {
       const CurvedBounds bounds = bounds_of(placed.a, placed.b, 40, budget);
       expect_around(bounds, {value, 0}, placed.what);
-      EXPECT_GE(bounds.support_calls + 1, budget) << placed.what;
+      EXPECT_GE(bounds.support_calls + 1, std::min<std::size_t>(budget, 256)) << placed.what;
       EXPECT_GE(bounds.low, budget < 100 ? mpq_class(0) : mpq_class(19, 10)) << placed.what;
       EXPECT_LT(bounds.high - value, tenth / 100) << placed.what;
     }
   }
 }
 
+// The root of 2 to 2^-bits, from below or above.
+mpq_class root_of_two(unsigned bits, bool above) {
+  const mpz_class scaled = mpz_class(2) << (2 * bits);
+  mpq_class root(mpz_class(sqrt(scaled) + (above ? 1 : 0)), mpz_class(1) << bits);
+  root.canonicalize();
+  return root;
+}
+
+TEST(CurvedBounds, DecideTheStatusOfGrazingBodies) {
+  for (const unsigned bits : {1U, 40U, 100U}) {
+    for (const unsigned fine : {20U, 60U, 100U, 140U}) {
+      for (const bool apart : {false, true}) {
+        const mpq_class x = root_of_two(fine, apart);
+        const CurvedBounds grazing = bounds_of(ball(1), at(ball(1), {x, x, 0}), bits);
+        EXPECT_TRUE(apart ? grazing.high < 0 : grazing.low > 0) << bits << " bits, " << fine;
+        expect_around(grazing, {2, -2 * x * x}, "grazing balls");
+        const CurvedBounds margins =
+            bounds_of(with_margin(ball(mpq_class(3, 4)), mpq_class(1, 8)), at(with_margin(ball(1), mpq_class(1, 8)), {x, x, 0}), bits);
+        EXPECT_TRUE(apart ? margins.high < 0 : margins.low > 0) << bits << " bits, " << fine << ", margins";
+      }
+    }
+  }
+  const mpq_class hair = mpq_class(1, mpz_class(1) << 60);
+  const Shape lying = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 0, 0}), slope = halfspace({0, 0, 1}, mpq_class(-11, 5) + hair);
+  EXPECT_EQ(bounds_of(slope, lying).low, hair);
+  EXPECT_LT(bounds_of(halfspace({1, 1, 0}, -root_of_two(60, true)), cylinder(1, 2)).high, 0);
+}
+
 TEST(CurvedBounds, SayWhenTheyCannotDecide) {
-  const mpq_class near_root(mpz_class("14142135623730951"), mpz_class("10000000000000000"));  // of 2, a little above
-  const CurvedBounds grazing = bounds_of(ball(1), at(ball(1), {near_root, near_root, 0}));
+  const mpq_class x = root_of_two(300, true);
+  const CurvedBounds grazing = bounds_of(ball(1), at(ball(1), {x, x, 0}));
   EXPECT_LT(grazing.low, 0);
   EXPECT_GT(grazing.high, 0);
-  expect_around(grazing, {2, -2 * near_root * near_root}, "grazing balls");
-  const CurvedBounds finer = bounds_of(ball(1), at(ball(1), {near_root, near_root, 0}), 80);
+  EXPECT_LE((grazing.high - grazing.low) * (mpz_class(1) << 160), 6);
+  expect_around(grazing, {2, -2 * x * x}, "grazing balls");
+  const CurvedBounds finer = bounds_of(ball(1), at(ball(1), {x, x, 0}), 310);
   EXPECT_LT(finer.high, 0);
-  expect_around(finer, {2, -2 * near_root * near_root}, "grazing balls, looked at closely");
+  expect_around(finer, {2, -2 * x * x}, "grazing balls, looked at closely");
+}
+
+TEST(CurvedBounds, EndBeforeTheirBudgetWhereItWillNotDo) {
+  const Shape bar = cylinder(1, 4);
+  const CurvedBounds around_axis = bounds_of(bar, bar), around_center = bounds_of(ball(1), ball(1));
+  EXPECT_EQ(around_axis.support_calls, 512);
+  EXPECT_GT(around_axis.low * 10000, 19998);
+  EXPECT_EQ(around_center.support_calls, 512);
+  EXPECT_GT(around_center.low * 100, 198);
+  EXPECT_GT(bounds_of(bar, bar, 20).support_calls, 512);  // it is their share of the goal that counts, and of the budget
+  EXPECT_GT(bounds_of(bar, bar, 26, 20000).support_calls, 512);
+  EXPECT_EQ(bounds_of(bar, bar, 26).support_calls, 512);
+  const CurvedBounds slow = bounds_of(bar, at(bar, {mpq_class(1, 1000), 0, 0}));  // but it gets on
+  EXPECT_LE((slow.high - slow.low) * (mpz_class(1) << 40), 16);
+  EXPECT_GT(slow.support_calls, 1024);
+  // The status is not given away: the cores only just penetrate.
+  const Shape thin = cylinder(mpq_class(1, mpz_class(1) << 45), 4);
+  EXPECT_GT(bounds_of(thin, thin).low, 0);
 }
 
 TEST(CurvedBounds, KeepTheirWidthWhateverItIs) {

@@ -76,8 +76,12 @@ TEST(BadCase, Vertices) {
 
 TEST(BadCase, Pose) {
   EXPECT_EQ(of_pose("[]"), "a.pose: expected three rows of four numbers, found 0");
-  EXPECT_EQ(of_pose("{}"), "a.pose: expected three rows of four numbers, or an object with 'quaternion', found an object");
-  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), "a.pose: expected three rows of four numbers, found 4");
+  EXPECT_EQ(of_pose("{}"),
+            "a.pose: expected three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\", "
+            "found an object");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), "");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), "a.pose: expected the last row 0 0 0 1 of a 4 x 4 matrix, found another");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1],[0,0,0,1]]"), "a.pose: expected three rows of four numbers, found 5");
   EXPECT_EQ(of_pose("[[1,0,0],[0,1,0],[0,0,1]]"), "a.pose[0]: expected four numbers, found 3");
   EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0,0],[0,0,1,0]]"), "a.pose[1]: expected four numbers, found 5");
   EXPECT_EQ(of_pose("[1,0,0]"), "a.pose[0]: expected four numbers, found 1");

@@ -117,7 +117,7 @@ TEST(Case, UnknownFieldsArePassedOver) {
   const std::string unknown =
       R"("flags":["a",{"vertices":[]}],"source":{"id":"no","a":{"vertices":3}},"x":[[[1],{}],null,true],"expected":{"pose":1},)";
   const CaseItem item = parse_case(
-      "{" + unknown + R"("a":{"vertices":[[1,2,3]],"faces":[[0,1,2]],"a":{}},"comment":1e3,"b":{"vertices":[[1,2,3]],"c":"d"}})", "c");
+      "{" + unknown + R"("a":{"vertices":[[1,2,3]],"normals":[[0,1,2]],"a":{}},"comment":1e3,"b":{"vertices":[[1,2,3]],"c":"d"}})", "c");
   ASSERT_TRUE(item.ok()) << item.error().what();
   EXPECT_EQ(item.id, "1");
 }

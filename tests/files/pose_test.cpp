@@ -7,6 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "reference/files/pose_text.hpp"
 
 namespace fathom::files {
 namespace {
@@ -44,6 +49,115 @@ TEST(Pose, IsMatrixTimesPointPlusTranslation) {
 TEST(Pose, NeedNotBeARotation) {
   const Pose flattening{{{0, 0, 0, mpq_class("1/3")}, {1, 1, 1, 0}, {0, 0, -2, 0}}};
   EXPECT_EQ(placed({1, 2, 3}, flattening), (Point{mpq_class("1/3"), 6, -6}));
+}
+
+GivenPose read(const std::string& text, Decimals decimals = Decimals::exact) {
+  std::string fault;
+  const GivenPose pose = parse_pose(text, decimals, fault);
+  EXPECT_EQ(fault, "") << text;
+  return pose;
+}
+std::string fault_of(const std::string& text) {
+  std::string fault;
+  parse_pose(text, Decimals::exact, fault);
+  return fault;
+}
+std::string note_of(const std::string& text) { return pose_note(read(text), false); }
+
+const Pose quarter{{{0, -1, 0, 1}, {1, 0, 0, 2}, {0, 0, 1, 3}}};  // a quarter turn about z
+
+TEST(PoseText, HasManyForms) {
+  for (const char* text :
+       {"0 -1 0 1; 1 0 0 2; 0 0 1 3", "0,-1,0,1,1,0,0,2,0,0,1,3", "[[0,-1,0,1],[1,0,0,2],[0,0,1,3]]", "0 -1 0 1\n1 0 0 2\n0 0 1 3\n",
+        "0 -1 0 1 1 0 0 2 0 0 1 3 0 0 0 1", "[[0,-1,0,1],[1,0,0,2],[0,0,1,3],[0,0,0,1]]", "[0,-1,0,1,1,0,0,2,0,0,1,3,0.0,0,0,1.0]",
+        "array([[ 0., -1.,  0.,  1.],\n       [ 1.,  0.,  0.,  2.],\n       [ 0.,  0.,  1.,  3.]])",
+        R"([["0",-1,0,"1"],[1,0,0,2],[0,0,1,3]])", "{{0,-1,0,1},{1,0,0,2},{0,0,1,3}}", "xyz=1,2,3 quat=1,0,0,1", "quat=2,0,0,2;xyz=1 2 3",
+        "xyz=(1, 2, 3), xyzw=[0, 0, 5, 5]", "translation=1,2,3 quaternion=1,0,0,1", "xyz=1,2,3 rpy=0,0,90deg",
+        "rpy = 0, 0, 90 deg xyz=1,2,3", "xyz=1,2,3 rpy=360,0,-270deg"})
+    EXPECT_EQ(exact_pose(read(text)), quarter) << text;
+  EXPECT_EQ(exact_pose(read("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1")), quarter) << "written column by column";
+  EXPECT_EQ(exact_pose(read("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
+}
+
+TEST(PoseText, DecimalsMeanWhatIsSaid) {
+  const std::string text = "1 0 0 0.1; 0 1 0 1/3; 0 0 1 \"0.1\"";
+  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[0][3], mpq_class(0.1));
+  EXPECT_EQ((*read(text, Decimals::exact).matrix)[0][3], mpq_class("1/10"));
+  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[1][3], mpq_class("1/3"));
+  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[2][3], mpq_class("1/10")) << "in quotes";
+}
+
+// Roll about x, then pitch about y, then yaw about z, all of them fixed axes.
+TEST(PoseText, AnglesAreThoseOfUrdf) {
+  const auto x_to = [](const std::string& rpy, const Point& p) { return placed(p, exact_pose(read("rpy=" + rpy))); };
+  EXPECT_EQ(x_to("90,0,0deg", {0, 1, 0}), (Point{0, 0, 1}));
+  EXPECT_EQ(x_to("0,90,0deg", {0, 0, 1}), (Point{1, 0, 0}));
+  EXPECT_EQ(x_to("0,0,90deg", {1, 0, 0}), (Point{0, 1, 0}));
+  EXPECT_EQ(x_to("90,90,0deg", {0, 1, 0}), (Point{1, 0, 0})) << "y to z by the roll, then z to x by the pitch";
+  const Pose turned = exact_pose(read("rpy=0.1,-0.2,0.3rad"));
+  // By the product of three matrices, in doubles.
+  const double expected[3][3] = {{0.9362933635841992, -0.31299182578546797, -0.1593450793079779},
+                                 {0.28962947762551555, 0.9447024859948943, -0.1537919979889642},
+                                 {0.19866933079506122, 0.09784339500725571, 0.975170327201816}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(turned[i][j].get_d(), expected[i][j], 1e-15);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const mpq_class product = turned[i][0] * turned[j][0] + turned[i][1] * turned[j][1] + turned[i][2] * turned[j][2];
+      EXPECT_EQ(product, i == j ? 1 : 0) << "an exact rotation";
+    }
+  }
+}
+
+TEST(PoseText, FaultsSayWhatIsMeant) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"", "expected three rows of four numbers"},
+      {"1 0 0; 0 1 0; 0 0 1", "found 3 rows of 3: the translation, a fourth column, is missing"},
+      {"1 0 0; 0 1 0; 0 0 1; 1 2 3", "found 4 rows of 3: it looks transposed"},
+      {"0 0 0 1 0 0 0", "since both orders are in use"},
+      {"1 0 0 0; 0 1 0; 0 0 1 0", "expected three rows of four numbers"},
+      {"1 0 0 0; 0 1 0 nan; 0 0 1 0", "row 2, number 4: expected a number"},
+      {"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2", "expected the last row 0 0 0 1 of a 4 x 4 matrix"},
+      {"quat=0,0,0,0", "expected a quaternion that is not 0"},
+      {"quat=1,0,0,0 xyzw=0,0,0,1", "expected one rotation, found two"},
+      {"xyz=1,2,3 xyz=1,2,3", "expected one translation, found two"},
+      {"xyz=1,2", "xyz: expected three numbers, found 2"},
+      {"quat=1,2,3", "quat: expected four numbers, found 3"},
+      {"rpy=1,2,3", "with deg or rad behind"},
+      {"rpy=1,2,xdeg", "rpy: expected a number"},
+      {"pos=1,2,3", "expected xyz=, quat=, xyzw= or rpy=, found 'pos'"},
+      {"=1", "expected xyz=, quat=, xyzw= or rpy=, found nothing"},
+      {"xyz=1,2,3 foo", "xyz: expected three numbers, found 4"}};
+  for (const auto& [text, fault] : faults) EXPECT_NE(fault_of(text).find(fault), std::string::npos) << text << ": " << fault_of(text);
+  for (const std::string piece :
+       {"=", "xyz", "xyz=", "rpy=deg", "[", "]", "\"", "\"\"", ";;;", "(", "x(", ",", "@", "xyz=1,2,3 =", "= =", "\xff="})
+    EXPECT_NE(fault_of(piece), "") << piece;
+}
+
+TEST(PoseNote, NamesWhatIsNoRotation) {
+  EXPECT_EQ(note_of("0 -1 0 1; 1 0 0 2; 0 0 1 3"), "");
+  EXPECT_EQ(note_of("0.6 -0.8 0 1; 0.800001 0.6 0 2; 0 0 1 3"), "") << "decimals of six digits";
+  EXPECT_EQ(note_of("xyz=1,2,3 quat=1,2,3,4"), "");
+  EXPECT_EQ(note_of("0 0 0 1; 0 0 0 2; 0 0 0 3"), "the matrix is 0: the body becomes a point");
+  EXPECT_EQ(note_of("1 0 0 1; 1 0 0 2; 0 0 1 3"), "det 0, not a rotation: the body becomes flat");
+  EXPECT_EQ(note_of("1 0 0 1; 0 1 0 2; 0 0 -1 3"), "det -1, a reflection: the body is mirrored");
+  EXPECT_EQ(note_of("0.98 0 0 1; 0 1 0 2; 0 0 1 3"), "det 0.98, not a rotation: the body is scaled or sheared by it");
+  EXPECT_EQ(note_of("1 1 0 1; 0 1 0 2; 0 0 1 3"), "det 1, not a rotation: the body is sheared by it");
+  EXPECT_EQ(note_of("1000 0 0 1; 0 1000 0 2; 0 0 1000 3"), "det 1e+09, not a rotation: the body is scaled by 1000");
+  EXPECT_EQ(note_of("-2 0 0 1; 0 -2 0 2; 0 0 -2 3"), "det -8, not a rotation: the body is mirrored and scaled by 2");
+  EXPECT_EQ(note_of("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1"), "the last column is 0 0 0 1: this 4 x 4 is read as transposed");
+  EXPECT_NE(note_of("0 1 0 -1 0 0 0 0 1 1 2 3").find("read column by column, would be a rotation"), std::string::npos);
+  EXPECT_EQ(note_of("1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"), "");
+  EXPECT_NE(pose_note(read("2 0 0 0; 0 2 0 0; 0 0 2 0"), true).find("radius or margin stays"), std::string::npos);
+}
+
+TEST(Place, MapsPointsAndShapes) {
+  Body points{{{1, 0, 0}}}, ball;
+  ball.shape = sphere(2);
+  place(points, read("xyz=1,2,3 quat=1,0,0,1"));
+  place(ball, read("xyz=1,2,3 quat=1,0,0,1"));
+  EXPECT_EQ(points.points.exact().at(0), (Point{1, 3, 3}));
+  EXPECT_EQ(*ball.shape, moved(sphere(2), quarter));
+  EXPECT_THROW(place(ball, read("0 0 0 0; 0 0 0 0; 0 0 0 0")), std::invalid_argument);
 }
 
 TEST(RoundToBinary64, TiesGoToEven) {

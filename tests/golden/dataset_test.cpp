@@ -15,18 +15,32 @@ constexpr std::uint64_t seed = UINT64_MAX;  // beyond what a JSON number may hol
 
 Manifest manifest_of_plan(const ShardPlan& shard) {
   Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.count(), 2 * shard.count(), "1.5.4", {}};
-  for (std::size_t i = 0; i < shard_suffixes.size(); ++i)
-    manifest.files[i] = {shard.name + std::string(shard_suffixes[i]), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}};
+  for (const std::string_view suffix : suffixes_of(shard.level)) {
+    const std::size_t i = manifest.files.size();
+    manifest.files.push_back({shard.name + std::string(suffix), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}});
+  }
   return manifest;
 }
 
 TEST(Dataset, ManifestsComeBack) {
-  const ShardPlan shard = plan(Level::L0, seed).front();
-  const Manifest manifest = manifest_of_plan(shard);
-  const std::string text = manifest_text(manifest);
-  ASSERT_TRUE(parse_manifest(text));
-  EXPECT_EQ(*parse_manifest(text), manifest);
-  EXPECT_FALSE(not_of_plan(manifest, shard, seed));
+  for (const Level level : {Level::L0, Level::P0}) {
+    const ShardPlan shard = plan(level, seed).front();
+    const Manifest manifest = manifest_of_plan(shard);
+    EXPECT_EQ(manifest.files.size(), level == Level::L0 ? 4u : 2u);
+    const std::string text = manifest_text(manifest);
+    ASSERT_TRUE(parse_manifest(text));
+    EXPECT_EQ(*parse_manifest(text), manifest);
+    EXPECT_FALSE(not_of_plan(manifest, shard, seed));
+  }
+}
+
+TEST(Dataset, ShardsOfShapesHaveNoExports) {
+  Manifest manifest = manifest_of_plan(plan(Level::P0, seed).front());
+  manifest.files.push_back(manifest.files.back());
+  EXPECT_FALSE(parse_manifest(manifest_text(manifest)));
+  manifest = manifest_of_plan(plan(Level::L0, seed).front());
+  manifest.files.resize(2);
+  EXPECT_FALSE(parse_manifest(manifest_text(manifest)));
 }
 
 TEST(Dataset, ManifestsOfOtherPlansAreSeen) {

@@ -142,7 +142,7 @@ TEST(Flags, AreExplainedInTheNotesAndKnownToTheSchema) {
   EXPECT_EQ(all.size(), names.size()) << "a name twice";
   EXPECT_EQ(explained(), all);
   const Json schema = Json::parse(record_schema());
-  EXPECT_EQ(schema["properties"]["flags"]["items"]["enum"].get<Names>(), all);
+  EXPECT_EQ(schema["$defs"]["record_of_polytopes"]["properties"]["flags"]["items"]["enum"].get<Names>(), all);
 }
 
 TEST(Notes, ExplainEveryFieldOfARecord) {
@@ -150,6 +150,12 @@ TEST(Notes, ExplainEveryFieldOfARecord) {
   for (const Json* part :
        {&penetrating, &disjoint, &penetrating["expected"], &disjoint["expected"], &penetrating["expected"]["optima"][0]}) {
     for (const auto& [key, value] : part->items()) EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
+  }
+  for (const Recipe& recipe :
+       {Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"}, Recipe{Source::shape_family, "cylinders", 8, 1}}) {
+    const Json shapes = Json::parse(records_of(recipe).front().line);
+    for (const Json* part : {&shapes, &shapes["source"], &shapes["expected"], &shapes["expected"]["signed_depth"]})
+      for (const auto& [key, value] : part->items()) EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
   }
 }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "fathom/certificate.hpp"
 #include "tests/golden/some_recipes.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
@@ -27,7 +29,10 @@ std::vector<Record> specimens() {
   for (const Recipe& recipe :
        {Recipe{Source::family, "random_ball", 6, 2}, Recipe{Source::family, "exact_ties", 6, 2},
         Recipe{Source::family, "boxes_posed", 6, 1}, Recipe{Source::family, "touching_edge_face", 4, 1},
-        Recipe{Source::family, "random_disjoint", 4, 1}, Recipe{Source::family, "solid_polygon", 4, 3}, Recipe{Source::real, "fcl-545"}}) {
+        Recipe{Source::family, "random_disjoint", 4, 1}, Recipe{Source::family, "solid_polygon", 4, 3}, Recipe{Source::real, "fcl-545"},
+        Recipe{Source::shape_family, "capsules", 8, 1}, Recipe{Source::shape_family, "rounded_hulls", 8, 4},
+        Recipe{Source::shape_family, "cones", 8, 1}, Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
+        Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"}, Recipe{Source::shape_catalogue, "spheres_concentric"}}) {
     result.push_back(records_of(recipe).back());
   }
   return result;
@@ -92,7 +97,7 @@ void forge_below(const Record& record, Json& forgery, Json& at, const std::strin
 
 TEST(Prove, EveryFieldThatIsForgedIsRefused) {
   const std::vector<Record> all = specimens();
-  ASSERT_EQ(all.size(), 7u);
+  ASSERT_EQ(all.size(), 13u);
   for (const Record& record : all) {
     Json forgery = Json::parse(record.line);
     ASSERT_EQ(forgery.dump(), record.line) << "what is not changed stays as it was";
@@ -141,6 +146,19 @@ TEST(Prove, CertificatesMustBeThoseOfTheRecord) {
   EXPECT_TRUE(refused(replaced(proof, "claim depth ", "claim depth 1")));
 }
 
+TEST(Prove, TheDistanceMustBeProvedToo) {
+  const Recipe recipe{Source::family, "random_disjoint", 4, 1};
+  const Record record = records_of(recipe).front();
+  EXPECT_TRUE(record.certificate.starts_with("fathom-certificate 2\n"));
+  EXPECT_NE(record.certificate.find("\nclaim apart "), std::string::npos);
+  // The certificate of format 1, with its own sum: it says that they are disjoint.
+  const Case points = base_case(recipe);
+  const std::string weaker = certificate_text(points.a, points.b, penetration_depth(points.a, points.b), points.id);
+  Json line = Json::parse(record.line);
+  line["certificate"]["sha256"] = digest::digest_of(weaker).sha256;
+  EXPECT_EQ(faults_of(line.dump(), weaker), "the certificate does not prove how far the bodies are apart");
+}
+
 TEST(Prove, AnIdStandsForItsOwnPointsOnly) {
   // Another case under this name: all of it true, and its certificate is accepted.
   const Recipe recipe{Source::family, "random_ball", 5, 1}, other{Source::family, "random_ball", 5, 2};
@@ -169,6 +187,8 @@ TEST(Prove, IdsAreReadFromWhatTheyCanBeReadFrom) {
   EXPECT_EQ(id_in(""), "");
   const Record record = records_of({Source::family, "random_ball", 5, 1}).front();
   EXPECT_EQ(id_in(record.line), record.id);
+  const Record shapes = records_of({Source::shape_family, "spheres", 8, 1}).front();
+  EXPECT_EQ(id_in(shapes.line), shapes.id);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sample of level 0 that every kind of case is in.
+// A sample of a level that every kind of case is in.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 namespace fathom::golden::testing {
 
 /// Every `step`-th recipe.
-inline std::vector<Recipe> some_recipes(std::size_t step) {
+inline std::vector<Recipe> some_recipes(std::size_t step, Level level = Level::L0) {
   std::vector<Recipe> result;
   std::size_t i = 0;
-  for (const ShardPlan& shard : plan(Level::L0, 1)) {
+  for (const ShardPlan& shard : plan(level, 1)) {
     for (const Recipe& recipe : shard.recipes()) {
       if (i++ % step == 0) result.push_back(recipe);
     }

@@ -10,7 +10,6 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/harness/loose_json.hpp"
-#include "verify/harness/near_miss.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
@@ -59,14 +58,6 @@ TEST(Hello, LacksNothing) {
     EXPECT_THROW(read_hello(with(hello, part, other)), ProtocolError) << other;
   for (const char* line : {"", "hello", "{", "[]", "\"hello\"", "null", "{}", "\xff\xfe"})
     EXPECT_THROW(read_hello(line), ProtocolError) << line;
-}
-
-TEST(NearMisses, OneSlipForThreeLetters) {
-  for (const char* text : {"depht", "dept", "Depth", "depths", "xepth"}) EXPECT_TRUE(is_near(text, "depth")) << text;
-  for (const char* text : {"", "death_", "dpeht", "deep", "penetration_depth", "d"}) EXPECT_FALSE(is_near(text, "depth")) << text;
-  EXPECT_TRUE(is_near("driection_", "direction"));
-  EXPECT_FALSE(is_near("c", "a"));
-  EXPECT_EQ(slips("kitten", "sitting"), 3U);
 }
 
 std::string reply_with(const std::string& fields) { return R"({"type":"reply","id":"7",)" + fields + "}"; }

@@ -39,12 +39,12 @@ ORDER = [
     ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
-    ["cli"],
+    ["cli", "python"],
     ["tests"],
 ]
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
-CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "tests")
+CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "tests")
 ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")

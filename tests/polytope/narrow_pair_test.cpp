@@ -106,7 +106,7 @@ TEST(NarrowPair, LeavesTheRestToPlace) {
   broken.x.get_den() = 4;
   EXPECT_TRUE(place_narrow(origin, origin, pair));
   EXPECT_EQ(pair.shift, 0U);
-  EXPECT_FALSE(place_narrow({}, std::span<const Point>(origin), pair));
+  EXPECT_FALSE(place_narrow(std::vector<Point>{}, origin, pair));
   EXPECT_FALSE(place_narrow(third, origin, pair));
   EXPECT_FALSE(place_narrow(fine, origin, pair));
   EXPECT_FALSE(place_narrow(std::vector{broken}, origin, pair)) << "not in lowest terms";

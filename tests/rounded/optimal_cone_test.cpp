@@ -13,6 +13,7 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
+#include "reference/depth/contact.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/random.hpp"
@@ -73,6 +74,16 @@ class NaivePolar {
   std::set<Vector, Less> all_;
 };
 
+/// On the lattice, which asks for some generators only, from any direction that is known. The faces inside the cone are compared, too.
+OptimalCone clever_cone(const std::vector<Point>& a, const std::vector<Point>& b, const Point& x, const Vector& known) {
+  kernels::Context context;
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  const OptimalCone cone = optimal_cone(context, pair, x, known);
+  const Vector n = inner_direction(cone);
+  EXPECT_EQ(contact_along(a, b, n), depth::contact_of(depth::facing_faces(pair, n)));
+  return cone;
+}
+
 std::vector<Point> random_points(families::Random& random, long size, long count) {
   std::vector<Point> points(static_cast<std::size_t>(count));
   for (Point& p : points)
@@ -116,6 +127,8 @@ TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
     const OptimalCone cone = optimal_cone(context, a, b, depth.touch()->point);
     const NaivePolar naive(a, b);
     ASSERT_EQ(cone, naive.cone()) << testing::text(validate(cone, a, b));
+    for (const Vector& known : {depth.touch()->direction, cone.direction()})
+      ASSERT_EQ(clever_cone(a, b, depth.touch()->point, known), cone);
     EXPECT_TRUE(validate(cone, a, b).ok()) << testing::text(validate(cone, a, b));
     EXPECT_TRUE(naive.holds(cone.direction()));
     EXPECT_FALSE(is_zero(cone.direction()));
@@ -137,7 +150,8 @@ TEST(OptimalCone, DoesNotDependOnTheCommonPoint) {
   kernels::Context context;
   const OptimalCone expected = NaivePolar(a, b).cone();
   for (const mpq_class& x : {mpq_class(0), mpq_class(1, 3), mpq_class(1), mpq_class(2)})
-    EXPECT_EQ(optimal_cone(context, a, b, {x, 0, 0}), expected) << x;
+    for (const OptimalCone& cone : {optimal_cone(context, a, b, {x, 0, 0}), clever_cone(a, b, {x, 0, 0}, expected.direction())})
+      EXPECT_EQ(cone, expected) << x;
 }
 
 TEST(OptimalCone, OfTwoApexesHasAsManyRaysAsTheirJointPyramidHasEdges) {
@@ -151,6 +165,7 @@ TEST(OptimalCone, OfTwoApexesHasAsManyRaysAsTheirJointPyramidHasEdges) {
   }
   kernels::Context context;
   const OptimalCone cone = optimal_cone(context, a, b, {});
+  EXPECT_EQ(clever_cone(a, b, {}, cone.direction()), cone);
   EXPECT_EQ(cone.rays.size(), edges.size());
   EXPECT_EQ(edges.size(), 152U) << "ten are shared";
   EXPECT_TRUE(validate(cone, a, b).ok());
@@ -173,6 +188,8 @@ TEST(OptimalCone, RefusesBodiesThatOverlap) {
   const std::vector<Point> a{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}, {0, 0, 1}};
   kernels::Context context;
   EXPECT_THROW(optimal_cone(context, a, a, {}), std::logic_error);
+  const std::vector<Point> inside{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+  EXPECT_THROW(clever_cone(a, inside, {}, {1, 0, 0}), std::logic_error);
 }
 
 TEST(OptimalCone, OfTheCatalogue) {
@@ -182,6 +199,9 @@ TEST(OptimalCone, OfTheCatalogue) {
     const SignedDepth depth = signed_depth(hull(entry.pair.a.points), hull(entry.pair.b.points));
     ASSERT_TRUE(depth.cone.has_value()) << entry.name;
     EXPECT_TRUE(validate(*depth.cone, entry.pair.a.points, entry.pair.b.points).ok()) << entry.name;
+    kernels::Context context;
+    const Point common = std::get<Depth>(depth.core).touch()->point;
+    EXPECT_EQ(*depth.cone, optimal_cone(context, entry.pair.a.points, entry.pair.b.points, common)) << entry.name;
     ++touching;
   }
   EXPECT_GT(touching, 5);

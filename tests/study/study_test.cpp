@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Coincidence;
 
-Study study_of(const Body& a, const Body& b, std::size_t listed = 20) { return fathom::study(a.points, b.points, {listed, {}}); }
+Study study_of(const Body& a, const Body& b, std::size_t listed = 20) { return fathom::study(a.points, b.points, {.listed = listed}); }
 
 Body moved(const Body& body, const Point& by) { return families::translated(body, by); }
 
@@ -206,7 +206,7 @@ TEST(Study, EveryKindAgainstAllPairs) {
   std::vector<std::uint64_t> seen(coincidence_names.size());
   for (const Case& input : testing::cases_of_all_families(2, 7)) {
     SCOPED_TRACE(input.id);
-    const Study s = fathom::study(input.a.points, input.b.points, {SIZE_MAX, {}});
+    const Study s = fathom::study(input.a.points, input.b.points, {.listed = SIZE_MAX});
     const auto prepared = testing::prepare(input);
     const Naive naive(*prepared);
     const gaussian::GaussianDiagram &a = prepared->minus_a, &b = prepared->of_b;
@@ -276,7 +276,7 @@ TEST(Study, CanBeStopped) {
   };
   for (const std::string_view at : {"hulls", "diagrams", "normals on arcs"}) {
     StopAt stop(at);
-    EXPECT_THROW(fathom::study(families::cube().points, families::cube().points, {20, &stop}), Interrupted) << at;
+    EXPECT_THROW(fathom::study(families::cube().points, families::cube().points, {.monitor = &stop}), Interrupted) << at;
     EXPECT_TRUE(stop.there) << at;
   }
 }

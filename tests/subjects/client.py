@@ -72,12 +72,12 @@ class Client:
         return json.loads(self.line(patience))
 
     def ask(self, a, b, patience=PATIENCE):
-        """The reply on two vertex lists."""
+        """The reply on two bodies, each a vertex list or a shape."""
         self.asked += 1
         message = {"type": "run", "id": str(self.asked)}
-        for key, vertices in (("a", a), ("b", b)):
-            message[key] = {"vertices": vertices}
-            if self.hello["capabilities"]["faces"] and (rings := facets(json.dumps(vertices))):
+        for key, body in (("a", a), ("b", b)):
+            message[key] = body if isinstance(body, dict) else {"vertices": body}
+            if isinstance(body, list) and self.hello["capabilities"]["faces"] and (rings := facets(json.dumps(body))):
                 message[key]["faces"] = rings
         self.send(message)
         reply = self.receive(patience)

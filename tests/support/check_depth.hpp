@@ -94,7 +94,10 @@ inline ContactKind kind_of(const Contact& contact, std::span<const Point> a, std
     case 12: return ContactKind::edge_facet;
     case 22: return ContactKind::facet_facet;
     case 11: return ContactKind::edge_edge;
-    default: throw std::logic_error("not the dimensions of two faces that meet in a facet of P");
+    case 0: return ContactKind::vertex_vertex;
+    case 1: return ContactKind::vertex_edge;
+    case 10: return ContactKind::edge_vertex;
+    default: throw std::logic_error("a face of another dimension than 0, 1 and 2");
   }
 }
 
@@ -114,6 +117,9 @@ inline void check(const Distance& distance, std::span<const Point> a, std::span<
   const auto& [p, q] = distance.witness;
   report.expect(difference(q, p) == distance.translation, "nearest points differ by the translation");
   report.expect(in_hull(p, a, all_of(a)) && in_hull(q, b, all_of(b)), "nearest points in their bodies");
+  report.expect(distance.contact.a == face(a, -n) && distance.contact.b == face(b, n), "faces in the direction of the distance");
+  report.expect(distance.contact.kind == kind_of(distance.contact, a, b), "what these faces are");
+  report.expect(in_hull(p, a, distance.contact.a) && in_hull(q, b, distance.contact.b), "nearest points in these faces");
 }
 
 /// Not that the minimum is a minimum; oracles tell that.
@@ -151,14 +157,14 @@ inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::
                   "accessors of a penetrating pair");
     return report;
   }
-  report.expect(depth.squared() == 0 && depth.optima().empty() && !depth.contact() && depth.translation() == Point{}, "nothing but zero");
+  report.expect(depth.squared() == 0 && depth.optima().empty() && depth.translation() == Point{}, "nothing but zero");
   if (const Touch* touch = depth.touch()) {
-    report.expect(depth.status() == Status::touching && depth.direction() == touch->direction && witness && witness->a == touch->point &&
-                      witness->b == touch->point && signed_square(depth) == 0,
+    report.expect(depth.status() == Status::touching && !depth.contact() && depth.direction() == touch->direction && witness &&
+                      witness->a == touch->point && witness->b == touch->point && signed_square(depth) == 0,
                   "accessors of a touching pair");
   } else {
     report.expect(depth.status() == Status::disjoint && depth.direction() == depth.distance()->direction && !witness &&
-                      signed_square(depth) == -depth.distance()->squared,
+                      depth.contact() == &depth.distance()->contact && signed_square(depth) == -depth.distance()->squared,
                   "accessors of a disjoint pair");
   }
   return report;

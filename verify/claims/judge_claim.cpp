@@ -6,6 +6,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/surd.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/claims/claims.hpp"
 
@@ -21,6 +22,10 @@ mpq_class rational(const std::string& decimal) { return *parse_number(decimal, D
 
 Interval interval(const SignedDepth& depth) {
   if (const Bounds* const bounds = depth.bounds()) return *bounds;
+  if (const std::optional<mpq_class> root = kernels::rational_root(depth.exact()->root)) {
+    const mpq_class value = depth.exact()->rational + *root;
+    return {value, value};
+  }
   const Enclosure enclosure = enclose(*depth.exact(), digits);
   return {rational(enclosure.low), rational(enclosure.high)};
 }
@@ -54,9 +59,10 @@ std::string text(const Interval& x) {
 
 Statement length(const std::string& what, const Interval& truth, const mpq_class& claimed, const mpq_class& unit,
                  const std::optional<mpq_class>& tolerance) {
-  const mpq_class middle = (truth.low + truth.high) / 2, excess = middle - claimed;
+  const Interval excess{truth.low - claimed, truth.high - claimed};
   std::string said = fmt::format("the {} is {}", what, text(truth));
-  if (excess != 0) said += fmt::format(", {} {}", text(abs(excess)), excess > 0 ? "more" : "less");
+  if (excess.low > 0) said += fmt::format(", {} more", text(excess));
+  if (excess.high < 0) said += fmt::format(", {} less", text(negated(excess)));
   return {fmt::format("{} {}", what, text(claimed)), within(truth, claimed, tolerance.value_or(unit / 2)), said};
 }
 
@@ -85,9 +91,8 @@ Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b,
   for (const Point& line : claim.lines) cheapest = lesser(cheapest, cheaper_price(a, b, line));
   const Interval excess = cheapest - truth;
   const mpq_class allowed = claim.tolerance.value_or(0) + rounding_slack(a, b, claim.lines);
-  const mpq_class more = (excess.low + excess.high) / 2;
   std::string said = fmt::format("leaving along it costs {}", text(cheapest));
-  if (at_most(excess, 0) != Finding::right && more > 0) said += fmt::format(", {} more than the least", text(more));
+  if (excess.low > 0) said += fmt::format(", {} more than the least", text(excess));
   return {"direction " + claim.line_text, at_most(excess, allowed), said};
 }
 

@@ -2,8 +2,8 @@
 // Random pairs of shapes whose numbers all are binary64, so that programs in doubles can take them as they are.
 #pragma once
 
-#include "verify/families/named_body.hpp"
 #include "verify/families/random.hpp"
+#include "verify/families/shape_case.hpp"
 
 namespace fathom::families {
 

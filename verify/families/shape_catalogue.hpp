@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "verify/families/named_body.hpp"
+#include "verify/families/shape_case.hpp"
 
 namespace fathom::families {
 

@@ -8,8 +8,8 @@
 // is g as long as g <= r + s, and that of the bodies is no less.
 #pragma once
 
-#include "verify/families/named_body.hpp"
 #include "verify/families/random.hpp"
+#include "verify/families/shape_case.hpp"
 
 namespace fathom::families {
 

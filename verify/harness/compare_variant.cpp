@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/allowance.hpp"
+#include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -29,12 +31,34 @@ bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
   return rest > 0 || rest * rest < product;                                              // the lengths add up
 }
 
+/// The depth; of shapes the most that it may be.
+mpq_class squared_depth(const Judgement& judgement) {
+  if (!judgement.signed_depth) return judgement.depth_squared;
+  const double high = judgement.signed_depth->high;
+  const mpq_class most = std::isfinite(high) && high > 0 ? exact_value(high) : mpq_class(0);
+  return most * most;
+}
+
+judging::Sizes sizes_of(const Case& seen) {
+  if (!seen.a.shape && !seen.b.shape) return judging::sizes_of(seen.a.points, seen.b.points);
+  return judging::sizes_of(files::shape_of(seen.a), files::shape_of(seen.b), judging::usual_bits);
+}
+
+/// Whether all of x differs from all of y / 2^exponent by more than the square root of `allowed`.
+bool differ(const Between& x, const Between& y, long exponent, const mpq_class& allowed) {
+  for (const double end : {x.low, x.high, y.low, y.high})
+    if (!std::isfinite(end)) return false;
+  const mpq_class gap = std::max(mpq_class(exact_value(x.low) - scaled(exact_value(y.high), -exponent)),
+                                 mpq_class(scaled(exact_value(y.low), -exponent) - exact_value(x.high)));
+  return gap > 0 && gap * gap > allowed;
+}
+
 /// Both answers, the variant's in the units of the original.
 class Comparison {
  public:
   Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
       : original_(original), variant_(variant), made_(made) {
-    if (original.judgement) allow(tolerance, original.judgement->depth_squared);
+    if (original.judgement) allow(tolerance, squared_depth(*original.judgement));
   }
 
   /// What differs; empty if nothing differs by more than the tolerance.
@@ -54,7 +78,7 @@ class Comparison {
   /// Sets what is allowed: the larger of the tolerance and what rounding may change in both answers.
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
-    const judging::Sizes there = judging::sizes_of(made_.seen.a.points, made_.seen.b.points);
+    const judging::Sizes there = sizes_of(made_.seen);
     const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
     const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.precision, tolerance.ulps);
     const judging::Slack slack_there =
@@ -88,6 +112,10 @@ class Comparison {
   }
 
   [[nodiscard]] std::string of_prices() const {
+    const std::optional<Between>&x = original_.judgement->price, &y = variant_.judgement->price;
+    if (x && y && differ(*x, *y, made_.exponent, allowed_price_))
+      return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(x->low),
+                         short_text(std::ldexp(y->low, static_cast<int>(-made_.exponent))));
     const auto [p, q] = prices();
     if (!p || !q || !differ(*p, *q, allowed_price_)) return "";
     return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(signed_root(*p)),

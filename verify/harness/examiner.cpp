@@ -115,8 +115,9 @@ void Examiner::start() {
 }
 
 Outcome Examiner::examine(const Case& pair) {
-  const std::optional<Case> seen = as_seen(pair, info_.precision);
-  return seen ? ask(*seen) : overflowed(pair, info_.precision);
+  std::string why;
+  const std::optional<Case> seen = as_seen(pair, info_.precision, info_.shapes, &why);
+  return seen ? ask(*seen) : declined(pair, why);
 }
 
 void Examiner::start_again() {

@@ -13,14 +13,18 @@
 
 namespace fathom::harness {
 
+/// In the place of a shape's name: a margin around any of them.
+inline constexpr const char* margin_word = "margin";
+
 /// What a subject says of itself in its hello.
 struct SubjectInfo {
   std::string name, version;  ///< "libccd-epa", "2.1"
   std::string library;        ///< whose calls a snippet makes: "libccd", "fcl", "bullet", "ode"; may be empty
   Precision precision = Precision::binary64;
   Conventions conventions;
-  bool wants_faces = false;                     ///< each case comes with the facets of the hulls, as polygons of point indices
-  std::set<std::string> promises;               ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
+  std::set<std::string> shapes = {};  ///< the names that it takes bodies by, and "margin"; others it gets as vertices, or not at all
+  bool wants_faces = false;           ///< each case comes with the facets of the hulls, as polygons of point indices
+  std::set<std::string> promises;     ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
 };
 

@@ -43,8 +43,14 @@ void put(Json& json, const char* name, const std::optional<mpq_class>& value) {
   if (value) json[name] = exact_text(*value);
 }
 
+void put(Json& json, const char* name, const std::optional<Between>& value) {
+  if (value) json[name] = {{"low", number(value->low)}, {"high", number(value->high)}};
+}
+
 Json judgement_json(const Judgement& j) {
-  Json json = {{"verdict", name(j.verdict)}, {"status", name(j.status)}, {"depth_squared", exact_text(j.depth_squared)}};
+  Json json = {{"verdict", name(j.verdict)}, {"status", j.status ? name(*j.status) : "undecided"}};
+  if (j.signed_depth) put(json, "signed_depth", j.signed_depth);
+  else json["depth_squared"] = exact_text(j.depth_squared);
   json["findings"] = Json::array();
   for (const Verdict finding : j.findings) json["findings"].push_back(name(finding));
   if (j.accuracy) json["accuracy"] = name(*j.accuracy);
@@ -54,10 +60,13 @@ Json judgement_json(const Judgement& j) {
   put(json, "error_u_r", j.error_u_r);
   put(json, "price_squared", j.price_squared);
   put(json, "travel_squared", j.travel_squared);
+  put(json, "price", j.price);
   put(json, "inconsistency", j.inconsistency);
   put(json, "overlap_left", j.overlap_left);
   put(json, "witness_a_squared", j.witness_a_squared);
   put(json, "witness_b_squared", j.witness_b_squared);
+  put(json, "witness_a_distance", j.witness_a_distance);
+  put(json, "witness_b_distance", j.witness_b_distance);
   put(json, "witness_gap", j.witness_gap);
   json["sentence"] = j.sentence;
   return json;

@@ -41,10 +41,11 @@ Verdict verdict(const Json& json) {
   return *verdict;
 }
 
-Status status(const Json& json) {
-  const std::optional<Status> status = status_named(json.get_ref<const std::string&>());
-  if (!status) throw Unreadable();
-  return *status;
+std::optional<Status> status(const Json& json) {
+  const std::string& word = json.get_ref<const std::string&>();
+  const std::optional<Status> status = status_named(word);
+  if (!status && word != "undecided") throw Unreadable();
+  return status;
 }
 
 Accuracy accuracy(const Json& json) {
@@ -58,6 +59,10 @@ void take(const Json& json, const char* name, std::optional<double>& value) {
 }
 void take(const Json& json, const char* name, std::optional<mpq_class>& value) {
   if (json.contains(name)) value = exact(json.at(name));
+}
+
+void take(const Json& json, const char* name, std::optional<Between>& value) {
+  if (json.contains(name)) value = {number(json.at(name).at("low")), number(json.at(name).at("high"))};
 }
 
 Reply reply(const Json& json) {
@@ -76,7 +81,8 @@ Judgement judgement(const Json& json) {
   Judgement j;
   j.verdict = verdict(json.at("verdict"));
   j.status = status(json.at("status"));
-  j.depth_squared = exact(json.at("depth_squared"));
+  take(json, "signed_depth", j.signed_depth);
+  if (!j.signed_depth) j.depth_squared = exact(json.at("depth_squared"));
   for (const Json& finding : json.at("findings")) j.findings.push_back(verdict(finding));
   if (json.contains("accuracy")) j.accuracy = accuracy(json.at("accuracy"));
   take(json, "error", j.error);
@@ -85,10 +91,13 @@ Judgement judgement(const Json& json) {
   take(json, "error_u_r", j.error_u_r);
   take(json, "price_squared", j.price_squared);
   take(json, "travel_squared", j.travel_squared);
+  take(json, "price", j.price);
   take(json, "inconsistency", j.inconsistency);
   take(json, "overlap_left", j.overlap_left);
   take(json, "witness_a_squared", j.witness_a_squared);
   take(json, "witness_b_squared", j.witness_b_squared);
+  take(json, "witness_a_distance", j.witness_a_distance);
+  take(json, "witness_b_distance", j.witness_b_distance);
   take(json, "witness_gap", j.witness_gap);
   j.sentence = json.at("sentence").get<std::string>();
   return j;

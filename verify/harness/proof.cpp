@@ -3,13 +3,23 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/check/check.hpp"
 
 namespace fathom::harness {
+namespace {
+
+/// As the checker writes it.
+std::string surd_text(const Surd& value) {
+  return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)), exact_text(value.rational));
+}
+
+}  // namespace
 
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor) {
   Certificate certificate = make_certificate(pair.a.points, pair.b.points, answer, monitor);
@@ -21,6 +31,30 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
       verdict.optima != answer.optima().size())
     throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
   return text;
+}
+
+std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor) {
+  std::string text = certificate_text(truth.a, truth.b, truth.depth, id, ShapeFormat::richest, monitor);
+  const fathom_check::Verdict verdict = fathom_check::verify(text);
+  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  const Bounds* const bounds = truth.depth.bounds();
+  const bool same = bounds ? verdict.at_least == exact_text(bounds->low) && verdict.at_most == exact_text(bounds->high)
+                           : verdict.signed_depth == surd_text(*truth.depth.exact());
+  const std::optional<Status> status = truth.depth.status();
+  if (!same || verdict.status != (status ? name(*status) : "undecided"))
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", id));
+  return text;
+}
+
+std::string accepted_certificate(const Case& pair, Monitor* monitor) {
+  if (pair.a.shape || pair.b.shape) {
+    SignedDepthOptions options;
+    options.cores.monitor = monitor;
+    return accepted_certificate(pair.id, truth_about(files::shape_of(pair.a), files::shape_of(pair.b), options), monitor);
+  }
+  Options options;
+  options.monitor = monitor;
+  return accepted_certificate(pair, penetration_depth(pair.a.points, pair.b.points, options), monitor);
 }
 
 }  // namespace fathom::harness

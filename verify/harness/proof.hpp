@@ -6,6 +6,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom::harness {
 
@@ -13,5 +14,9 @@ namespace fathom::harness {
 /// status, its depth, and how many optima it has. Throws std::logic_error if the checker refuses it or finds another answer proved, and
 /// Interrupted.
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
+/// The same for shapes: of the signed depth, or of its bounds.
+std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
+/// The truth about a case, solved anew, and accepted.
+std::string accepted_certificate(const Case& pair, Monitor* monitor);
 
 }  // namespace fathom::harness

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/files/body_json.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
@@ -21,6 +22,10 @@ void add_point(std::string& text, const std::array<double, 3>& p) {
 }
 
 void add_body(std::string& text, const Body& body, Precision precision, bool with_faces) {
+  if (body.words) {
+    text += files::body_json(*body.words, files::Defaults::written);
+    return;
+  }
   text += "{\"vertices\":";
   const char* before = "[";
   const std::optional<GivenPoints> rounded = seen(body.points, precision);

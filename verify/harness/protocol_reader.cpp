@@ -8,9 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "kernels/near_miss.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/loose_json.hpp"
-#include "verify/harness/near_miss.hpp"
 #include "verify/harness/protocol.hpp"
 
 namespace fathom::harness {
@@ -141,6 +142,24 @@ std::set<std::string> promises_in(const Json& list) {
   return promises;
 }
 
+std::set<std::string> shapes_in(const Json& list) {
+  std::set<std::string> shapes;
+  if (!list.is_array()) refuse("a list for \"shapes\" in its capabilities", shown_json(list));
+  for (const Json& word : list) {
+    const std::string name = word.is_string() ? word.get<std::string>() : "";
+    const files::NamedShape named = files::named_shape(name);
+    if (name != margin_word && (!named.shape || named.rounded))
+      refuse(fmt::format("{}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word), shown_json(word));
+    shapes.insert(name);
+  }
+  return shapes;
+}
+
+void read_capabilities(const Json& capabilities, SubjectInfo& info) {
+  info.wants_faces = flag_in(capabilities, "faces", "its capabilities", false);
+  if (const Json* shapes = field(capabilities, "shapes")) info.shapes = shapes_in(*shapes);
+}
+
 /// A text, or an integer.
 std::string id_in(const Json& reply) {
   const Json* id = field(reply, "id");
@@ -180,9 +199,9 @@ std::string misspelt(const Json& reply) {
     for (const auto& [name, value] : object.items()) names.push_back(name);
     return names;
   };
-  std::string remark = near_misses(fields(reply), known);
+  std::string remark = kernels::near_misses(fields(reply), known);
   if (const Json* witness = field(reply, "witness"))
-    if (const std::string inside = near_misses(fields(*witness), of_witness); !inside.empty())
+    if (const std::string inside = kernels::near_misses(fields(*witness), of_witness); !inside.empty())
       remark += (remark.empty() ? "" : "; ") + inside;
   return remark;
 }
@@ -202,7 +221,7 @@ SubjectInfo read_hello(std::string_view line) {
   if (field(hello, "library")) info.library = text_in(hello, "library", of);
   info.precision = word_in<Precision>(hello, "precision", of, {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
   info.conventions = conventions_in(hello);
-  if (field(hello, "capabilities")) info.wants_faces = flag_in(object_in(hello, "capabilities", of), "faces", "its capabilities", false);
+  if (field(hello, "capabilities")) read_capabilities(object_in(hello, "capabilities", of), info);
   if (field(hello, "settings"))
     for (const auto& [key, value] : object_in(hello, "settings", of).items())
       info.settings[key] = value.is_string() ? value.get<std::string>() : dumped(value);
@@ -240,6 +259,7 @@ std::string hello_text(const SubjectInfo& info) {
                          {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},
                          {"unit", info.conventions.unit}};
   text["capabilities"] = {{"faces", info.wants_faces}};
+  if (!info.shapes.empty()) text["capabilities"]["shapes"] = info.shapes;
   if (!info.promises.empty()) text["promises"] = info.promises;
   if (!info.settings.empty()) text["settings"] = info.settings;
   return text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -52,8 +52,9 @@ void Replay::take(std::string_view line, const std::string& path, std::size_t nu
 Outcome Replay::examine(const Case& pair, const Judging& judging) const {
   const auto found = answers_.find(pair.id);
   if (found == answers_.end()) throw NoReply("no reply to case " + kernels::shown(pair.id));
-  const std::optional<Case> seen = as_seen(pair, info_.precision);
-  if (!seen) return overflowed(pair, info_.precision);
+  std::string why;
+  const std::optional<Case> seen = as_seen(pair, info_.precision, info_.shapes, &why);
+  if (!seen) return declined(pair, why);
   Outcome outcome = outcome_for(*seen);
   if (found->second.size() == 1) judge_answer(outcome, *seen, found->second[0], info_, judging);
   else outcome.detail = fmt::format("{} replies to one case", found->second.size());  // the verdict stays garbage

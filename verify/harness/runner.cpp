@@ -58,8 +58,9 @@ class Run {
 
   /// The case and its variants.
   void examine_all(const Case& pair, const Examine& examine) {
-    const std::optional<Case> seen = as_seen(pair, plan_.precision);
-    if (!seen) return tell(pair, pair, overflowed(pair, plan_.precision), false);
+    std::string why;
+    const std::optional<Case> seen = as_seen(pair, plan_.precision, plan_.shapes, &why);
+    if (!seen) return tell(pair, pair, declined(pair, why), false);
     const Outcome original = outcome_of(*seen, *seen, "", [&] { return examine(*seen); });
     if (plan_.variants.empty()) return;
     std::vector<std::string> sentences;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
   Precision precision = Precision::binary64;
+  std::set<std::string> shapes = {};  ///< that the subject takes by name
   Tolerance tolerance = {};
 
   std::function<std::optional<Case>()> next;  ///< returns nullopt after the last one

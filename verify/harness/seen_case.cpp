@@ -6,12 +6,17 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/body_json.hpp"
 #include "reference/solve/disagreement.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/judgement_difference.hpp"
+#include "verify/harness/proof.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -28,6 +33,54 @@ class Fnv1a {
 
  private:
   std::uint64_t state_ = 0xcbf29ce484222325U;
+};
+
+bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
+
+/// How a subject sees bodies.
+struct Eyes {
+  Precision precision;
+  const std::set<std::string>& shapes;
+  std::string& why;  ///< it does not see one
+
+  [[nodiscard]] std::optional<Body> see(const Body& body) const {
+    if (body.words) {
+      const std::string word = lacking(*body.words);
+      if (word.empty()) return see(*body.words);
+      if (body.shape) return nothing(fmt::format("the subject does not declare \"{}\" among its shapes", word));
+    }
+    if (body.shape) return nothing("the subject does not take shapes without a name");
+    std::optional<GivenPoints> points = seen(body.points, precision);
+    if (!points) return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(precision)));
+    return Body{*std::move(points)};
+  }
+
+ private:
+  [[nodiscard]] std::optional<Body> nothing(std::string reason) const {
+    why = std::move(reason);
+    return std::nullopt;
+  }
+
+  /// The first word of the body that is not declared; empty if all are.
+  [[nodiscard]] std::string lacking(const files::NamedBody& body) const {
+    const std::string plain(files::named_shape(body.shape).shape->name);
+    if (!shapes.contains(plain)) return plain;
+    const auto margin = body.fields.numbers.find("margin");
+    if (margin != body.fields.numbers.end() && margin->second.front() > 0 && !shapes.contains(margin_word)) return margin_word;
+    for (const files::NamedBody& term : body.terms)
+      if (std::string word = lacking(term); !word.empty()) return word;
+    return "";
+  }
+
+  [[nodiscard]] std::optional<Body> see(const files::NamedBody& words) const {
+    const std::optional<files::NamedBody> rounded = harness::rounded(words, precision);
+    if (!rounded) return nothing(fmt::format("a number of a shape overflows {}, the precision of the subject", name(precision)));
+    try {
+      return files::body_of(*rounded);
+    } catch (const std::invalid_argument& error) {
+      return nothing(fmt::format("rounding to {} leaves no shape: {}", name(precision), error.what()));
+    }
+  }
 };
 
 /// Field by field; a witness is two points.
@@ -57,16 +110,26 @@ void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<s
 
 }  // namespace
 
-std::optional<Case> as_seen(const Case& pair, Precision precision) {
-  std::optional<GivenPoints> a = seen(pair.a.points, precision), b = seen(pair.b.points, precision);
-  if (!a || !b) return std::nullopt;
-  return Case{pair.id, {*std::move(a)}, {*std::move(b)}};
+std::optional<Case> as_seen(const Case& pair, Precision precision, const std::set<std::string>& shapes, std::string* why) {
+  std::string reason;
+  const Eyes eyes{precision, shapes, why ? *why : reason};
+  std::optional<Body> a = eyes.see(pair.a);
+  if (!a) return std::nullopt;
+  std::optional<Body> b = eyes.see(pair.b);
+  if (!b) return std::nullopt;
+  if (is_halfspace(*a) && is_halfspace(*b)) {
+    eyes.why = "both bodies are half-spaces, which have no depth";
+    return std::nullopt;
+  }
+  return Case{pair.id, *std::move(a), *std::move(b)};
 }
 
 std::string digest_of(const Case& pair) {
   Fnv1a hash;
   for (const Body* body : {&pair.a, &pair.b}) {
-    for (const Point& p : body->points) hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + ' ' + exact_text(p.z) + '\n');
+    if (body->words) hash.take(files::body_json(*body->words, files::Defaults::written));
+    else
+      for (const Point& p : body->points) hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + ' ' + exact_text(p.z) + '\n');
     hash.take("\n");
   }
   return fmt::format("{:016x}", hash.value());
@@ -90,12 +153,45 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-Outcome overflowed(const Case& pair, Precision precision) {
+Outcome declined(const Case& pair, const std::string& why) {
   Outcome outcome = outcome_for(pair);
   outcome.verdict = Verdict::unsupported;
-  outcome.detail = fmt::format("a coordinate overflows {}, the precision of the subject", name(precision));
+  outcome.detail = why;
   return outcome;
 }
+
+namespace {
+
+Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo& info, const Judging& judging) {
+  StopWhen stopping(judging.stop);
+  Options options;
+  options.monitor = &stopping;
+  options.workspace = judging.workspace;
+  const auto judged = [&](const Truth& truth) { return judge(truth, reply, info.conventions, info.precision, judging.tolerance); };
+  const Truth truth = truth_about(seen.a.points, seen.b.points, options);
+  Judgement judgement = judged(truth);
+  for (const Solver& solver : judging.second) {
+    const Truth again{truth.a, truth.b, solver.depth(seen, &stopping)};
+    const auto refuse = [&](const std::string& where) {
+      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
+    };
+    if (const auto where = solve::disagreement(truth.depth, again.depth)) refuse(*where);
+    if (const auto where = difference(judgement, judged(again))) refuse(*where);
+  }
+  return judgement;
+}
+
+Judgement judged_shapes(const Case& seen, const Reply& reply, const SubjectInfo& info, const Judging& judging) {
+  StopWhen stopping(judging.stop);
+  SignedDepthOptions options;
+  options.cores.monitor = &stopping;
+  options.cores.workspace = judging.workspace;
+  const ShapeTruth truth = truth_about(files::shape_of(seen.a), files::shape_of(seen.b), options);
+  if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
+  return judge(truth, reply, info.conventions, info.precision, judging.tolerance);
+}
+
+}  // namespace
 
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
@@ -108,22 +204,9 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
     outcome.detail = failed->why;
     return;
   }
-  StopWhen stopping(judging.stop);
-  Options options;
-  options.monitor = &stopping;
-  options.workspace = judging.workspace;
   outcome.reply = std::get<Reply>(answer.said);
-  const auto judged = [&](const Truth& truth) { return judge(truth, *outcome.reply, info.conventions, info.precision, judging.tolerance); };
-  const Truth truth = truth_about(seen.a.points, seen.b.points, options);
-  outcome.judgement = judged(truth);
-  for (const Solver& solver : judging.second) {
-    const Truth again{truth.a, truth.b, solver.depth(seen, &stopping)};
-    const auto refuse = [&](const std::string& where) {
-      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
-    };
-    if (const auto where = solve::disagreement(truth.depth, again.depth)) refuse(*where);
-    if (const auto where = difference(*outcome.judgement, judged(again))) refuse(*where);
-  }
+  outcome.judgement = seen.a.shape || seen.b.shape ? judged_shapes(seen, *outcome.reply, info, judging)
+                                                   : judged_points(seen, *outcome.reply, info, judging);
   hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;

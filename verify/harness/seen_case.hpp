@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,22 @@
 
 namespace fathom::harness {
 
-/// Returns the case with its points rounded to the precision; nullopt if a coordinate overflows it.
-std::optional<Case> as_seen(const Case& pair, Precision precision);
+/// Returns the case as a subject of this precision sees it, which takes bodies by the names in `shapes`. A body that was given by such a name has
+/// its parameters, its margin and its pose rounded, and is the body of these. Any other has its points rounded, and no words. Returns nullopt,
+/// and the reason in `why`, if a number overflows the precision, rounding leaves no body, a body is no polytope and its name is not in
+/// `shapes`, or both are half-spaces. What was seen is seen again as it is.
+std::optional<Case> as_seen(const Case& pair, Precision precision, const std::set<std::string>& shapes = {}, std::string* why = nullptr);
 
-/// A hash of the points in 16 hexadecimal digits: FNV-1a over their exact text.
+/// Whether a body of the case has words, by which a subject is given it.
+inline bool has_words(const Case& pair) { return pair.a.words || pair.b.words; }
+
+/// A hash of the bodies in 16 hexadecimal digits: FNV-1a over the exact text of their points, or of their words.
 std::string digest_of(const Case& pair);
 
 /// An outcome without a verdict, for the case as it is seen.
 Outcome outcome_for(const Case& seen);
-/// The outcome of a case that the subject's precision cannot hold.
-Outcome overflowed(const Case& pair, Precision precision);
+/// The outcome of a case that is not put to the subject, for that reason.
+Outcome declined(const Case& pair, const std::string& why);
 
 /// How answers are judged.
 struct Judging {
@@ -33,7 +40,8 @@ struct Judging {
 };
 
 /// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement if one of the second ways leads to
-/// another truth, or to another judgement in any field.
+/// another truth, or to another judgement in any field. Of shapes there is one second way, whatever was asked for: the certificate of the
+/// truth, which the checker must accept as a proof of it, or std::logic_error is thrown.
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging);
 
 }  // namespace fathom::harness

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -18,18 +19,25 @@ constexpr long exponents[] = {10, -10, 3, -3, 1, -1};  // of scale, in the order
 constexpr long bulky = 20;                             // coordinates from 2^bulky on are made smaller rather than larger
 constexpr std::uint64_t seed = 7;                      // of all permutations
 
-constexpr auto axes = {&Point::x, &Point::y, &Point::z};
+constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
 
+/// The coordinates of points; of a body that has words, of its place.
 template <class Fits>
-bool all_coordinates(const Case& pair, mpq_class Point::*axis, Fits fits) {
-  for (const Body* body : {&pair.a, &pair.b})
+bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
+  for (const Body* body : {&pair.a, &pair.b}) {
+    if (body->words) {
+      files::NamedBody words = *body->words;
+      if (!fits(place_along(words, axis))) return false;
+      continue;
+    }
     for (const Point& p : body->points)
-      if (!fits(p.*axis)) return false;
+      if (!fits(p.*axes[axis])) return false;
+  }
   return true;
 }
 
 /// A power of two, or its negative, that can be added to all coordinates on this axis: the largest up to eight times the largest of them.
-std::optional<mpq_class> shift(const Case& pair, mpq_class Point::*axis, Precision precision) {
+std::optional<mpq_class> shift(const Case& pair, std::size_t axis, Precision precision) {
   mpq_class largest = 0;
   std::optional<long> finest;
   all_coordinates(pair, axis, [&](const mpq_class& value) {
@@ -56,11 +64,18 @@ std::optional<Variant> swapped(Variant variant) {
 std::optional<Variant> translated(Variant variant) {
   const Case original = variant.seen;
   bool moved = false;
-  for (const auto axis : axes)
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
     if (const std::optional<mpq_class> step = shift(original, axis, variant.precision)) {
       moved = true;
-      for (Body* body : {&variant.seen.a, &variant.seen.b})
-        for (Point& p : body->points.edit()) p.*axis += *step;
+      for (Body* body : {&variant.seen.a, &variant.seen.b}) {
+        if (body->words) {
+          files::NamedBody words = *body->words;
+          place_along(words, axis) += *step;
+          *body = files::body_of(std::move(words));
+        } else {
+          for (Point& p : body->points.edit()) p.*axes[axis] += *step;
+        }
+      }
     }
   return moved ? std::optional(variant) : std::nullopt;
 }
@@ -73,9 +88,17 @@ bool shuffle(std::vector<Point>& points, families::Random& random) {
   return points != original;
 }
 
+bool shuffle(Body& body, families::Random& random) {
+  if (!body.words) return shuffle(body.points.edit(), random);
+  files::NamedBody words = *body.words;
+  const bool other = shuffle(words.fields.vertices, random);
+  if (other) body = files::body_of(std::move(words));
+  return other;
+}
+
 std::optional<Variant> permuted(Variant variant) {
   families::Random random(seed);
-  const bool a = shuffle(variant.seen.a.points.edit(), random), b = shuffle(variant.seen.b.points.edit(), random);
+  const bool a = shuffle(variant.seen.a, random), b = shuffle(variant.seen.b, random);
   return a || b ? std::optional(variant) : std::nullopt;
 }
 

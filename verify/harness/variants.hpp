@@ -32,6 +32,7 @@ inline constexpr std::string_view variant_names[] = {"swap", "translate", "permu
 ///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
 ///   permute    the points of both bodies in another order, the same each time
 ///   scale      all coordinates times 2^10, or another power of two where that is not exact
+/// Of a body that has words, its place moves, the vertices among its words change their order, and all its lengths are scaled.
 /// Variants that are not exact are left out; if `left_out` is given, a sentence about each is added to it.
 std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
                               std::vector<std::string>* left_out = nullptr);

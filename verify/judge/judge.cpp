@@ -4,11 +4,14 @@
 #include "fathom/judge.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "kernels/float_environment.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/scene.hpp"
+#include "verify/judge/measures.hpp"
 #include "verify/judge/sentence.hpp"
 
 namespace fathom::judging {
@@ -16,22 +19,17 @@ namespace {
 
 class Judge {
  public:
-  Judge(const Truth& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
+  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
       : truth_(truth),
-        depth_(truth.depth),
         reply_(reply),
         conventions_(conventions),
         precision_(precision),
         tolerance_(tolerance),
-        claim_(exact_claim(reply, conventions)),
-        scene_(truth),
-        allowed_(scene_.sizes(), truth.depth.squared(), precision, tolerance) {}
+        claim_(exact_claim(reply, conventions)) {}
 
   Judgement run() {
-    result_.status = depth_.status();
-    result_.depth_squared = depth_.squared();
-    if (depth_.distance()) result_.distance_squared = depth_.distance()->squared;
-    measure();
+    truth_.measure(claim_, result_);
+    if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
     classification();
     if (claim_.overlap && reply_.depth) {  // without a depth, no more than the classification is judged
       if (!claim_.finite) found(Verdict::nan);
@@ -39,41 +37,14 @@ class Judge {
       direction();
       witnesses();
     }
+    truth_.conclude(result_);
     conclude();
-    result_.sentence = sentence(result_, depth_, reply_, claim_, precision_, remarks_);
+    result_.sentence = sentence(result_, truth_, reply_, claim_, precision_, remarks_);
     return std::move(result_);
   }
 
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
-
-  /// u R.
-  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * scene_.sizes().farthest; }
-
-  /// The residuals, of the claim as it stands.
-  void measure() {
-    if (claim_.depth) {
-      const mpq_class &d = *claim_.depth, &s = depth_.squared(), ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
-      result_.error = kernels::nearest_binary64({d, -s});
-      if (sgn(s) > 0) {
-        result_.error_ulps = kernels::nearest_binary64({d / ulp, -s / (ulp * ulp)});
-        result_.error_relative = kernels::nearest_binary64({-1, d * abs(d) / s});
-      }
-      if (sgn(u_r) > 0) result_.error_u_r = kernels::nearest_binary64({d / u_r, -s / (u_r * u_r)});
-    }
-    if (claim_.direction) {
-      result_.price_squared = scene_.price(*claim_.direction);
-      result_.travel_squared = scene_.travel(*claim_.direction);
-      if (claim_.depth) {
-        result_.inconsistency = kernels::nearest_binary64({*claim_.depth, -*result_.price_squared});
-        const Surd left{-*claim_.depth, *result_.travel_squared};
-        if (depth_.status() == Status::penetrating && sign(left) > 0) result_.overlap_left = kernels::nearest_binary64(left);
-      }
-    }
-    if (claim_.witness_a) result_.witness_a_squared = squared_distance(*claim_.witness_a, truth_.a);
-    if (claim_.witness_b) result_.witness_b_squared = squared_distance(*claim_.witness_b, truth_.b);
-    if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
-  }
 
   /// |(b - a) - d u / |u||^2 for the claim as it stands; where no direction is claimed, (|b - a| - d)^2.
   [[nodiscard]] std::optional<Surd> squared_gap() const {
@@ -90,47 +61,49 @@ class Judge {
 
   void classification() {
     using Touching = Conventions::Touching;
-    if (depth_.status() == Status::penetrating && !claim_.overlap) {
-      if (allowed_.classification.negligible(depth_.squared())) remarks_.tolerated = true;
-      else found(Verdict::false_separation);
+    const std::optional<Status> status = truth_.status();
+    if (status == Status::penetrating && !claim_.overlap) {
+      if (truth_.is_deep()) found(Verdict::false_separation);
+      else remarks_.tolerated = true;
     }
-    if (depth_.status() == Status::disjoint && claim_.overlap) {
-      const bool near = depth_.distance() && allowed_.classification.negligible(depth_.distance()->squared);
-      if (near && !(claim_.depth && allowed_.classification.above(*claim_.depth, 0))) remarks_.tolerated = true;
-      else found(Verdict::false_overlap);
+    if (status == Status::disjoint && claim_.overlap) {
+      if (truth_.is_far() || (claim_.depth && truth_.claims_depth(*claim_.depth))) found(Verdict::false_overlap);
+      else remarks_.tolerated = true;
     }
-    if (depth_.status() == Status::touching) {
+    if (status == Status::touching) {
       if (claim_.overlap && conventions_.touching == Touching::separate) found(Verdict::false_overlap);
       if (!claim_.overlap && conventions_.touching == Touching::overlap) found(Verdict::false_separation);
     }
+    if (!status) remarks_.tolerated = true;
   }
 
   /// Mends a wrong sign before the rest is judged.
   void depth() {
     if (!claim_.depth) return;
     mpq_class& d = *claim_.depth;
-    if (allowed_.depth.below(d, 0) && !allowed_.depth.off(-d, depth_.squared())) {
+    if (truth_.is_negative(d) && !truth_.too_deep(-d) && !truth_.too_shallow(-d)) {
       remarks_.depth_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
     }
-    if (allowed_.depth.above(d, depth_.squared())) found(Verdict::too_deep);
-    if (allowed_.depth.below(d, depth_.squared())) found(Verdict::too_shallow);
+    if (truth_.too_deep(d)) found(Verdict::too_deep);
+    if (truth_.too_shallow(d)) found(Verdict::too_shallow);
   }
 
   void direction() {
     if (claim_.direction_length && !is_direction(*claim_.direction_length)) found(Verdict::not_a_direction);
     if (!claim_.direction || !claim_.depth) return;
     Vector& u = *claim_.direction;
-    bool consistent = !allowed_.direction.off(*claim_.depth, *result_.price_squared), separates = separates_by(*result_.travel_squared);
-    if (!consistent &&
-        !allowed_.direction.off(*claim_.depth, scene_.price(-u))) {  // the travel is no more than the price: -u separates too
-      remarks_.direction_sign = consistent = separates = true;
-      found(Verdict::wrong_sign);
-      u = -u;
+    if (truth_.is_inconsistent(u, *claim_.depth)) {
+      if (!truth_.is_inconsistent(-u, *claim_.depth)) {  // the travel is no more than the price: -u separates too
+        remarks_.direction_sign = true;
+        found(Verdict::wrong_sign);
+        u = -u;
+        return;
+      }
+      found(Verdict::inconsistent);
     }
-    if (!separates) found(Verdict::not_separating);
-    if (!consistent) found(Verdict::inconsistent);
+    if (truth_.is_not_separating(u, *claim_.depth)) found(Verdict::not_separating);
   }
 
   [[nodiscard]] bool is_direction(const mpq_class& square) const {
@@ -141,16 +114,10 @@ class Judge {
     return sign({-1 - t, square}) <= 0 && sign({t - 1, square}) >= 0;
   }
 
-  /// Whether the claimed depth is no less than that way, except for the tolerance; or there is no way to go.
-  [[nodiscard]] bool separates_by(const mpq_class& travel) const {
-    return depth_.status() != Status::penetrating || !allowed_.direction.below(*claim_.depth, travel);
-  }
-
   void witnesses() {
-    const auto off = [&](const std::optional<mpq_class>& squared) { return squared && !allowed_.witness.negligible(*squared); };
-    remarks_.witness_a = off(result_.witness_a_squared);
-    remarks_.witness_b = off(result_.witness_b_squared);
-    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = !allowed_.gap.negligible(*gap);
+    remarks_.witness_a = truth_.is_off_a();
+    remarks_.witness_b = truth_.is_off_b();
+    if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = truth_.misses(*gap);
     if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
   }
 
@@ -162,20 +129,17 @@ class Judge {
       result_.verdict = all.front();
       return;
     }
-    result_.verdict = depth_.status() == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
+    result_.verdict = truth_.status() == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
     if (remarks_.tolerated) result_.accuracy = Accuracy::tolerance;
-    else if (claim_.depth) result_.accuracy = accuracy_of(*claim_.depth, depth_.squared(), rounding_unit(), precision_);
+    else if (claim_.depth) result_.accuracy = truth_.accuracy(*claim_.depth);
   }
 
-  const Truth& truth_;
-  const Depth& depth_;
+  Measures& truth_;
   const Reply& reply_;
   const Conventions& conventions_;
   Precision precision_;
   const Tolerance& tolerance_;
   Claim claim_;
-  Scene scene_;
-  Allowances allowed_;
   Remarks remarks_;
   Judgement result_;
 };
@@ -188,7 +152,18 @@ namespace fathom {
 
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance) {
   const kernels::DefaultFloatEnvironment environment;
-  return judging::Judge(truth, reply, conventions, precision, tolerance).run();
+  const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, precision, tolerance);
+  return judging::Judge(*measures, reply, conventions, precision, tolerance).run();
+}
+
+Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions, Precision precision,
+                const Tolerance& tolerance) {
+  const kernels::DefaultFloatEnvironment environment;
+  for (unsigned bits = judging::usual_bits;; bits *= 2) {
+    const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, precision, tolerance, bits);
+    Judgement judgement = judging::Judge(*measures, reply, conventions, precision, tolerance).run();
+    if (!measures->open() || bits >= judging::most_bits) return judgement;
+  }
 }
 
 }  // namespace fathom

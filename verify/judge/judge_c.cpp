@@ -82,7 +82,7 @@ void fill(const Judgement& from, fathom_judgement& to) {
   to.verdict = static_cast<int>(from.verdict);
   for (const Verdict finding : from.findings) to.findings |= 1U << static_cast<unsigned>(finding);
   to.accuracy = from.accuracy ? static_cast<int>(*from.accuracy) : FATHOM_NO_CLASS;
-  to.status = static_cast<int>(from.status);
+  to.status = static_cast<int>(*from.status);
   to.true_depth = root_binary64(from.depth_squared, Rounding::rn);
   to.true_distance = root_binary64(from.distance_squared, Rounding::rn);
   to.error = from.error.value_or(none);

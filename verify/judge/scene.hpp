@@ -28,6 +28,8 @@ struct Sizes {
 
 /// The bodies are not empty.
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b);
+/// Those of shapes, rounded up, with roots of so many bits. A half-space counts as the point O.
+Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits);
 
 /// Refers to the truth. Below, h(u) = max_b <u,b> - min_a <u,a>.
 class Scene {

@@ -12,11 +12,10 @@ namespace fathom::judging {
 namespace {
 
 std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
-double root(const mpq_class& squared) { return root_binary64(squared, Rounding::rn); }
 
 class Teller {
  public:
-  Teller(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+  Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
          const Remarks& remarks)
       : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), precision_(precision), remarks_(remarks) {}
 
@@ -31,12 +30,13 @@ class Teller {
   [[nodiscard]] std::string shortest(double x) const {
     return precision_ == Precision::binary32 && std::isfinite(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
   }
-  [[nodiscard]] std::string depth() const { return fmt::format("{}", root(truth_.squared())); }
+  [[nodiscard]] std::string depth() const { return truth_.depth(); }
   [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.depth, 0})); }
   [[nodiscard]] std::string apart() const {
-    return truth_.distance() ? fmt::format("the bodies are apart by {}", root(truth_.distance()->squared)) : "the bodies are apart";
+    const std::string by = truth_.distance();
+    return by.empty() ? "the bodies are apart" : "the bodies are apart by " + by;
   }
-  [[nodiscard]] std::string off_by() const { return amount(kernels::nearest_binary64({*claim_.depth, -truth_.squared()})); }
+  [[nodiscard]] std::string off_by() const { return amount(truth_.off_by(*claim_.depth)); }
 
   [[nodiscard]] std::string told(Verdict finding) const {
     switch (finding) {
@@ -51,12 +51,8 @@ class Teller {
       case Verdict::wrong_sign: return wrong_sign();
       case Verdict::too_deep: return fmt::format("too deep by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
       case Verdict::too_shallow: return fmt::format("too shallow by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
-      case Verdict::not_separating:
-        return fmt::format("not separating: {} of overlap is left along its direction",
-                           amount(kernels::nearest_binary64({-*claim_.depth, *judgement_.travel_squared})));
-      case Verdict::inconsistent:
-        return fmt::format("inconsistent: the plane across its direction is at {}, not at {}",
-                           kernels::nearest_binary64({0, *judgement_.price_squared}), claimed());
+      case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.depth);
+      case Verdict::inconsistent: return "inconsistent: " + truth_.across(claimed());
       case Verdict::witness_off: return witness_off();
       default: return std::string(name(finding));
     }
@@ -70,7 +66,7 @@ class Teller {
 
   [[nodiscard]] std::string not_a_direction() const {
     if (sgn(*claim_.direction_length) == 0) return "the direction is zero";
-    return fmt::format("the direction has length {}, where 1 is promised", root(*claim_.direction_length));
+    return fmt::format("the direction has length {}, where 1 is promised", root_binary64(*claim_.direction_length, Rounding::rn));
   }
 
   [[nodiscard]] std::string wrong_sign() const {
@@ -87,8 +83,8 @@ class Teller {
   [[nodiscard]] std::string witness_off() const {
     std::string result;
     const auto add = [&result](std::string text) { result += (result.empty() ? "" : "; ") + std::move(text); };
-    if (remarks_.witness_a) add(fmt::format("the witness point of A is {} away from it", amount(root(*judgement_.witness_a_squared))));
-    if (remarks_.witness_b) add(fmt::format("the witness point of B is {} away from it", amount(root(*judgement_.witness_b_squared))));
+    if (remarks_.witness_a) add(fmt::format("the witness point of A is {} away from it", amount(truth_.away_a())));
+    if (remarks_.witness_b) add(fmt::format("the witness point of B is {} away from it", amount(truth_.away_b())));
     if (remarks_.gap && !remarks_.depth_sign && !remarks_.direction_sign) {
       add(fmt::format("the witness points miss the translation by {}", amount(*judgement_.witness_gap)));
     } else if (remarks_.gap) {
@@ -103,6 +99,9 @@ class Teller {
   }
 
   [[nodiscard]] std::string pass() const {
+    if (!truth_.status())
+      return std::string("undecided: the bounds of the truth leave open whether the bodies overlap, and it says that they ") +
+             (reply_.overlap ? "do" : "do not");
     if (remarks_.tolerated) {
       if (truth_.status() == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
       return "within the tolerance: said to be apart, the depth is " + depth();
@@ -117,7 +116,7 @@ class Teller {
   }
 
   const Judgement& judgement_;
-  const Depth& truth_;
+  const Measures& truth_;
   const Reply& reply_;
   const Claim& claim_;
   Precision precision_;
@@ -126,7 +125,7 @@ class Teller {
 
 }  // namespace
 
-std::string sentence(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
                      const Remarks& remarks) {
   return Teller(judgement, truth, reply, mended, precision, remarks).all();
 }

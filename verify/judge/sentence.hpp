@@ -6,6 +6,7 @@
 
 #include "fathom/judge.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/measures.hpp"
 
 namespace fathom::judging {
 
@@ -17,7 +18,7 @@ struct Remarks {
 };
 
 /// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.
-std::string sentence(const Judgement& judgement, const Depth& truth, const Reply& reply, const Claim& mended, Precision precision,
+std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
                      const Remarks& remarks);
 
 }  // namespace fathom::judging

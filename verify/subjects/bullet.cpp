@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and btGjkPairDetector, the path of two
-// convex hulls in a world. Its margins are undone: A and B grow by them, so 2 * margin is taken off the depth.
+// convex bodies in a world. Margins that are not of the case are undone: where A and B grow by them, they are taken off the depth.
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <memory>
 #include <stdexcept>
 
 #include "verify/subjects/subject.hpp"
@@ -22,33 +28,90 @@ constexpr const char *precision = "binary64", *suffix = "64";
 constexpr const char *precision = "binary32", *suffix = "";
 #endif
 
-btVector3 vector(const Vector& v) { return {static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2])}; }
+/// Rounded. Through a volatile, as g++ 12 leaves the rounding of pairs of numbers out where they are widened again.
+btScalar scalar(double x) {
+  const volatile btScalar rounded = static_cast<btScalar>(x);
+  return rounded;
+}
+
+btVector3 vector(const Vector& v) { return {scalar(v[0]), scalar(v[1]), scalar(v[2])}; }
 
 Vector plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// How hulls are made: about their own centre, the mean of the vertices, as Bullet's users make them.
+/// How bodies are made: hulls of vertices about their own centre, their mean, as Bullet's users make them.
 struct Making {
   btScalar margin = 0;
-  bool early = false;  ///< subtract the centre before it is rounded to binary32: then the placed hull is off by half an ulp of the centre
+  bool inside = false;  ///< boxes and cylinders as in a world: with the margin that Bullet gives them, inside their lengths
+  bool early = false;   ///< subtract the centre before it is rounded to binary32: then the placed hull is off by half an ulp of the centre
 };
 
 struct Placed {
   Placed(const Body& body, const Making& making) {
+    if (body.shape) make_shape(body, making);
+    else make_hull(body, making);
+  }
+  std::unique_ptr<btConvexShape> shape;
+  btTransform at;
+  double grown = 0;  ///< the part of the margin by which Bullet's body is larger than the given one
+
+ private:
+  void make_hull(const Body& body, const Making& making) {
     const Vector mean = subject::mean(body.vertices);
     at = btTransform(btMatrix3x3::getIdentity(), vector(mean));
     const Vector centre = making.early ? mean : plain(at.getOrigin());
-    for (const Vector& v : body.vertices) shape.addPoint(vector({v[0] - centre[0], v[1] - centre[1], v[2] - centre[2]}), false);
-    shape.setMargin(making.margin);
-    shape.recalcLocalAabb();
+    shape = hull(body.vertices, centre);
+    grow(making.margin, 0);
   }
-  btConvexHullShape shape;
-  btTransform at;
+
+  static std::unique_ptr<btConvexShape> hull(const std::vector<Vector>& vertices, const Vector& centre) {
+    auto made = std::make_unique<btConvexHullShape>();
+    for (const Vector& v : vertices) made->addPoint(vector({v[0] - centre[0], v[1] - centre[1], v[2] - centre[2]}), false);
+    return made;
+  }
+
+  /// GJK and EPA see a core and a ball around it, whose radius is the margin: that of the case, or else the mode's. A sphere or capsule is
+  /// nothing but margin.
+  void make_shape(const Body& body, const Making& making) {
+    const subject::Shape& given = *body.shape;
+    const std::array<Vector, 3>& rows = given.pose.rows;
+    const btVector3 x = vector(rows[0]), y = vector(rows[1]), z = vector(rows[2]);
+    at = btTransform({x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]}, vector(given.pose.translation));
+    const btScalar radius = scalar(given.radius), length = scalar(2 * given.half_length);
+    if (given.name == "sphere" || given.name == "capsule") {
+      if (given.margin > 0) throw subject::Unsupported("a margin around a " + given.name + ", which is nothing but margin in Bullet");
+      if (given.name == "sphere") shape = std::make_unique<btSphereShape>(radius);
+      else shape = std::make_unique<btCapsuleShapeZ>(radius, length);
+      return;
+    }
+    if (given.name == "box") return make_around_core<btBoxShape>(given.half, making, given.margin);
+    if (given.name == "cylinder")
+      return make_around_core<btCylinderShapeZ>({given.radius, given.radius, given.half_length}, making, given.margin);
+    if (given.name == "hull") shape = hull(body.vertices, {});
+    else shape = std::make_unique<btConeShapeZ>(radius, length);
+    grow(making.margin, given.margin);
+  }
+
+  /// Bullet counts the margin of these inside their lengths: the core would be smaller than the case's, and the edges round.
+  template <class Inner>
+  void make_around_core(const Vector& half, const Making& making, double given) {
+    auto made = std::make_unique<Inner>(vector(half));
+    Inner& inner = *made;
+    shape = std::move(made);
+    if (making.inside && !(given > 0)) return;
+    grow(making.margin, given);
+    inner.setImplicitShapeDimensions(vector(half));
+  }
+
+  void grow(btScalar usual, double given) {
+    shape->setMargin(given > 0 ? scalar(given) : usual);
+    grown = given > 0 ? 0 : usual;
+  }
 };
 
 Making making(Settings& settings, double margin) {
   settings.note("centre", "mean of the vertices");
   Making making;
-  making.margin = static_cast<btScalar>(margin);
+  making.margin = scalar(margin);
   if (sizeof(btScalar) < sizeof(double)) making.early = settings.count("centre_in_binary64", 0) != 0;
   return making;
 }
@@ -60,12 +123,13 @@ subject::Solver epa(Settings& settings) {
     const Placed one(a, making), two(b, making);
     btGjkEpaSolver2::sResults result;
     subject::Reply reply;
-    reply.overlap = btGjkEpaSolver2::Penetration(&one.shape, one.at, &two.shape, two.at, two.at.getOrigin() - one.at.getOrigin(), result);
+    reply.overlap =
+        btGjkEpaSolver2::Penetration(one.shape.get(), one.at, two.shape.get(), two.at, two.at.getOrigin() - one.at.getOrigin(), result);
     if (result.status == btGjkEpaSolver2::sResults::GJK_Failed) throw std::runtime_error("btGjkEpaSolver2: GJK_Failed");
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) throw std::runtime_error("btGjkEpaSolver2: EPA_Failed");
     if (!reply.overlap) return reply;
     reply.depth = result.distance;
-    reply.direction = plain(result.normal);
+    reply.direction = plain(one.at.getBasis() * result.normal);  // the solver's normal is in the frame of A, its points are in the world
     reply.witness = {plain(result.witnesses[0]), plain(result.witnesses[1])};
     return reply;
   };
@@ -75,17 +139,19 @@ subject::Solver pair(Settings& settings) {
   constexpr double usual_margin = 0.04;  // CONVEX_DISTANCE_MARGIN, before it is rounded
   settings.note("simplex solver", "btVoronoiSimplexSolver");
   settings.note("penetration depth solver", "btGjkEpaPenetrationDepthSolver");
-  return [making = making(settings, settings.number("margin", usual_margin))](const Body& a, const Body& b) {
+  Making bodies = making(settings, settings.number("margin", usual_margin));
+  bodies.inside = settings.count("margin_inside", 0) != 0;
+  return [making = bodies](const Body& a, const Body& b) {
     const Placed one(a, making), two(b, making);
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth_solver;
-    btGjkPairDetector detector(&one.shape, &two.shape, &simplex, &depth_solver);
+    btGjkPairDetector detector(one.shape.get(), two.shape.get(), &simplex, &depth_solver);
     btGjkPairDetector::ClosestPointInput input;
     input.m_transformA = one.at;
     input.m_transformB = two.at;
     btPointCollector found;
     detector.getClosestPoints(input, found, nullptr);
-    const double margin = making.margin, distance = found.m_distance + 2 * margin;
+    const double distance = found.m_distance + (one.grown + two.grown);
     subject::Reply reply{.overlap = found.m_hasResult && !(distance > 0)};
     if (!reply.overlap) return reply;
     reply.depth = distance;
@@ -93,7 +159,7 @@ subject::Solver pair(Settings& settings) {
     const Vector& n = *reply.direction;
     Vector b_point = plain(found.m_pointInWorld), a_point;
     for (int i = 0; i < 3; ++i) {
-      b_point[i] -= margin * n[i];
+      b_point[i] -= two.grown * n[i];
       a_point[i] = b_point[i] + distance * n[i];
     }
     reply.witness = {a_point, b_point};
@@ -105,7 +171,8 @@ subject::Solver pair(Settings& settings) {
 
 int main(int argc, char** argv) {
   const std::string name = std::string("bullet") + suffix;
-  const subject::Mode modes[] = {{.argument = "epa", .name = name + "-epa", .depth = "negative", .make = epa},
-                                 {.argument = "pair", .name = name + "-pair", .depth = "negative", .make = pair}};
+  const std::vector<std::string> shapes{"sphere", "capsule", "box", "cylinder", "cone", "hull", "margin"};
+  const subject::Mode modes[] = {{.argument = "epa", .name = name + "-epa", .depth = "negative", .shapes = shapes, .make = epa},
+                                 {.argument = "pair", .name = name + "-pair", .depth = "negative", .shapes = shapes, .make = pair}};
   return subject::run({"bullet", SUBJECT_VERSION, precision, {std::begin(modes), std::end(modes)}}, argc, argv);
 }

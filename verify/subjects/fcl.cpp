@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-fcl signed|collide|indep: FCL's distance and collide on two fcl::Convex<double> in world coordinates.
+// fathom-subject-fcl signed|collide|indep: FCL's distance and collide, on fcl::Convex<double> in world coordinates and FCL's own primitives.
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/ellipsoid.h>
+#include <fcl/geometry/shape/halfspace.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "verify/subjects/subject.hpp"
@@ -15,7 +23,7 @@ using subject::Body, subject::Settings, subject::Vector;
 
 Vector plain(const fcl::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-fcl::Convexd convex(const Body& body) {
+std::unique_ptr<fcl::CollisionGeometryd> convex(const Body& body) {
   const auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
   for (const Vector& v : body.vertices) vertices->emplace_back(v[0], v[1], v[2]);
   const auto faces = std::make_shared<std::vector<int>>();
@@ -23,8 +31,39 @@ fcl::Convexd convex(const Body& body) {
     faces->push_back(static_cast<int>(face.size()));
     faces->insert(faces->end(), face.begin(), face.end());
   }
-  return {vertices, static_cast<int>(body.faces.size()), faces, true};
+  return std::make_unique<fcl::Convexd>(vertices, static_cast<int>(body.faces.size()), faces, true);
 }
+
+/// FCL's lengths are full ones, its shapes along z about their centre; a cone's apex is above.
+std::unique_ptr<fcl::CollisionGeometryd> primitive(const subject::Shape& shape) {
+  const double length = 2 * shape.half_length;
+  const auto& [x, y, z] = shape.half;
+  const auto& [a, b, c] = shape.radii;
+  if (shape.name == "sphere") return std::make_unique<fcl::Sphered>(shape.radius);
+  if (shape.name == "capsule") return std::make_unique<fcl::Capsuled>(shape.radius, length);
+  if (shape.name == "box") return std::make_unique<fcl::Boxd>(2 * x, 2 * y, 2 * z);
+  if (shape.name == "cylinder") return std::make_unique<fcl::Cylinderd>(shape.radius, length);
+  if (shape.name == "cone") return std::make_unique<fcl::Coned>(shape.radius, length);
+  if (shape.name == "ellipsoid") return std::make_unique<fcl::Ellipsoidd>(a, b, c);
+  return std::make_unique<fcl::Halfspaced>(fcl::Vector3d(shape.normal.data()), shape.offset);
+}
+
+fcl::Transform3d placing(const subject::Pose& pose) {
+  fcl::Transform3d at = fcl::Transform3d::Identity();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) at.linear()(i, j) = pose.rows[i][j];
+    at.translation()[i] = pose.translation[i];
+  }
+  return at;
+}
+
+struct Placed {
+  explicit Placed(const Body& body)
+      : geometry(body.shape ? primitive(*body.shape) : convex(subject::hull(body))),
+        at(body.shape ? placing(body.shape->pose) : fcl::Transform3d::Identity()) {}
+  std::unique_ptr<fcl::CollisionGeometryd> geometry;
+  fcl::Transform3d at;
+};
 
 subject::Solver signed_distance(Settings& settings) {
   fcl::DistanceRequestd request;
@@ -33,16 +72,25 @@ subject::Solver signed_distance(Settings& settings) {
   request.distance_tolerance = settings.number("distance_tolerance", request.distance_tolerance);
   settings.note("gjk_solver_type", "GST_LIBCCD");
   return [request](const Body& a, const Body& b) {
-    const fcl::Convexd convex_a = convex(subject::hull(a)), convex_b = convex(subject::hull(b));
-    const fcl::Transform3d world = fcl::Transform3d::Identity();
+    const Placed one(a), two(b);
     fcl::DistanceResultd result;
-    fcl::distance(&convex_a, world, &convex_b, world, request, result);
+    fcl::distance(one.geometry.get(), one.at, two.geometry.get(), two.at, request, result);
     subject::Reply reply{.overlap = !(result.min_distance > 0)};  // NaN is passed on
     if (!reply.overlap) return reply;
     reply.depth = result.min_distance;
     reply.witness = {plain(result.nearest_points[0]), plain(result.nearest_points[1])};
     return reply;
   };
+}
+
+bool is_halfspace(const Body& body) { return body.shape && body.shape->name == "halfspace"; }
+
+/// Whether FCL answers the pair by a formula of its own, with either solver.
+bool has_formula(const Body& a, const Body& b) {
+  if (is_halfspace(a) || is_halfspace(b)) return true;
+  if (!a.shape || !b.shape) return false;
+  const auto& [first, second] = std::minmax(a.shape->name, b.shape->name);
+  return (first == "box" && second == "box") || (second == "sphere" && first != "cone" && first != "ellipsoid");
 }
 
 subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char* type_name) {
@@ -53,17 +101,19 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
   request.gjk_tolerance = settings.number("gjk_tolerance", request.gjk_tolerance);
   settings.note("gjk_solver_type", type_name);
   return [request](const Body& a, const Body& b) {
-    const fcl::Convexd convex_a = convex(subject::hull(a)), convex_b = convex(subject::hull(b));
-    const fcl::Transform3d world = fcl::Transform3d::Identity();
+    if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: FCL gives no depth");
+    const Placed one(a), two(b);
     fcl::CollisionResultd result;
-    fcl::collide(&convex_a, world, &convex_b, world, request, result);
+    fcl::collide(one.geometry.get(), one.at, two.geometry.get(), two.at, request, result);
     subject::Reply reply{.overlap = result.isCollision()};
     std::vector<fcl::Contactd> contacts;
     result.getContacts(contacts);
     if (contacts.empty()) return reply;
     const auto size = [](const fcl::Contactd& contact) { return std::abs(contact.penetration_depth); };
     const fcl::Contactd& deepest = *std::ranges::max_element(contacts, {}, size);
-    reply.depth = deepest.penetration_depth;
+    // GST_INDEP answers depths below 0, as the mode says, but for these pairs.
+    const bool turned = request.gjk_solver_type == fcl::GST_INDEP && has_formula(a, b);
+    reply.depth = turned ? -deepest.penetration_depth : deepest.penetration_depth;
     reply.direction = plain(deepest.normal);
     return reply;
   };
@@ -72,15 +122,23 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> bounded{"sphere", "capsule", "box", "cylinder", "cone", "ellipsoid"};
+  std::vector<std::string> all = bounded;
+  all.emplace_back("halfspace");  // in distance, a half-space is a null pointer that FCL calls
   const subject::Mode modes[] = {
-      {.argument = "signed", .name = "fcl-signed", .depth = "negative", .faces = true, .make = signed_distance},
+      {.argument = "signed", .name = "fcl-signed", .depth = "negative", .faces = true, .shapes = bounded, .make = signed_distance},
       {.argument = "collide",
        .name = "fcl-collide",
        .moves = "b",
        .faces = true,
+       .shapes = all,
        .make = [](Settings& settings) { return collide(settings, fcl::GST_LIBCCD, "GST_LIBCCD"); }},
-      {.argument = "indep", .name = "fcl-indep", .depth = "negative", .moves = "b", .faces = true, .make = [](Settings& settings) {
-         return collide(settings, fcl::GST_INDEP, "GST_INDEP");
-       }}};
+      {.argument = "indep",
+       .name = "fcl-indep",
+       .depth = "negative",
+       .moves = "b",
+       .faces = true,
+       .shapes = all,
+       .make = [](Settings& settings) { return collide(settings, fcl::GST_INDEP, "GST_INDEP"); }}};
   return subject::run({"fcl", SUBJECT_VERSION, "binary64", {std::begin(modes), std::end(modes)}}, argc, argv);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-libccd epa|mpr: ccdGJKPenetration and ccdMPRPenetration on vertex lists in world coordinates.
+// fathom-subject-libccd epa|mpr: ccdGJKPenetration and ccdMPRPenetration on vertex lists in world coordinates, and on shapes.
 #include <ccd/ccd.h>
 
+#include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "verify/subjects/subject.hpp"
@@ -10,30 +12,104 @@ namespace {
 
 using subject::Body, subject::Vector;
 
-struct Hull {
-  const std::vector<Vector>& vertices;
-  Vector centre;
-};
-
 Vector plain(const ccd_vec3_t& v) { return {v.v[0], v.v[1], v.v[2]}; }
 
-/// The first of the farthest vertices along `along`.
-void support(const void* object, const ccd_vec3_t* along, ccd_vec3_t* farthest) {
-  const std::vector<Vector>& vertices = static_cast<const Hull*>(object)->vertices;
-  const Vector u = plain(*along);
+/// A farthest point of a body along `u`. libccd knows no shapes: these are written as its test suite and FCL write them.
+using Support = Vector (*)(const Body& body, const Vector& u);
+
+/// The first of the farthest vertices.
+Vector hull(const Body& body, const Vector& u) {
   const auto height = [&u](const Vector& v) { return v[0] * u[0] + v[1] * u[1] + v[2] * u[2]; };
-  const Vector* best = &vertices.front();
+  const Vector* best = &body.vertices.front();
   double most = height(*best);
-  for (const Vector& v : vertices)
+  for (const Vector& v : body.vertices)
     if (const double h = height(v); h > most) {
       most = h;
       best = &v;
     }
-  ccdVec3Set(farthest, (*best)[0], (*best)[1], (*best)[2]);
+  return *best;
+}
+
+/// Of a ball about O. A direction of length 0 is answered with O.
+Vector ball(double radius, const Vector& u) {
+  const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  if (length == 0) return {};
+  return {u[0] * (radius / length), u[1] * (radius / length), u[2] * (radius / length)};
+}
+
+/// Of a disc across z about O.
+Vector disc(double radius, const Vector& u) { return ball(radius, {u[0], u[1], 0}); }
+
+Vector sphere(const Body& body, const Vector& u) { return ball(body.shape->radius, u); }
+
+Vector capsule(const Body& body, const Vector& u) {
+  Vector v = ball(body.shape->radius, u);
+  v[2] += std::copysign(body.shape->half_length, u[2]);
+  return v;
+}
+
+Vector box(const Body& body, const Vector& u) {
+  const Vector& half = body.shape->half;
+  return {std::copysign(half[0], u[0]), std::copysign(half[1], u[1]), std::copysign(half[2], u[2])};
+}
+
+Vector cylinder(const Body& body, const Vector& u) {
+  Vector v = disc(body.shape->radius, u);
+  v[2] = std::copysign(body.shape->half_length, u[2]);
+  return v;
+}
+
+/// The apex, above, or a point of the rim.
+Vector cone(const Body& body, const Vector& u) {
+  const double radius = body.shape->radius, half_length = body.shape->half_length;
+  if (2 * half_length * u[2] > radius * std::hypot(u[0], u[1])) return {0, 0, half_length};
+  Vector v = disc(radius, u);
+  v[2] = -half_length;
+  return v;
+}
+
+Vector ellipsoid(const Body& body, const Vector& u) {
+  const Vector& r = body.shape->radii;
+  Vector v = ball(1, {r[0] * u[0], r[1] * u[1], r[2] * u[2]});
+  for (int i = 0; i < 3; ++i) v[i] *= r[i];
+  return v;
+}
+
+const std::map<std::string, Support>& supports() {
+  static const std::map<std::string, Support> all{{"sphere", sphere},     {"capsule", capsule}, {"box", box},
+                                                  {"cylinder", cylinder}, {"cone", cone},       {"ellipsoid", ellipsoid}};
+  return all;
+}
+
+struct Object {
+  explicit Object(const Body& given) : body(given) {
+    if (!body.shape) {
+      centre = subject::mean(body.vertices);
+      return;
+    }
+    pose = body.shape->pose;
+    centre = pose.translation;
+    farthest = supports().at(body.shape->name);
+  }
+  const Body& body;
+  subject::Pose pose{};  ///< of vertices none
+  Vector centre{};
+  Support farthest = hull;
+};
+
+void support(const void* object, const ccd_vec3_t* along, ccd_vec3_t* farthest) {
+  const Object& of = *static_cast<const Object*>(object);
+  const bool placed = of.body.shape.has_value();
+  Vector v = of.farthest(of.body, placed ? of.pose.turned_back(plain(*along)) : plain(*along));
+  if (placed) {
+    v = of.pose.turned(v);
+    for (int i = 0; i < 3; ++i) v[i] += of.pose.translation[i];
+  }
+  ccdVec3Set(farthest, v[0], v[1], v[2]);
 }
 
 void centre(const void* object, ccd_vec3_t* out) {
-  const Vector& c = static_cast<const Hull*>(object)->centre;
+  const Vector& c = static_cast<const Object*>(object)->centre;
   ccdVec3Set(out, c[0], c[1], c[2]);
 }
 
@@ -41,10 +117,10 @@ using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*,
 
 subject::Solver solver(Penetration penetration, const ccd_t& options) {
   return [penetration, options](const Body& a, const Body& b) {
-    const Hull hull_a{a.vertices, subject::mean(a.vertices)}, hull_b{b.vertices, subject::mean(b.vertices)};
+    const Object one(a), two(b);
     ccd_real_t depth = 0;
     ccd_vec3_t direction{}, position{};
-    const int code = penetration(&hull_a, &hull_b, &options, &depth, &direction, &position);
+    const int code = penetration(&one, &two, &options, &depth, &direction, &position);
     if (code == -2) throw std::runtime_error("libccd ran out of memory");
     subject::Reply reply{.overlap = code == 0};
     if (!reply.overlap) return reply;
@@ -68,10 +144,12 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
 }  // namespace
 
 int main(int argc, char** argv) {
-  const subject::Mode epa{.argument = "epa", .name = "libccd-epa", .moves = "b", .make = [](subject::Settings& settings) {
+  std::vector<std::string> shapes;
+  for (const auto& [name, support_of_name] : supports()) shapes.push_back(name);
+  const subject::Mode epa{.argument = "epa", .name = "libccd-epa", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
                             return solver(ccdGJKPenetration, options_of(settings, &ccd_t::epa_tolerance, "epa_tolerance"));
                           }};
-  const subject::Mode mpr{.argument = "mpr", .name = "libccd-mpr", .moves = "b", .make = [](subject::Settings& settings) {
+  const subject::Mode mpr{.argument = "mpr", .name = "libccd-mpr", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
                             return solver(ccdMPRPenetration, options_of(settings, &ccd_t::mpr_tolerance, "mpr_tolerance"));
                           }};
   return subject::run({"libccd", SUBJECT_VERSION, "binary64", {epa, mpr}}, argc, argv);

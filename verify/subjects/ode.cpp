@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-ode collide: dCollide on two convex geoms, the deepest of the contacts that it returns.
+// fathom-subject-ode collide: dCollide on convex geoms and ODE's own primitives, the deepest of the contacts that it returns.
 #include <ode/ode.h>
 
 #include <algorithm>
@@ -11,10 +11,44 @@ namespace {
 
 using subject::Body, subject::Vector;
 
-/// A convex geom about the mean of its vertices, which ODE takes for an inner point. ODE keeps the pointers.
+/// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is where its normal and offset say.
+dGeomID primitive(const subject::Shape& shape) {
+  const subject::Pose& pose = shape.pose;
+  const double length = 2 * shape.half_length;
+  const auto& [x, y, z] = shape.half;
+  if (shape.name == "halfspace") {
+    const Vector normal = pose.turned(shape.normal);
+    double offset = shape.offset;
+    for (int i = 0; i < 3; ++i) offset += normal[i] * pose.translation[i];
+    return dCreatePlane(nullptr, normal[0], normal[1], normal[2], offset);
+  }
+  const dGeomID id = shape.name == "sphere"    ? dCreateSphere(nullptr, shape.radius)
+                     : shape.name == "capsule" ? dCreateCapsule(nullptr, shape.radius, length)
+                     : shape.name == "box"     ? dCreateBox(nullptr, 2 * x, 2 * y, 2 * z)
+                                               : dCreateCylinder(nullptr, shape.radius, length);
+  const dMatrix3 rotation = {pose.rows[0][0], pose.rows[0][1], pose.rows[0][2], 0, pose.rows[1][0], pose.rows[1][1], pose.rows[1][2], 0,
+                             pose.rows[2][0], pose.rows[2][1], pose.rows[2][2], 0};
+  dGeomSetRotation(id, rotation);
+  dGeomSetPosition(id, pose.translation[0], pose.translation[1], pose.translation[2]);
+  return id;
+}
+
+bool is_halfspace(const Body& body) { return body.shape && body.shape->name == "halfspace"; }
+
+/// A primitive, or a convex geom about the mean of its vertices, which ODE takes for an inner point. ODE keeps the pointers.
 class Geom {
  public:
   explicit Geom(const Body& body) {
+    if (body.shape) id_ = primitive(*body.shape);
+    else make_convex(subject::hull(body));
+  }
+  Geom(const Geom&) = delete;
+  Geom& operator=(const Geom&) = delete;
+  ~Geom() { dGeomDestroy(id_); }
+  dGeomID id() const { return id_; }
+
+ private:
+  void make_convex(const Body& body) {
     const Vector centre = subject::mean(body.vertices);
     for (const Vector& v : body.vertices)
       for (int i = 0; i < 3; ++i) points_.push_back(v[i] - centre[i]);
@@ -27,12 +61,7 @@ class Geom {
                         static_cast<unsigned>(body.vertices.size()), polygons_.data());
     dGeomSetPosition(id_, centre[0], centre[1], centre[2]);
   }
-  Geom(const Geom&) = delete;
-  Geom& operator=(const Geom&) = delete;
-  ~Geom() { dGeomDestroy(id_); }
-  dGeomID id() const { return id_; }
 
- private:
   /// Unit normal (Newell's, outward) and offset.
   void add_plane(const std::vector<int>& face) {
     Vector normal{};
@@ -63,7 +92,8 @@ subject::Solver collide(subject::Settings& settings) {
   const unsigned long contacts = std::clamp(settings.count("contacts", usual), 1ul, most);
   settings.note("centre", "mean of the vertices");
   return [contacts](const Body& a, const Body& b) {
-    const Geom one(subject::hull(a)), two(subject::hull(b));
+    if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: ODE collides no planes");
+    const Geom one(a), two(b);
     std::vector<dContactGeom> found(contacts);
     const int count = dCollide(one.id(), two.id(), static_cast<int>(contacts), found.data(), sizeof(dContactGeom));
     subject::Reply reply{.overlap = count > 0};
@@ -80,8 +110,12 @@ subject::Solver collide(subject::Settings& settings) {
 
 int main(int argc, char** argv) {
   dInitODE2(0);
-  const int code = subject::run(
-      {"ode", SUBJECT_VERSION, "binary64", {{.argument = "collide", .name = "ode-collide", .faces = true, .make = collide}}}, argc, argv);
+  const subject::Mode mode{.argument = "collide",
+                           .name = "ode-collide",
+                           .faces = true,
+                           .shapes = {"sphere", "capsule", "box", "cylinder", "halfspace"},
+                           .make = collide};
+  const int code = subject::run({"ode", SUBJECT_VERSION, "binary64", {mode}}, argc, argv);
   dCloseODE();
   return code;
 }

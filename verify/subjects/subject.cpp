@@ -10,6 +10,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "verify/subjects/read_shape.hpp"
+
 namespace subject {
 namespace {
 
@@ -43,11 +45,12 @@ json hello(const Running& running) {
           {"library", running.program.library},
           {"precision", running.program.precision},
           {"conventions", {{"touching", "either"}, {"depth", mode.depth}, {"moves", mode.moves}, {"unit", true}}},
-          {"capabilities", {{"faces", mode.faces}}},
+          {"capabilities", {{"faces", mode.faces}, {"shapes", mode.shapes}}},
           {"settings", running.settings.in_force()}};
 }
 
 Body read_body(const json& from) {
+  if (from.contains("shape")) return read_shape(from);
   Body body;
   body.vertices = from.at("vertices").get<std::vector<Vector>>();
   if (body.vertices.empty()) throw std::invalid_argument("a body without vertices");
@@ -66,11 +69,13 @@ void tell(const Reply& answer, json& reply) {
   if (answer.witness) reply["witness"] = {{"a", vector_json((*answer.witness)[0])}, {"b", vector_json((*answer.witness)[1])}};
 }
 
-json reply_to(const json& request, const Solver& solve) {
+json reply_to(const json& request, const Running& running) {
   const Body a = read_body(request.at("a")), b = read_body(request.at("b"));
   json reply = {{"type", "reply"}, {"id", request.at("id")}};
   try {
-    tell(solve(a, b), reply);
+    check_taken(a, running.mode);
+    check_taken(b, running.mode);
+    tell(running.solve(a, b), reply);
   } catch (const Unsupported& reason) {
     reply["unsupported"] = reason.what();
   } catch (const std::exception& failure) {
@@ -88,7 +93,7 @@ std::optional<json> answer_to(const std::string& line, const Running& running) {
     if (spoken != protocol) throw std::invalid_argument("this subject speaks " + std::string(protocol) + ", not " + spoken);
     return hello(running);
   }
-  if (type == "run") return reply_to(request, running.solve);
+  if (type == "run") return reply_to(request, running);
   if (type == "stop") return std::nullopt;
   throw std::invalid_argument("expected a line of type hello, run or stop, found " + type);
 }

@@ -15,9 +15,28 @@ namespace subject {
 
 using Vector = std::array<double, 3>;
 
+/// A rotation and then a translation. In binary64, whatever the subject's numbers are.
+struct Pose {
+  std::array<Vector, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vector translation{};
+
+  [[nodiscard]] Vector turned(const Vector& v) const;
+  [[nodiscard]] Vector turned_back(const Vector& v) const;
+};
+
+/// A shape as cases name it. What its name does not have is 0.
+struct Shape {
+  std::string name;  ///< "sphere", "capsule", "box", "cylinder", "cone", "ellipsoid", "halfspace" or "hull"
+  double radius = 0, half_length = 0, offset = 0;
+  Vector half{}, radii{}, normal{};
+  double margin = 0;  ///< the radius of a ball that is added around it
+  Pose pose{};        ///< of the shape along z: an axis x or y is a part of the rotation
+};
+
 struct Body {
-  std::vector<Vector> vertices;
-  std::vector<std::vector<int>> faces;  ///< counter-clockwise from outside; empty where the body is flat or the mode asks for none
+  std::vector<Vector> vertices;           ///< of a shape: those of a hull, in its own frame
+  std::vector<std::vector<int>> faces{};  ///< counter-clockwise from outside; empty where the body is flat or the mode asks for none
+  std::optional<Shape> shape{};
 };
 
 /// What the library answered, in its own numbers and under the conventions of the mode.
@@ -57,11 +76,12 @@ using Solver = std::function<Reply(const Body& a, const Body& b)>;
 
 /// One way of asking the library.
 struct Mode {
-  std::string argument;            ///< its word on the command line
-  std::string name;                ///< "libccd-epa"
-  std::string depth = "positive";  ///< the sign of the depth of bodies that overlap: "positive" or "negative"
-  std::string moves = "a";         ///< the body that |depth| * direction moves apart
-  bool faces = false;              ///< whether it needs faces
+  std::string argument;               ///< its word on the command line
+  std::string name;                   ///< "libccd-epa"
+  std::string depth = "positive";     ///< the sign of the depth of bodies that overlap: "positive" or "negative"
+  std::string moves = "a";            ///< the body that |depth| * direction moves apart
+  bool faces = false;                 ///< whether it needs faces
+  std::vector<std::string> shapes{};  ///< the names of the shapes that it takes, and "margin" if any of them may have one
   std::function<Solver(Settings&)> make;
 };
 

@@ -38,7 +38,7 @@ JsonText& JsonText::text(std::string_view plain) {
   return *this;
 }
 
-JsonText& JsonText::number(std::uint64_t n) {
+JsonText& JsonText::number(std::int64_t n) {
   separate();
   text_ += std::to_string(n);
   return *this;

@@ -21,7 +21,7 @@ class JsonText {
   JsonText& close(char bracket);
   JsonText& key(std::string_view name);
   JsonText& text(std::string_view plain);
-  JsonText& number(std::uint64_t n);
+  JsonText& number(std::int64_t n);
   JsonText& null();
   /// Exact numbers, as texts.
   JsonText& exact(const mpz_class& n);

@@ -7,56 +7,52 @@
 
 #include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "verify/check/limits.hpp"
-#include "verify/check/reader.hpp"
 #include "verify/digest/sha256.hpp"
+#include "verify/golden/records/accepted.hpp"
 #include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/record_line.hpp"
+#include "verify/golden/shapes/shape_facts.hpp"
+#include "verify/golden/shapes/shape_prove.hpp"
 
 namespace fathom::golden {
 namespace {
-
-struct Refusal : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// What an accepted certificate says.
 struct Proved {
   Status status = Status::disjoint;
   std::vector<Vector> directions;
-  Point common;  ///< touching
+  Point common;                ///< touching
+  mpq_class distance_squared;  ///< disjoint
 };
 
-mpq_class value_of(const fathom_check::Rational& q) { return kernels::ratio(q.num.value(), q.den.value()); }
-
-bool same(const Point& p, const fathom_check::RationalPoint& q) {
-  const auto equal = [](const mpq_class& x, const fathom_check::Rational& y) {
-    return x.get_num() * y.den.value() == y.num.value() * x.get_den();
+/// Whether the bodies of the certificate are the hulls of these points.
+bool about(const fathom_check::Certificate& certificate, const Case& points) {
+  const auto hull_of = [](const fathom_check::Body& body, const std::vector<Point>& expected) {
+    return body.radius.num.sign() == 0 && same(expected, body.points.items);
   };
-  return equal(p.x, q.x) && equal(p.y, q.y) && equal(p.z, q.z);
-}
-
-bool same(const std::vector<Point>& points, const std::vector<fathom_check::RationalPoint>& others) {
-  return std::equal(points.begin(), points.end(), others.begin(), others.end(), [](const auto& p, const auto& q) { return same(p, q); });
+  return hull_of(certificate.a, points.a.points) && hull_of(certificate.b, points.b.points);
 }
 
 void take_over(const fathom_check::Certificate& certificate, const Claimed& claimed, Proved& proved) {
-  if (certificate.id != claimed.points.id) throw Refusal("the certificate is that of another record, '" + certificate.id + "'");
-  if (certificate.format != 1) throw Refusal("the certificate has format " + std::to_string(certificate.format) + ", not 1");
-  if (!same(claimed.points.a.points, certificate.a.points.items) || !same(claimed.points.b.points, certificate.b.points.items))
-    throw Refusal("the certificate is about other points");
-  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back({n.x.value(), n.y.value(), n.z.value()});
+  if (!about(certificate, claimed.points)) throw NotProved("the certificate is about other points");
+  for (const fathom_check::Vector& n : certificate.directions.items) proved.directions.push_back(value_of(n));
+  const bool apart = certificate.claim == fathom_check::Claim::apart;
   switch (certificate.claim) {
     case fathom_check::Claim::depth:
-      if (!certificate.all) throw Refusal("the certificate does not claim to list all optima");
+      if (!certificate.all) throw NotProved("the certificate does not claim to list all optima");
       proved.status = Status::penetrating;
       break;
-    case fathom_check::Claim::bounds: throw Refusal("the certificate proves bounds only");
+    case fathom_check::Claim::bounds:
+    case fathom_check::Claim::signed_bounds: throw NotProved("the certificate proves bounds only");
     case fathom_check::Claim::touching: proved.status = Status::touching; break;
-    case fathom_check::Claim::disjoint: proved.status = Status::disjoint; break;
+    case fathom_check::Claim::disjoint: throw NotProved("the certificate does not prove how far the bodies are apart");
     case fathom_check::Claim::apart:
-    case fathom_check::Claim::signed_bounds: throw Refusal("the certificate makes a claim of format 2");
+      proved.status = Status::disjoint;
+      proved.distance_squared = value_of(certificate.low);
+      break;
   }
+  if (const int format = apart ? 2 : 1; certificate.format != format)
+    throw NotProved("the certificate has format " + std::to_string(certificate.format) + ", not " + std::to_string(format));
   for (const fathom_check::Weight& w : certificate.weights_a.items) {
     if (w.index >= claimed.points.a.points.size()) return;  // refused by the checker
     const Point& p = claimed.points.a.points[w.index];
@@ -65,23 +61,9 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
   }
 }
 
-/// Nothing that take_over reads is used unless the checker accepts it all.
 Proved accepted(std::string_view text, const Claimed& claimed) {
-  fathom_check::Lines lines(text, fathom_check::longest_line);
-  fathom_check::Reader reader(lines);
   Proved proved;
-  std::optional<std::string> refusal;
-  const auto verdict = reader.next([&](const fathom_check::Certificate& certificate) {
-    try {
-      take_over(certificate, claimed, proved);
-    } catch (const Refusal& fault) {
-      refusal = fault.what();
-    }
-  });
-  if (!verdict || !verdict->accepted())
-    throw Refusal("the certificate is not accepted: " + (verdict ? fathom_check::verdict_line(*verdict, claimed.points.id) : ""));
-  if (refusal) throw Refusal(*refusal);
-  if (reader.next()) throw Refusal("expected one certificate, found more");
+  take_accepted(text, claimed.points.id, [&](const fathom_check::Certificate& certificate) { take_over(certificate, claimed, proved); });
   return proved;
 }
 
@@ -94,7 +76,7 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
     case 23: return ContactKind::edge_facet;
     case 33: return ContactKind::facet_facet;
     case 22: return ContactKind::edge_edge;
-    default: throw Refusal("the faces in an optimal direction do not span a facet");
+    default: throw NotProved("the faces in an optimal direction do not span a facet");
   }
 }
 
@@ -123,34 +105,41 @@ Penetration proved_penetration(const Integers& bodies, const Proved& proved, con
   for (const Vector& n : proved.directions) {
     const Sides sides(bodies, n);
     if (answer.optima.empty() && !sides.witnessed(witness, bodies, n))
-      throw Refusal("expected.witness: the points do not prove the contact");
+      throw NotProved("expected.witness: the points do not prove the contact");
     const ContactKind kind = kind_of(sides.a.corners.size(), sides.b.corners.size());
     answer.optima.push_back({n, sides.support, {kind, sides.a.corners, sides.b.corners}});
   }
   return answer;
 }
 
-Distance proved_distance(const Integers& bodies, const Vector& n, const Witness& witness) {
+Distance proved_distance(const Integers& bodies, const Proved& proved, const Witness& witness) {
+  const Vector& n = proved.directions.front();
   const Sides sides(bodies, n);
-  if (!sides.witnessed(witness, bodies, n)) throw Refusal("expected.distance.witness: the points do not prove the distance");
-  return {sides.factor * sides.factor * dot(n, n), n, sides.translation, witness};
+  if (!sides.witnessed(witness, bodies, n)) throw NotProved("expected.distance.witness: the points do not prove the distance");
+  return {proved.distance_squared, n, sides.translation, witness};
 }
 
 }  // namespace
 
-/// The points must be those that the source names: an id stands for one pair of bodies only. Returns them.
-const Case& Prover::prove_source(const Claimed& claimed) {
-  if (claimed.points.id != id_of(claimed.recipe, claimed.form)) throw Refusal("id: it is not that of its source");
+/// Makes the bodies that the source names: an id stands for one pair of bodies only.
+void Prover::make_cases(const Claimed& claimed) {
+  if (claimed.points.id != id_of(claimed.recipe, claimed.form)) throw NotProved("id: it is not that of its source");
   constexpr unsigned largest_size = 10'000;  // nobody's text may ask for more work
-  if (claimed.recipe.size > largest_size) throw Refusal("source.size: it is larger than that of any record");
-  if (recipe_ != claimed.recipe) {
-    recipe_.reset();
-    cases_ = cases_of(claimed.recipe);
-    recipe_ = claimed.recipe;
-  }
+  if (claimed.recipe.size > largest_size) throw NotProved("source.size: it is larger than that of any record");
+  if (recipe_ == claimed.recipe) return;
+  recipe_.reset();
+  cases_.clear();
+  shape_cases_.clear();
+  if (of_shapes(claimed.recipe.source)) shape_cases_ = shape_cases_of(claimed.recipe);
+  else cases_ = cases_of(claimed.recipe);
+  recipe_ = claimed.recipe;
+}
+
+const Case& Prover::prove_source(const Claimed& claimed) {
+  make_cases(claimed);
   const auto made = std::ranges::find(cases_, claimed.form, &FormedCase::form);
   if (made == cases_.end() || made->points.a.points != claimed.points.a.points || made->points.b.points != claimed.points.b.points)
-    throw Refusal("source: it does not yield these points");
+    throw NotProved("source: it does not yield these points");
   return made->points;
 }
 
@@ -161,23 +150,36 @@ Facts Prover::facts_from(const Claimed& claimed, std::string_view certificate) {
   Depth answer;
   answer.flat_a = polytope::affine_rank(bodies.a) < 3;
   answer.flat_b = polytope::affine_rank(bodies.b) < 3;
-  if (!claimed.witness) throw Refusal("expected.witness: there is none");
+  if (!claimed.witness) throw NotProved("expected.witness: there is none");
   switch (proved.status) {
     case Status::penetrating: answer.outcome = proved_penetration(bodies, proved, *claimed.witness); break;
     case Status::touching: answer.outcome = Touch{proved.directions.front(), proved.common}; break;
-    case Status::disjoint: answer.outcome = proved_distance(bodies, proved.directions.front(), *claimed.witness); break;
+    case Status::disjoint: answer.outcome = proved_distance(bodies, proved, *claimed.witness); break;
   }
   return facts_of_answer(claimed.recipe, claimed.form, points, std::move(answer), nullptr, &workspace_);
 }
 
-std::optional<std::string> Prover::faults(std::string_view line, std::string_view certificate) {
-  const Claimed claimed = read_record(line);
+std::string Prover::line_of_points(const Claimed& claimed, std::string_view certificate) {
   Facts facts = facts_from(claimed, certificate);
   facts.certificate_sha256 = digest::digest_of(certificate).sha256;
-  const std::string expected = line_of(facts);
+  exports_ = exports_of(facts);
+  return line_of(facts);
+}
+
+std::string Prover::line_of_shapes(const Claimed& claimed, std::string_view certificate) {
+  make_cases(claimed);
+  const auto made = std::ranges::find(shape_cases_, claimed.form, &FormedShapes::form);
+  if (made == shape_cases_.end()) throw NotProved("source: it has no such form");
+  exports_ = {};
+  return line_of(ShapeFacts{claimed.recipe, *made, proved_truth(made->shapes, certificate), digest::digest_of(certificate).sha256});
+}
+
+std::optional<std::string> Prover::faults(std::string_view line, std::string_view certificate) {
+  const Claimed claimed = read_record(line);
+  const std::string expected =
+      of_shapes(claimed.recipe.source) ? line_of_shapes(claimed, certificate) : line_of_points(claimed, certificate);
   if (expected != line) return first_difference(expected, line);
   id_ = claimed.points.id;
-  exports_ = exports_of(facts);
   return std::nullopt;
 }
 
@@ -192,6 +194,7 @@ std::optional<std::string> Prover::faults_of(std::string_view line, std::string_
 std::vector<std::string> Prover::ids() const {
   std::vector<std::string> ids;
   for (const FormedCase& made : cases_) ids.push_back(made.points.id);
+  for (const FormedShapes& made : shape_cases_) ids.push_back(made.shapes.id);
   return ids;
 }
 

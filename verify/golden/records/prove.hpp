@@ -11,6 +11,7 @@
 #include "verify/golden/records/exports.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_reader.hpp"
+#include "verify/golden/shapes/shape_recipe.hpp"
 
 namespace fathom::golden {
 
@@ -32,12 +33,17 @@ class Prover {
 
  private:
   std::optional<std::string> faults(std::string_view line, std::string_view certificate);
+  void make_cases(const Claimed& claimed);
   const Case& prove_source(const Claimed& claimed);
   Facts facts_from(const Claimed& claimed, std::string_view certificate);
+  /// The line as it has to be.
+  std::string line_of_points(const Claimed& claimed, std::string_view certificate);
+  std::string line_of_shapes(const Claimed& claimed, std::string_view certificate);
 
   Workspace workspace_;
   std::optional<Recipe> recipe_;
-  std::vector<FormedCase> cases_;  // of the recipe
+  std::vector<FormedCase> cases_;          // of the recipe, if it is of points
+  std::vector<FormedShapes> shape_cases_;  // else
   std::string id_;
   Exports exports_;
 };

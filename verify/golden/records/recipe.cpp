@@ -58,13 +58,15 @@ std::string_view name_of(Source source) {
   switch (source) {
     case Source::family: return "family";
     case Source::catalogue: return "catalogue";
-    case Source::real: break;
+    case Source::real: return "real";
+    case Source::shape_family: return "shape_family";
+    case Source::shape_catalogue: break;
   }
-  return "real";
+  return "shape_catalogue";
 }
 
 std::string id_of(const Recipe& recipe, Form form) {
-  if (recipe.source != Source::family) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix(form);
+  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix(form);
   return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix(form);
 }
 
@@ -91,6 +93,8 @@ Case base_case(const Recipe& recipe) {
     case Source::family: result = named(families::find_family(recipe.name))->make(recipe.seed, recipe.size); break;
     case Source::catalogue: result = named(families::find_catalogue_entry(recipe.name))->pair; break;
     case Source::real: result = *named(find_real_case(recipe.name)); break;
+    case Source::shape_family:
+    case Source::shape_catalogue: throw std::invalid_argument("'" + recipe.name + "' names shapes, not points");
   }
   result.id = id_of(recipe);
   for (Body* body : {&result.a, &result.b}) body->points = in_simplest_form(body->points);

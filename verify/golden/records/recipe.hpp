@@ -14,16 +14,24 @@ namespace fathom::golden {
 
 /// Where base cases come from.
 enum class Source {
-  family,     ///< a family of verify/families
-  catalogue,  ///< an entry of the catalogue of degenerate pairs
-  real        ///< a pair from the issue tracker or the test suite of a library [tests/data/real_cases.jsonl]
+  family,          ///< a family of verify/families
+  catalogue,       ///< an entry of the catalogue of degenerate pairs
+  real,            ///< a pair from the issue tracker or the test suite of a library [tests/data/real_cases.jsonl]
+  shape_family,    ///< a family of shapes
+  shape_catalogue  ///< an entry of the catalogue of shapes
 };
+
+/// Whether the bodies are shapes: shape_recipe.hpp makes these, and all functions below that tell of points throw for them.
+constexpr bool of_shapes(Source source) { return source == Source::shape_family || source == Source::shape_catalogue; }
+
+/// Whether a case has a size and a seed.
+constexpr bool from_family(Source source) { return source == Source::family || source == Source::shape_family; }
 
 struct Recipe {
   Source source = Source::family;
   std::string name;
-  unsigned size = 0;       ///< families only
-  std::uint64_t seed = 0;  ///< families only
+  unsigned size = 0;       ///< of families
+  std::uint64_t seed = 0;  ///< of families
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
@@ -34,11 +42,11 @@ enum class Form {
   binary32   ///< likewise to binary32, from the exact coordinate
 };
 
-/// "family", "catalogue" or "real".
+/// "family", "catalogue", "real", "shape_family" or "shape_catalogue".
 std::string_view name_of(Source source);
 
-/// "<name>-n<size>-s<seed>", "catalogue-<name>" or "real-<name>": no two recipes share one, and no id is ever given to other points.
-/// With ".b64" or ".b32" after it for rounded points.
+/// "<name>-n<size>-s<seed>", "catalogue-<name>", "real-<name>" or "shape_catalogue-<name>": no two recipes share one, and no id is ever given
+/// to other bodies. With ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
 /// Returns the points, with the recipe's id; a body's are in binary64 if all of its coordinates are. Throws std::invalid_argument if nothing has that name.

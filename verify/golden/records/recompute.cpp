@@ -6,6 +6,7 @@
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
 #include "verify/golden/records/record_reader.hpp"
+#include "verify/golden/shapes/shape_recompute.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -26,8 +27,11 @@ std::string line_by(Method method, const Claimed& claimed, Monitor* monitor) {
 std::optional<std::string> disagreement_with(Method method, std::string_view line, Monitor* monitor) {
   const std::string prefix = "by the method " + std::string(name(method)) + ": ";
   try {
-    const std::string expected = line_by(method, read_record(line), monitor);
-    if (expected == line) return std::nullopt;
+    const Claimed claimed = read_record(line);
+    const std::optional<std::string> answer =
+        of_shapes(claimed.recipe.source) ? shape_line_by(method, line, claimed, monitor) : std::optional(line_by(method, claimed, monitor));
+    if (!answer || *answer == line) return std::nullopt;
+    const std::string& expected = *answer;
     return prefix + first_difference(expected, line);
   } catch (const Interrupted&) {
     throw;

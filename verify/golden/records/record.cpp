@@ -11,9 +11,10 @@
 #include "kernels/context.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
-#include "verify/golden/records/names.hpp"
+#include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
+#include "verify/golden/shapes/shape_facts.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -22,9 +23,18 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
   if (!verdict.accepted()) refuse("the certificate is not accepted: line " + std::to_string(verdict.line) + ": " + verdict.reason);
-  if (verdict.id != id || verdict.status != name(answer.status()) || verdict.depth_squared != exact_text(answer.squared()) ||
-      verdict.optima != answer.optima().size())
+  const Distance* const distance = answer.distance();
+  const bool same_length = distance ? verdict.signed_depth == "-sqrt(" + exact_text(distance->squared) + ")+0"
+                                    : verdict.depth_squared == exact_text(answer.squared());
+  if (verdict.id != id || verdict.status != name(answer.status()) || !same_length || verdict.optima != answer.optima().size())
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
+}
+
+/// Format 1, which does not say how far bodies are apart; that format 2 does.
+std::string proof_of(const Case& points, const Depth& answer, Monitor* monitor) {
+  if (!answer.distance()) return certificate_text(points.a, points.b, answer, points.id, monitor);
+  const SignedDepth apart{Surd{0, -answer.distance()->squared}, 0, 0, answer, {}};
+  return certificate_text(hull(points.a.points), hull(points.b.points), apart, points.id, ShapeFormat::richest, monitor);
 }
 
 }  // namespace
@@ -36,7 +46,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   Depth answer = penetration_depth(points.a, points.b, options);
   Record record;
   record.id = points.id;
-  record.certificate = certificate_text(points.a, points.b, answer, points.id, monitor);
+  record.certificate = proof_of(points, answer, monitor);
   insist_on(record.id, record.certificate, answer);
   Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor, workspace);
   facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
@@ -47,9 +57,32 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   return record;
 }
 
+Record record_of(const Recipe& recipe, const FormedShapes& bodies, Monitor* monitor) {
+  const auto& [id, pair] = bodies.shapes;
+  const Shape a = families::shape_of(pair.a), b = families::shape_of(pair.b);
+  Options options;
+  options.monitor = monitor;
+  const SignedDepth answer = answer_about(a, b, options);
+  Record record;
+  record.id = id;
+  record.certificate = certificate_text(a, b, answer, id, ShapeFormat::richest, monitor);
+  record.line = line_of(ShapeFacts{recipe, bodies, truth_of(answer), digest::digest_of(record.certificate).sha256});
+  if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
+  record.in_binary64 = in_format(pair, Form::binary64);
+  record.in_binary32 = in_format(pair, Form::binary32);
+  return record;
+}
+
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace* workspace) {
   kernels::Context context(monitor);
   std::vector<Record> records;
+  if (of_shapes(recipe.source)) {
+    for (const FormedShapes& bodies : shape_cases_of(recipe)) {
+      context.check();
+      records.push_back(record_of(recipe, bodies, monitor));
+    }
+    return records;
+  }
   for (const auto& [form, points] : cases_of(recipe)) {
     context.check();
     records.push_back(record_of(recipe, form, points, monitor, workspace));

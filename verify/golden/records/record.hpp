@@ -11,6 +11,7 @@
 #include "fathom/monitor.hpp"
 #include "verify/golden/records/exports.hpp"
 #include "verify/golden/records/recipe.hpp"
+#include "verify/golden/shapes/shape_recipe.hpp"
 
 namespace fathom::golden {
 
@@ -26,7 +27,8 @@ struct Record {
 /// anything else than the record says, and Interrupted.
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
-/// Returns the record of the base case in one form.
+/// Returns the record of the base case in one form: of points, or of shapes.
 Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
+Record record_of(const Recipe& recipe, const FormedShapes& bodies, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

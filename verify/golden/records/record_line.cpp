@@ -1,46 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/records/record_line.hpp"
 
-#include <array>
-
 #include "fathom/numbers.hpp"
 #include "verify/golden/records/json_text.hpp"
-#include "verify/golden/records/names.hpp"
+#include "verify/golden/records/line_parts.hpp"
 
 namespace fathom::golden {
 namespace {
 
-constexpr std::array<std::string_view, 3> mode_names{"rn", "rd", "ru"};
-
-/// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}; put(out, values of one format, mode) writes a value.
-template <class Put>
-void in_both_formats(JsonText& out, Put put) {
-  const auto in_every_mode = [&](std::string_view name, std::array<double, 3> Rounded::*format) {
-    out.key(name).open('{');
-    for (std::size_t mode = 0; mode < mode_names.size(); ++mode) {
-      out.key(mode_names[mode]);
-      put(format, mode);
-    }
-    out.close('}');
-  };
-  in_every_mode("f64", &Rounded::binary64);
-  in_every_mode("f32", &Rounded::binary32);
-}
-
-void write(JsonText& out, std::string_view key, const RoundedVector& vector) {
-  out.key(key).open('{');
-  in_both_formats(out, [&](auto format, std::size_t mode) {
-    out.open('[');
-    for (const Rounded& component : vector) out.hex((component.*format)[mode]);
-    out.close(']');
-  });
-  out.close('}');
-}
-
 /// The members of an object that tells a length.
 void write_length(JsonText& out, const mpq_class& squared, const Rounded& root) {
   out.key("squared").exact(squared);
-  in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((root.*format)[mode]); });
+  write_modes(out, root);
 }
 
 void write_indices(JsonText& out, std::string_view key, const std::vector<std::uint32_t>& indices) {
@@ -49,14 +20,9 @@ void write_indices(JsonText& out, std::string_view key, const std::vector<std::u
   out.close(']');
 }
 
-void write_direction(JsonText& out, const Vector& n, const RoundedVector& unit) {
-  out.key("direction").exact(n);
-  write(out, "unit", unit);
-}
-
 void write_translation(JsonText& out, const Point& t, const RoundedVector& rounded) {
   out.key("translation").exact(t);
-  write(out, "rounded", rounded);
+  write_rounded(out, "rounded", rounded);
 }
 
 void write_witness(JsonText& out, const Witness& witness) {
@@ -109,13 +75,6 @@ void write_expected(JsonText& out, const Facts& facts) {
   out.close('}');
 }
 
-void write_source(JsonText& out, const Facts& facts) {
-  const Recipe& recipe = facts.recipe;
-  out.key("source").open('{').key("kind").text(name_of(recipe.source)).key("name").text(recipe.name);
-  if (recipe.source == Source::family) out.key("size").number(recipe.size).key("seed").text(std::to_string(recipe.seed));
-  out.key("form").text(name_of(facts.form)).close('}');
-}
-
 /// In binary64 if the record is.
 void write_body(JsonText& out, std::string_view key, const Body& body, bool hexadecimal) {
   out.key(key).open('{').key("vertices").open('[');
@@ -132,11 +91,11 @@ void write_body(JsonText& out, std::string_view key, const Body& body, bool hexa
 std::string line_of(const Facts& facts) {
   JsonText out;
   out.open('{').key("schema").text("fathom/case/1").key("golden").text("fathom/golden/1").key("id").text(facts.points.id);
-  write_source(out, facts);
-  out.key("formats").open('[').text("exact");
-  if (facts.in_binary64) out.text("binary64");
-  if (facts.in_binary32) out.text("binary32");
-  out.close(']').key("flags").open('[');
+  out.key("source").open('{');
+  write_source(out, facts.recipe, facts.form);
+  out.close('}');
+  write_formats(out, facts.in_binary64, facts.in_binary32);
+  out.key("flags").open('[');
   for (const std::string_view flag : facts.flags) out.text(flag);
   out.close(']');
   write_body(out, "a", facts.points.a, facts.in_binary64);

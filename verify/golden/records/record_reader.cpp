@@ -56,9 +56,10 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
 
 void read_source(const Json& source, Claimed& claimed) {
   Recipe& recipe = claimed.recipe;
-  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real}, text(source.at("kind"), "a kind"));
+  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue},
+                        text(source.at("kind"), "a kind"));
   recipe.name = text(source.at("name"), "a name");
-  if (recipe.source == Source::family) {
+  if (from_family(recipe.source)) {
     recipe.size = unsigned_number<unsigned>(source.at("size").dump());
     recipe.seed = unsigned_number<std::uint64_t>(text(source.at("seed"), "a seed"));
   }
@@ -93,8 +94,12 @@ Claimed read_record(std::string_view line) {
     const Json record = Json::parse(line);
     Claimed claimed;
     read_source(record.at("source"), claimed);
-    claimed.points = {text(record.at("id"), "an id"), body(record.at("a")), body(record.at("b"))};
-    claimed.witness = read_witness(record.at("expected"));
+    claimed.points.id = text(record.at("id"), "an id");
+    if (!of_shapes(claimed.recipe.source)) {
+      claimed.points.a = body(record.at("a"));
+      claimed.points.b = body(record.at("b"));
+      claimed.witness = read_witness(record.at("expected"));
+    }
     claimed.certificate_sha256 = text(record.at("certificate").at("sha256"), "a sum");
     return claimed;
   } catch (const Json::exception& error) {
@@ -113,11 +118,14 @@ std::string first_difference(std::string_view expected, std::string_view found) 
 }
 
 std::string_view id_in(std::string_view line) {
-  constexpr std::string_view before = R"({"schema":"fathom/case/1","golden":"fathom/golden/1","id":")";
-  if (!line.starts_with(before)) return "";
-  line.remove_prefix(before.size());
-  const std::size_t end = line.find('"');
-  return end == std::string_view::npos ? "" : line.substr(0, end);
+  for (const std::string_view kind : {"fathom/golden/1", "fathom/golden-shapes/1"}) {
+    const std::string before = R"({"schema":"fathom/case/1","golden":")" + std::string(kind) + R"(","id":")";
+    if (!line.starts_with(before)) continue;
+    line.remove_prefix(before.size());
+    const std::size_t end = line.find('"');
+    return end == std::string_view::npos ? "" : line.substr(0, end);
+  }
+  return "";
 }
 
 }  // namespace fathom::golden

@@ -19,8 +19,8 @@ struct NotARecord : std::runtime_error {
 struct Claimed {
   Recipe recipe;
   Form form = Form::given;
-  Case points;
-  std::optional<Witness> witness;  ///< of the answer, or of the distance
+  Case points;                     ///< of shapes the id alone: what else they are their source says
+  std::optional<Witness> witness;  ///< of polytopes, or of their distance
   std::string certificate_sha256;
 };
 

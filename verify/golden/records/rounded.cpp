@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/number/ratio.hpp"
 #include "kernels/number/roundings.hpp"
 
@@ -41,5 +42,25 @@ RoundedVector rounded_unit(const Vector& n) {
 }
 
 RoundedVector rounded_point(const Point& p) { return {rounded_value(p.x), rounded_value(p.y), rounded_value(p.z)}; }
+
+Rounded rounded_surd(const Surd& value) {
+  if (value.root == 0) return rounded_value(value.rational);
+  Rounded result{};
+  constexpr std::array modes{Rounding::rn, Rounding::rd, Rounding::ru};
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    result.binary64[i] = round_binary64(value, modes[i]);
+    result.binary32[i] = double{round_binary32(value, modes[i])};
+  }
+  return result;
+}
+
+RoundedVector rounded_along(const AlongNormal& vector) {
+  const mpz_class norm = dot(vector.normal, vector.normal);
+  const auto component = [&](const mpz_class& n) {
+    const mpq_class along = vector.beta * n;
+    return rounded_surd({vector.alpha * n, along * abs(along) / norm});
+  };
+  return {component(vector.normal.x), component(vector.normal.y), component(vector.normal.z)};
+}
 
 }  // namespace fathom::golden

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::golden {
@@ -26,5 +27,10 @@ Rounded rounded_root(const mpq_class& squared);
 RoundedVector rounded_unit(const Vector& n);
 
 RoundedVector rounded_point(const Point& p);
+
+Rounded rounded_surd(const Surd& value);
+
+/// alpha n + beta n/|n|, each component by itself.
+RoundedVector rounded_along(const AlongNormal& vector);
 
 }  // namespace fathom::golden

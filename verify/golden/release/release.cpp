@@ -16,38 +16,20 @@
 namespace fathom::golden {
 namespace fs = std::filesystem;
 
-namespace {
-
-void replace_all(std::string& text, std::string_view before, std::string_view after) {
-  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + after.size()))
-    text.replace(at, before.size(), after);
-}
-
-/// The schemas name the levels up to L2, which have been released: their pages stay as they are. Those of L3 name it too.
-std::string with_levels(std::string_view schema, Level level) {
-  std::string text(schema);
-  if (level != Level::L3) return text;
-  replace_all(text, "L[0-2]", "L[0-3]");
-  replace_all(text, R"("L1", "L2"])", R"("L1", "L2", "L3"])");
-  return text;
-}
-
-}  // namespace
-
-std::vector<std::pair<std::string, std::string>> fixed_pages(Level level) {
+std::vector<std::pair<std::string, std::string>> fixed_pages() {
   return {{"LICENSE", std::string(licence())},
           {"NOTES.md", std::string(notes())},
-          {"dataset.schema.json", with_levels(dataset_schema(), level)},
+          {"dataset.schema.json", std::string(dataset_schema())},
           {"golden.schema.json", std::string(record_schema())},
-          {"shard.schema.json", with_levels(shard_schema(), level)}};
+          {"shard.schema.json", std::string(shard_schema())}};
 }
 
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards) {
   std::set<std::string> names = {std::string(dataset_name), std::string(sums_name)};
-  for (const auto& [name, text] : fixed_pages(Level::L0)) names.insert(name);
+  for (const auto& [name, text] : fixed_pages()) names.insert(name);
   for (const ShardPlan& shard : shards) {
     names.insert(shard.name + std::string(manifest_suffix));
-    for (const std::string_view suffix : shard_suffixes) names.insert(shard.name + std::string(suffix));
+    for (const std::string_view suffix : suffixes_of(shard.level)) names.insert(shard.name + std::string(suffix));
   }
   return names;
 }
@@ -92,7 +74,7 @@ void close_release(const fs::path& folder, Level level, std::uint64_t seed, cons
     sums.push_back({page, digest::digest_of(text).sha256});
     for (const ShardFile& file : dataset.shards.back().files) sums.push_back({file.name, file.file.sha256});
   }
-  for (const auto& [name, text] : fixed_pages(level)) put(name, text);
+  for (const auto& [name, text] : fixed_pages()) put(name, text);
   put(std::string(dataset_name), dataset_text(dataset));
   put_file(folder, std::string(sums_name), sums_text(sums));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))  // of processes that were killed

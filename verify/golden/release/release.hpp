@@ -14,8 +14,8 @@
 
 namespace fathom::golden {
 
-/// The pages that are the same in every release of this version and level: name and content.
-std::vector<std::pair<std::string, std::string>> fixed_pages(Level level);
+/// The pages that are the same in every release of this version: name and content.
+std::vector<std::pair<std::string, std::string>> fixed_pages();
 
 /// The names of all files of a complete release with these shards, SHA256SUMS too; agreement.json may come on top.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);

@@ -122,7 +122,7 @@ class Verifier {
   }
 
   bool check_pages() {
-    for (const auto& [name, expected] : fixed_pages(dataset_.level)) {
+    for (const auto& [name, expected] : fixed_pages()) {
       const std::optional<std::string> text = text_of(name);
       if (text && *text != expected) refuse(name, "the page is not the one that goes with this version of the data");
     }

@@ -30,6 +30,8 @@ ShardFile file_of(const Json& json) {
 
 }  // namespace
 
+std::span<const std::string_view> suffixes_of(Level level) { return std::span(shard_suffixes).first(of_shapes(level) ? 2 : 4); }
+
 nlohmann::ordered_json manifest_json(const Manifest& manifest) {
   Json files = Json::array();
   for (const ShardFile& entry : manifest.files) files.push_back(file_json(entry));
@@ -53,7 +55,7 @@ Manifest manifest_of(const nlohmann::ordered_json& json) {
   manifest.recipes = json.at("recipes").get<std::size_t>();
   manifest.records = json.at("records").get<std::size_t>();
   manifest.zstd = json.at("zstd").get<std::string>();
-  for (std::size_t i = 0; i < shard_suffixes.size(); ++i) manifest.files[i] = file_of(json.at("files").at(i));
+  for (std::size_t i = 0; i < suffixes_of(manifest.level).size(); ++i) manifest.files.push_back(file_of(json.at("files").at(i)));
   return manifest;
 }
 
@@ -72,9 +74,9 @@ std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan
   if (manifest.version != data_version)
     return fmt::format("is of data version {}, and this program makes {}", manifest.version, data_version);
   if (manifest.seed != seed) return fmt::format("was made from seed {} instead of {}", manifest.seed, seed);
+  const std::span<const std::string_view> suffixes = suffixes_of(shard.level);
   bool same = manifest.name == shard.name && manifest.level == shard.level && manifest.recipes == shard.count();
-  for (std::size_t i = 0; i < shard_suffixes.size(); ++i)
-    same = same && manifest.files[i].name == shard.name + std::string(shard_suffixes[i]);
+  for (std::size_t i = 0; same && i < suffixes.size(); ++i) same = manifest.files[i].name == shard.name + std::string(suffixes[i]);
   if (!same) return fmt::format("is not about {} as this version plans it", shard.name);
   return std::nullopt;
 }

@@ -7,16 +7,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {
 
-/// The files of a shard, by the ends of their names: records, certificates one after another, and both exports.
+/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes both exports.
 inline constexpr std::array<std::string_view, 4> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst", ".inc.zst"};
+/// Those of a shard of this level: the first two, or all.
+std::span<const std::string_view> suffixes_of(Level level);
 inline constexpr std::string_view manifest_suffix = ".json";
 
 struct ShardFile {
@@ -32,8 +36,8 @@ struct Manifest {
   std::string version;  ///< of the data
   std::uint64_t seed = 0;
   std::size_t recipes = 0, records = 0;
-  std::string zstd;  ///< the version of libzstd that compressed it
-  std::array<ShardFile, shard_suffixes.size()> files;
+  std::string zstd;              ///< the version of libzstd that compressed it
+  std::vector<ShardFile> files;  ///< in the order of the suffixes
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 

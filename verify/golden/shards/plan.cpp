@@ -10,14 +10,22 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
+#include "verify/families/shape_catalogue.hpp"
+#include "verify/families/shape_families.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {
 
-using families::Family;
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1};
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3};
+/// The levels up to this one, in its chain.
+std::vector<Level> chain_to(Level level) {
+  std::vector<Level> chain;
+  for (const Level other : levels)
+    if (of_shapes(other) == of_shapes(level) && other <= level) chain.push_back(other);
+  return chain;
+}
 
 // About 250 records; in L3 about 3000, so that one folder can hold all files.
 constexpr std::size_t recipes_in_a_shard(Level level) { return level == Level::L3 ? 1500 : 150; }
@@ -36,17 +44,17 @@ constexpr Share share_of(Level level) {
     case Level::L0: return {3, 12, 0};
     case Level::L1: return {55, 30, 0};
     case Level::L2: return {780, 40, 10};
-    case Level::L3: break;
+    case Level::L3: return {45'000, 40, 10};
+    case Level::P0: return {8, 8, 0};
+    case Level::P1: break;
   }
-  return {45'000, 40, 10};
+  return {80, 30, 0};
 }
 
 // Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows with the square of the size.
-constexpr std::array<std::string_view, 4> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties", "crossed_vanishing_ties"};
+constexpr std::array<std::string_view, 5> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties", "crossed_vanishing_ties",
+                                                 "crossed_noisy_ties"};
 constexpr unsigned most_if_costly = 60;
-
-// Families that the data does not draw on before its next version.
-constexpr std::array<std::string_view, 1> not_yet{"crossed_noisy_ties"};
 
 // A few very large cases, in L2.
 constexpr std::array<std::string_view, 7> giants{"random_ball", "random_sphere", "prisms_posed",  "needles",
@@ -57,17 +65,24 @@ constexpr std::uint64_t seeds_of_a_release = 1'000'000;
 
 /// How a family fills its share.
 struct Habit {
-  const Family* family;
+  Source source;
+  std::string_view family;
+  unsigned usual_size;
   bool sized = true;   ///< whether the size matters
   bool seeded = true;  ///< whether the seed matters
 };
 
-bool same_points(const Case& p, const Case& q) { return p.a.points == q.a.points && p.b.points == q.b.points; }
+Case made(const families::Family& family, std::uint64_t seed, unsigned size) { return family.make(seed, size); }
+Case made(const families::ShapeFamily& family, std::uint64_t seed, unsigned size) { return family.make(seed, size).read(); }
 
-Habit habit_of(const Family& family) {
-  Habit habit{&family};
-  const Case case_of_5 = family.make(1, 5);
-  const auto differs = [&](std::uint64_t seed, unsigned size) { return !same_points(case_of_5, family.make(seed, size)); };
+bool same_body(const Body& p, const Body& q) { return p.points == q.points && p.shape == q.shape; }
+bool same_bodies(const Case& p, const Case& q) { return same_body(p.a, q.a) && same_body(p.b, q.b); }
+
+template <class AnyFamily>
+Habit habit_of(Source source, const AnyFamily& family) {
+  Habit habit{source, family.name, family.usual_size};
+  const Case case_of_5 = made(family, 1, 5);
+  const auto differs = [&](std::uint64_t seed, unsigned size) { return !same_bodies(case_of_5, made(family, seed, size)); };
   habit.seeded = differs(2, 5) || differs(3, 5);
   habit.sized = differs(1, 23) && differs(1, 12);
   return habit;
@@ -75,12 +90,14 @@ Habit habit_of(const Family& family) {
 
 using Habits = std::vector<Habit>;
 
-Habits habits() {
+Habits habits(bool shapes) {
   Habits result;
-  for (const Family& family : families::families()) {
-    const bool by_name = family.name == "catalogue";  // its entries are all there by name
-    if (!by_name && std::ranges::find(not_yet, family.name) == not_yet.end()) result.push_back(habit_of(family));
+  if (shapes) {
+    for (const families::ShapeFamily& family : families::shape_families()) result.push_back(habit_of(Source::shape_family, family));
+    return result;
   }
+  for (const families::Family& family : families::families())
+    if (family.name != "catalogue") result.push_back(habit_of(Source::family, family));  // its entries are all there by name
   return result;
 }
 
@@ -88,7 +105,7 @@ Habits habits() {
 /// each size, or of the usual one.
 bool has_case(const Habit& habit, const Share& share, unsigned index) {
   if (habit.seeded) return true;
-  return habit.sized ? least_size + index <= share.most : index == 0 && habit.family->usual_size <= share.most;
+  return habit.sized ? least_size + index <= share.most : index == 0 && habit.usual_size <= share.most;
 }
 
 unsigned size_of(const Share& share, std::uint64_t seed) {
@@ -100,7 +117,7 @@ unsigned size_of(const Share& share, std::uint64_t seed) {
 
 /// Case number `index` of a family that has one.
 Recipe recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsigned index) {
-  Recipe result{Source::family, std::string(habit.family->name), habit.family->usual_size, seed * seeds_of_a_release + index};
+  Recipe result{habit.source, std::string(habit.family), habit.usual_size, seed * seeds_of_a_release + index};
   if (!habit.seeded) {
     result.seed = 0;  // whatever the seed of the release
     if (habit.sized) result.size = least_size + index;
@@ -118,11 +135,10 @@ class Additions {
  public:
   Additions(Level level, std::uint64_t seed, std::shared_ptr<const Habits> families)
       : share_(share_of(level)), seed_(seed), families_(std::move(families)) {
-    for (const Level below : levels) {
-      if (below == level) break;
-      first_ += share_of(below).each;
-    }
+    for (const Level below : chain_to(level))
+      if (below != level) first_ += share_of(below).each;
     if (level == Level::L0) add_named();
+    if (level == Level::P0) add_named_shapes();
     starts_.push_back(head_.size());
     for (unsigned i = 0; i < share_.each; ++i) starts_.push_back(starts_.back() + cases_of(i));
     if (level == Level::L2) add_giants();
@@ -144,6 +160,10 @@ class Additions {
   void add_named() {
     for (const Case& real : real_cases()) head_.push_back({Source::real, real.id});
     for (const families::CatalogueEntry& entry : families::catalogue()) head_.push_back({Source::catalogue, std::string(entry.name)});
+  }
+  void add_named_shapes() {
+    for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
+      head_.push_back({Source::shape_catalogue, entry.shapes.id});
   }
   void add_giants() {
     for (const unsigned size : giant_sizes) {
@@ -183,7 +203,7 @@ std::string shard_name(Level level, std::size_t number) {
 }  // namespace
 
 std::string_view name_of(Level level) {
-  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3"};
+  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1"};
   return names[static_cast<std::size_t>(level)];
 }
 
@@ -195,14 +215,13 @@ std::optional<Level> find_level(std::string_view name) {
 std::vector<Recipe> ShardPlan::recipes() const { return additions->part(begin, end); }
 
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed) {
-  const auto families = std::make_shared<const Habits>(habits());
+  const auto families = std::make_shared<const Habits>(habits(of_shapes(level)));
   std::vector<ShardPlan> shards;
-  for (const Level part : levels) {
+  for (const Level part : chain_to(level)) {
     const auto additions = std::make_shared<const Additions>(part, seed, families);
     const std::size_t all = additions->size(), most = recipes_in_a_shard(part), count = (all + most - 1) / most;
     for (std::size_t i = 0; i < count; ++i)  // shards of one level differ by one recipe at most
       shards.push_back({shard_name(part, i), part, additions, all * i / count, all * (i + 1) / count});
-    if (part == level) break;
   }
   return shards;
 }

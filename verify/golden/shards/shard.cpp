@@ -16,29 +16,34 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   manifest_.seed = seed;
   manifest_.recipes = shard.count();
   manifest_.zstd = zstd_version();
-  for (const std::string_view suffix : shard_suffixes)
+  for (const std::string_view suffix : suffixes_of(shard.level))
     writers_.push_back(std::make_unique<ZstdWriter>(folder_, shard.name + std::string(suffix)));
   std::error_code error;
   std::filesystem::remove(folder_ / (shard.name + std::string(manifest_suffix)), error);
   if (error) throw FileError("remove", folder_ / (shard.name + std::string(manifest_suffix)), error.value());
-  writers_[2]->write(csv_header());
-  writers_[3]->write(include_head());
+  write_exports(csv_header(), include_head());
+}
+
+/// Shapes have none.
+void ShardWriter::write_exports(std::string_view csv, std::string_view include) {
+  if (of_shapes(manifest_.level)) return;
+  writers_[2]->write(csv);
+  writers_[3]->write(include);
 }
 
 void ShardWriter::add(const Record& record) {
   writers_[0]->write(record.line);
   writers_[0]->write("\n");
   writers_[1]->write(record.certificate);
-  writers_[2]->write(record.exports.csv_row);
-  writers_[3]->write(record.exports.include_entry);
+  write_exports(record.exports.csv_row, record.exports.include_entry);
   ++manifest_.records;
 }
 
 void ShardWriter::finish() {
-  writers_[3]->write(include_tail());
-  for (std::size_t i = 0; i < writers_.size(); ++i) {
-    writers_[i]->finish();
-    manifest_.files[i] = {writers_[i]->name(), writers_[i]->of_file(), writers_[i]->of_content()};
+  write_exports("", include_tail());
+  for (const std::unique_ptr<ZstdWriter>& writer : writers_) {
+    writer->finish();
+    manifest_.files.push_back({writer->name(), writer->of_file(), writer->of_content()});
   }
   NewFile page(folder_, manifest_.name + std::string(manifest_suffix));  // before the names appear: where the disk is full, none does
   page.write(manifest_text(manifest_));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verify/golden/io/zstd_file.hpp"
@@ -24,11 +25,12 @@ class ShardWriter {
   void finish();
 
  private:
+  void write_exports(std::string_view csv, std::string_view include);
   void rename_all();
 
   std::filesystem::path folder_;
   Manifest manifest_;
-  std::vector<std::unique_ptr<ZstdWriter>> writers_;  // in the order of shard_suffixes
+  std::vector<std::unique_ptr<ZstdWriter>> writers_;  // in the order of the suffixes
 };
 
 }  // namespace fathom::golden

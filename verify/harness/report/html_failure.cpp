@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/body_json.hpp"
 #include "verify/harness/report/html_parts.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/picture.hpp"
@@ -42,6 +43,10 @@ std::string rounded_text(const Point& p) {
                      round_binary64(p.z, Rounding::rn));
 }
 
+std::string between_text(const Between& x) {
+  return x.low == x.high ? fmt::format("{}", x.low) : fmt::format("between {} and {}", x.low, x.high);
+}
+
 std::string triple_text(const Triple& t) { return fmt::format("({}, {}, {})", t[0], t[1], t[2]); }
 
 /// Rows of a <dl>.
@@ -65,16 +70,20 @@ class Facts {
   std::string rows_;
 };
 
-std::string status_text(Status status) {
-  return status == Status::penetrating ? "the bodies overlap" : status == Status::touching ? "the bodies touch" : "the bodies are apart";
+std::string status_text(const std::optional<Status>& status) {
+  return !status                         ? "the bounds leave it open"
+         : status == Status::penetrating ? "the bodies overlap"
+         : status == Status::touching    ? "the bodies touch"
+                                         : "the bodies are apart";
 }
 
 std::string truth_list(const Outcome& outcome, const std::optional<Truth>& truth, const std::string& certificate) {
   Facts facts;
   if (outcome.judgement || truth) {
-    const Status status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
+    const std::optional<Status> status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
     facts.add("status", status_text(status));
-    if (status == Status::penetrating)
+    if (outcome.judgement && outcome.judgement->signed_depth) facts.add("signed depth", between_text(*outcome.judgement->signed_depth));
+    else if (status == Status::penetrating)
       facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared()));
   }
   if (truth && truth->depth.distance()) facts.add("distance", length_text(truth->depth.distance()->squared));
@@ -107,17 +116,23 @@ std::string residual_list(const Judgement& judgement) {
   facts.add("in ulps", judgement.error_ulps);
   facts.add("in units of uR", judgement.error_u_r);
   facts.add("depth of its direction", judgement.price_squared, length_text);
+  facts.add("depth of its direction", judgement.price, between_text);
   facts.add("way until apart along it", judgement.travel_squared, length_text);
   facts.add("claim less depth of its direction", judgement.inconsistency);
   facts.add("overlap left", judgement.overlap_left);
   facts.add("point of A is off by", judgement.witness_a_squared, length_text);
   facts.add("point of B is off by", judgement.witness_b_squared, length_text);
+  facts.add("point of A is off by", judgement.witness_a_distance, between_text);
+  facts.add("point of B is off by", judgement.witness_b_distance, between_text);
   facts.add("points differ from translation by", judgement.witness_gap);
   return facts.list("Residuals");
 }
 
-std::string points_text(const char* body, const std::vector<Point>& points) {
-  std::string result = fmt::format("{}: {}\n", body, count_text(points.size(), "point", "points"));
+/// Its points, or its words.
+std::string body_text(const char* name, const Body& body) {
+  if (body.words) return fmt::format("{}: {}\n", name, markup(files::body_json(*body.words, files::Defaults::written)));
+  const std::vector<Point>& points = body.points;
+  std::string result = fmt::format("{}: {}\n", name, count_text(points.size(), "point", "points"));
   for (std::size_t i = 0; i < std::min(points.size(), most_points); ++i)
     result += fmt::format("{} {} {}\n", coordinate(points[i].x), coordinate(points[i].y), coordinate(points[i].z));
   return points.size() > most_points ? result + fmt::format("... and {} more\n", points.size() - most_points) : result;
@@ -129,7 +144,7 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
   const auto add = [&](const char* what, const mpq_class& value) { result += fmt::format("{} = {}\n", what, exact(value)); };
   if (outcome.judgement) {
     const Judgement& judgement = *outcome.judgement;
-    add("depth^2", judgement.depth_squared);
+    if (!judgement.signed_depth) add("depth^2", judgement.depth_squared);
     if (judgement.price_squared) add("(depth of its direction)^2, signed", *judgement.price_squared);
     if (judgement.travel_squared) add("(way until apart along it)^2", *judgement.travel_squared);
     if (judgement.witness_a_squared) add("(distance of the point of A)^2", *judgement.witness_a_squared);
@@ -146,8 +161,9 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
   return result;
 }
 
-/// Solves the pair again. Returns nullopt if that fails: a page without one picture is better than none.
+/// Solves the pair again. Returns nullopt if that fails, and for shapes: a page without one picture is better than none.
 std::optional<Truth> truth_of(const Case& seen) {
+  if (seen.a.shape || seen.b.shape) return std::nullopt;
   try {
     return truth_about(seen.a.points, seen.b.points);
   } catch (const std::exception&) {
@@ -185,8 +201,8 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   if (outcome.judgement) result += residual_list(*outcome.judgement);
   result += "</div>\n";
   result += fmt::format(
-      "<details><summary>The exact numbers, and the points as they were seen</summary><pre tabindex=\"0\">{}{}{}</pre></details>\n",
-      exact_numbers(outcome, truth), points_text("A", failure.seen.a.points), points_text("B", failure.seen.b.points));
+      "<details><summary>The exact numbers, and the bodies as they were seen</summary><pre tabindex=\"0\">{}{}{}</pre></details>\n",
+      exact_numbers(outcome, truth), body_text("A", failure.seen.a), body_text("B", failure.seen.b));
   return result + "</article>\n";
 }
 

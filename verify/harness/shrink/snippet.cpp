@@ -75,7 +75,7 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
   Status status = Status::disjoint;
   mpq_class squared;
   if (outcome.judgement && outcome.variant.empty()) {
-    status = outcome.judgement->status;
+    status = *outcome.judgement->status;  // of polytopes
     squared = outcome.judgement->depth_squared;
   } else {
     const Truth truth = truth_about(pair.a.points, pair.b.points);

@@ -3,30 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "fathom/numbers.hpp"
+#include "reference/files/body_json.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
 namespace fathom::harness {
 namespace {
-
-std::string number(const mpq_class& value) {
-  const double nearest = round_binary64(value, Rounding::rn);
-  if (std::isfinite(nearest) && exact_value(nearest) == value) return fmt::format("{}", nearest + 0.0);  // 0, never -0
-  return '"' + exact_text(value) + '"';
-}
-
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace); }
-
-std::string body_json(const Body& body) {
-  std::string text;
-  for (const Point& p : body.points) text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", number(p.x), number(p.y), number(p.z));
-  return "{\"vertices\":[" + text + "]}";
-}
 
 /// Under another name first; a rename replaces the old file at once.
 void write_whole(const std::filesystem::path& path, const std::string& text) {
@@ -48,9 +32,9 @@ void make_folder(const std::string& directory) {
 }  // namespace
 
 std::string case_line(const Case& pair, const std::string& comment) {
-  std::string text = R"({"schema":"fathom/case/1","id":)" + quoted(pair.id);
-  text += ",\"a\":" + body_json(pair.a) + ",\"b\":" + body_json(pair.b);
-  if (!comment.empty()) text += ",\"comment\":" + quoted(comment);
+  std::string text = R"({"schema":"fathom/case/1","id":)" + files::text_json(pair.id);
+  text += ",\"a\":" + files::body_json(pair.a) + ",\"b\":" + files::body_json(pair.b);
+  if (!comment.empty()) text += ",\"comment\":" + files::text_json(comment);
   return text + "}\n";
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace fathom::harness {
+namespace fathom::kernels {
 
 /// The edit distance of two words: letters missing, inserted or wrong, or two neighbours swapped. Case does not matter.
 std::size_t slips(std::string_view s, std::string_view t);
@@ -19,4 +19,4 @@ bool is_near(std::string_view text, std::string_view word);
 /// Several are joined by "; ". Empty if there is none.
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known);
 
-}  // namespace fathom::harness
+}  // namespace fathom::kernels

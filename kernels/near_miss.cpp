@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/near_miss.hpp"
-
-#include <fmt/format.h>
+#include "kernels/near_miss.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +7,7 @@
 
 #include "kernels/printable.hpp"
 
-namespace fathom::harness {
+namespace fathom::kernels {
 namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -35,7 +33,7 @@ std::size_t slips(std::string_view s, std::string_view t) {
 
 bool is_near(std::string_view text, std::string_view word) {
   const std::size_t most = word.size() / 3;
-  return text.size() <= word.size() + most && slips(text, word) <= most;
+  return text.size() <= word.size() + most && word.size() <= text.size() + most && slips(text, word) <= most;
 }
 
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known) {
@@ -45,9 +43,9 @@ std::string near_misses(std::span<const std::string> there, std::span<const std:
     const auto slip = [&](const std::string& field) { return is_near(field, word) && std::ranges::find(known, field) == known.end(); };
     const auto field = std::ranges::find_if(there, slip);
     if (field != there.end())
-      result += fmt::format("{}the field {} is not read: is '{}' meant?", result.empty() ? "" : "; ", kernels::shown(*field), word);
+      result += (result.empty() ? "" : "; ") + ("the field " + shown(*field) + " is not read: is '" + std::string(word) + "' meant?");
   }
   return result;
 }
 
-}  // namespace fathom::harness
+}  // namespace fathom::kernels

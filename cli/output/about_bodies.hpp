@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What results tell of the bodies, whatever was asked about them.
+#pragma once
+
+#include <vector>
+
+#include "cli/output/convexity.hpp"
+#include "cli/output/json.hpp"
+#include "cli/output/sizes.hpp"
+#include "cli/output/text_rows.hpp"
+
+namespace fathom::cli {
+
+struct AboutBodies {
+  BodySizes sizes;
+  HullFacts hull;
+};
+
+AboutBodies about_bodies(const Case& input, bool one_body);
+
+/// The rows "sizes" and, if a mesh is not convex, "hull".
+void add_bodies(std::vector<Row>& rows, const AboutBodies& bodies);
+
+/// The fields "sizes" and, if a body is a mesh with faces, "hull".
+void add_bodies(Json& result, const AboutBodies& bodies);
+
+}  // namespace fathom::cli

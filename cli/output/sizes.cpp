@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/sizes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "fathom/numbers.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using Lengths = std::array<double, 3>;
+
+constexpr double remarkable = 100;  // times as large
+
+// A difference of two numbers in binary64 is rounded once, as is wanted.
+Lengths extent_of(std::span<const std::array<double, 3>> points) {
+  std::array<double, 3> low = points.front(), high = low;
+  for (const std::array<double, 3>& p : points)
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
+const mpq_class& component(const Point& p, std::size_t i) { return i == 0 ? p.x : i == 1 ? p.y : p.z; }
+
+Lengths extent_of(const std::vector<Point>& points) {
+  Lengths result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto less = [i](const Point& p, const Point& q) { return component(p, i) < component(q, i); };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+    result[i] = round_binary64(mpq_class(component(*high, i) - component(*low, i)));
+  }
+  return result;
+}
+
+/// How far the atom reaches from its centre along an axis: at least so much as it does.
+mpq_class reach(const Atom& atom, std::size_t i) {
+  mpq_class squared;
+  for (const Point& axis : atom.axes) squared += component(axis, i) * component(axis, i);
+  const double root = root_binary64(squared, Rounding::ru);
+  return std::isfinite(root) ? exact_value(root) : mpq_class(squared + 1);
+}
+
+Lengths extent_of(const Shape& shape, const std::vector<Term>& terms) {
+  const auto is_round = [](const Term& term) {
+    return std::ranges::any_of(term.atoms, [](const Atom& atom) { return !atom.axes.empty(); });
+  };
+  const Rounding mode = std::ranges::any_of(terms, is_round) ? Rounding::ru : Rounding::rn;
+  Lengths result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    mpq_class length = 2 * shape.radius;
+    for (const Term& term : terms) {
+      std::vector<mpq_class> ends;
+      for (const Atom& atom : term.atoms)
+        for (const int side : {-1, 1}) ends.emplace_back(component(atom.center, i) + side * reach(atom, i));
+      const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
+      length += *high - *low;
+    }
+    result[i] = round_binary64(length, mode);
+  }
+  return result;
+}
+
+std::string text_of(const std::optional<Lengths>& lengths) {
+  return lengths ? fmt::format("{:.4g} x {:.4g} x {:.4g}", (*lengths)[0], (*lengths)[1], (*lengths)[2]) : "a half-space";
+}
+
+Json json_of(const std::optional<Lengths>& lengths) {
+  if (!lengths || !std::ranges::all_of(*lengths, [](double x) { return std::isfinite(x); })) return {};
+  return Json::array({(*lengths)[0], (*lengths)[1], (*lengths)[2]});
+}
+
+}  // namespace
+
+std::optional<Lengths> extent(const Body& body) {
+  if (!body.shape) return body.points.in_binary64() ? extent_of(body.points.binary64()) : extent_of(body.points.exact());
+  const auto* const terms = std::get_if<std::vector<Term>>(&body.shape->core);
+  return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;
+}
+
+BodySizes sizes_of(const Case& input, bool one_body) { return {extent(input.a), one_body ? std::nullopt : extent(input.b), one_body}; }
+
+std::string sizes_text(const BodySizes& sizes) { return "A " + text_of(sizes.a) + (sizes.one_body ? "" : ", B " + text_of(sizes.b)); }
+
+Json sizes_object(const BodySizes& sizes) {
+  Json result = {{"a", json_of(sizes.a)}};
+  if (!sizes.one_body) result["b"] = json_of(sizes.b);
+  return result;
+}
+
+std::optional<std::string> sizes_note(const BodySizes& sizes) {
+  if (!sizes.a || !sizes.b) return std::nullopt;
+  const double of_a = std::ranges::max(*sizes.a), of_b = std::ranges::max(*sizes.b);
+  const bool a_is_large = of_a > of_b;
+  const double ratio = a_is_large ? of_a / of_b : of_b / of_a;
+  if (of_a == 0 || of_b == 0 || !(ratio > remarkable)) return std::nullopt;
+  return fmt::format("{} is {:.4g} times as large as {} (sizes: {}): are both in the same unit?", a_is_large ? 'A' : 'B', ratio,
+                     a_is_large ? 'B' : 'A', sizes_text(sizes));
+}
+
+}  // namespace fathom::cli

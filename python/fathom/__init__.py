@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The exact penetration depth of two convex bodies, with a proof.
+
+>>> import fathom
+>>> import numpy as np
+>>> cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+>>> hit = fathom.depth(cube, cube + [0.75, 0, 0])
+>>> hit.status, hit.depth, hit.direction
+('penetrating', 0.25, array([-1.,  0.,  0.]))
+>>> hit.exact.translation
+(Fraction(-1, 4), Fraction(0, 1), Fraction(0, 1))
+
+A body is the convex hull of an array of points, of a list of points whose coordinates may be Fractions or texts, or of the `vertices` of
+anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. What is given is taken as it is: floats
+stand for their exact values. Every float that comes out is the correctly rounded value; what is exact is under `.exact`.
+
+Bad input raises ValueError, and what is no number or no body TypeError. Ctrl-C ends any call.
+"""
+from fathom._answers import Depth, Exact, Optimum, Root, check, Checked, depth, depths, distance, width, Width
+from fathom._bodies import (Body, Pose, box, capsule, cone, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh, sphere,
+                            tapered_capsule)
+from fathom._fathom import version as __version__
+from fathom._files import Case, Record, cases, golden
+from fathom._questions import Approx, Judgement, Metric, Ray, Study, approx, judge, metric, ray, study
+
+__all__ = ["Approx", "Body", "Case", "Checked", "Depth", "Exact", "Judgement", "Metric", "Optimum", "Pose", "Ray", "Record", "Root",
+           "Study", "Width", "approx", "box", "capsule", "cases", "check", "cone", "cylinder", "depth", "depths", "distance", "ellipsoid",
+           "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "sphere", "study", "tapered_capsule", "width",
+           "__version__"]

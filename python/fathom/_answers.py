@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Depths and distances, their certificates, and the checker."""
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any, Iterable, NamedTuple
+
+from fathom import _fathom
+from fathom._types import BodyLike, FloatArray, PoseLike
+
+DEFAULT_BITS = 64
+
+
+class Root(NamedTuple):
+    """The number rational + sqrt(root), or rational - sqrt(-root) if root is negative. Of a rational number the root is 0."""
+
+    rational: Fraction
+    root: Fraction
+
+
+def _simplified(rational: Fraction, root: Fraction) -> Root:
+    above, below = math.isqrt(abs(root.numerator)), math.isqrt(root.denominator)
+    if above * above != abs(root.numerator) or below * below != root.denominator:
+        return Root(rational, root)
+    return Root(rational + Fraction(above, below) * (1 if root > 0 else -1), Fraction(0))
+
+
+class Optimum:
+    """One shortest way out.
+
+    direction    unit vector, each component correctly rounded
+    translation  moving A by it makes the interiors disjoint
+    normal       the direction as integers, exact and primitive
+    contact      {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that touch then, as indices of points; or None
+    exact        the translation, as three Fractions; of shapes (n, alpha, beta), for alpha n + beta n/|n|
+    """
+
+    __slots__ = ("direction", "translation", "normal", "contact", "exact")
+
+    def __init__(self, fields: dict[str, Any]):
+        self.direction: FloatArray = fields["direction"]
+        self.translation: FloatArray = fields["translation"]
+        self.normal: tuple[int, int, int] = fields["normal"]
+        self.contact: dict[str, Any] | None = fields["contact"]
+        self.exact = fields["exact_translation"]
+
+    def __repr__(self) -> str:
+        return f"Optimum(translation={self.translation.tolist()})"
+
+
+class Exact:
+    """The exact numbers of an answer, as Fractions and ints."""
+
+    __slots__ = ("_answer",)
+
+    def __init__(self, answer: _fathom.Answer):
+        self._answer = answer
+
+    @property
+    def signed_depth(self) -> Root | None:
+        """depth > 0, 0 for bodies that touch, -distance < 0; None if only bounds are known."""
+        value = self._answer.exact_value
+        return None if value is None else _simplified(*value)
+
+    @property
+    def bounds(self) -> tuple[Fraction, Fraction] | None:
+        """Proved bounds of the signed depth, if it has no exact form here."""
+        return self._answer.bounds
+
+    @property
+    def depth_squared(self) -> Fraction | None:
+        """depth^2 of polytopes, 0 unless they penetrate; None where it may be irrational."""
+        value = self._answer.exact_value
+        return None if value is None or value[0] != 0 else max(value[1], Fraction(0))
+
+    @property
+    def distance_squared(self) -> Fraction | None:
+        """distance^2 of polytopes, 0 unless they are disjoint; None where it may be irrational."""
+        value = self._answer.exact_value
+        return None if value is None or value[0] != 0 else max(-value[1], Fraction(0))
+
+    @property
+    def normal(self) -> tuple[int, int, int]:
+        """The direction as primitive integers."""
+        return self._answer.normal
+
+    @property
+    def translation(self) -> Any:
+        """Three Fractions; of shapes (n, alpha, beta), which means alpha n + beta n/|n|; None if only bounds are known."""
+        return self._answer.translation(exact=True)
+
+    @property
+    def witness(self) -> Any:
+        """A point of A and one of B, as Fractions; of shapes (p, n, r) each, which means p + r n/|n|; or None."""
+        return self._answer.witness(exact=True)
+
+
+class Depth:
+    """How deep two bodies overlap, or how far apart they are.
+
+    >>> import fathom
+    >>> apart = fathom.depth([(0, 0, 0)], [(3, 4, 0)])
+    >>> apart.status, apart.distance, apart.signed_depth
+    ('disjoint', 5.0, -5.0)
+    >>> apart.direction, apart.translation
+    (array([-0.6, -0.8,  0. ]), array([3., 4., 0.]))
+    >>> fathom.check(apart.certificate()).accepted
+    True
+    """
+
+    __slots__ = ("_answer",)
+
+    def __init__(self, answer: _fathom.Answer):
+        self._answer = answer
+
+    @property
+    def status(self) -> str:
+        """"penetrating", "touching" or "disjoint"; of cylinders and the like also "undecided", if the bounds leave it open."""
+        return self._answer.status
+
+    @property
+    def signed_depth(self) -> float | None:
+        """depth > 0, 0.0 for bodies that touch, -distance < 0. None if there are bounds that have not the same nearest float: more `bits`
+        bring them closer."""
+        return self._answer.nearest
+
+    @property
+    def depth(self) -> float | None:
+        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None as above."""
+        value = self.signed_depth
+        return None if value is None else max(value, 0.0)
+
+    @property
+    def distance(self) -> float | None:
+        """0.0 unless the bodies are disjoint. None as above."""
+        value = self.signed_depth
+        return None if value is None else max(-value, 0.0)
+
+    @property
+    def low(self) -> float:
+        """The largest float that is at most the signed depth, or at most its lower bound."""
+        return self._answer.low
+
+    @property
+    def high(self) -> float:
+        """The least float that is at least the signed depth, or at least its upper bound."""
+        return self._answer.high
+
+    @property
+    def direction(self) -> FloatArray:
+        """Unit vector along which A leaves B; of disjoint bodies it is the one from B to A along the shortest distance."""
+        return self._answer.direction
+
+    @property
+    def translation(self) -> FloatArray | None:
+        """The shortest translation of A after which the bodies touch: zero if they touch already. None if only bounds are known."""
+        return self._answer.translation(exact=False)
+
+    @property
+    def witness(self) -> tuple[FloatArray, FloatArray] | None:
+        """A point of A and one of B that differ by the translation: b - a = translation. None if only bounds are known."""
+        return self._answer.witness(exact=False)
+
+    @property
+    def optima(self) -> list[Optimum]:
+        """All shortest ways out, or as many as were asked for. Empty unless the bodies penetrate and more than bounds is known."""
+        return [Optimum(fields) for fields in self._answer.optima] if self.status == "penetrating" else []
+
+    @property
+    def optima_count(self) -> int:
+        """How many shortest ways out there are, listed or not."""
+        return self._answer.optima_count if self.status == "penetrating" else 0
+
+    @property
+    def flat(self) -> tuple[bool, bool]:
+        """Whether A and B have no interior."""
+        return self._answer.flat
+
+    @property
+    def method(self) -> str | None:
+        """"certificate", "exact" or "naive": what found the answer. None for cylinders and the like."""
+        return self._answer.method
+
+    @property
+    def exact(self) -> Exact:
+        """The same in Fractions."""
+        return Exact(self._answer)
+
+    def certificate(self, id: str = "") -> str:
+        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md)."""
+        return self._answer.certificate(id)
+
+    def __repr__(self) -> str:
+        if self.signed_depth is None:
+            return f"Depth({self.status}, between {self.low!r} and {self.high!r})"
+        number = f", distance={self.distance!r}" if self.status == "disjoint" else f", depth={self.depth!r}"
+        return f"Depth({self.status}{number})"
+
+
+def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, method: str = "automatic",
+          optima: int | None = None, bits: int = DEFAULT_BITS) -> Depth:
+    """Returns the exact penetration depth of two convex bodies, or their distance.
+
+    a, b            bodies: see the module
+    pose_a, pose_b  exact maps of the bodies: rows of 3 x 4 or 4 x 4 numbers, or `fathom.pose(...)`. Rotations of floats are hardly ever
+                    exact: what is answered is the body under that matrix
+    method          "automatic", "exact", "naive", "certificate": the answer is the same
+    optima          at most so many shortest ways out are listed; all are counted
+    bits            of the bounds, for cylinders, cones, ellipsoids and half-spaces against them
+
+    >>> import fathom
+    >>> fathom.depth(fathom.cylinder(1, 2), fathom.box((1, 1, 1)), pose_b=fathom.pose(translation=(0, 0, 2.5)))
+    Depth(penetrating, depth=0.5)
+    >>> fathom.depth([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [("1/10", "1/10", "0.1"), (1, 1, 1)]).exact.depth_squared
+    Fraction(49, 300)
+    """
+    return Depth(_fathom.depth(a, b, pose_a, pose_b, method, optima, bits))
+
+
+def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, bits: int = DEFAULT_BITS) -> Depth:
+    """The answer of `depth`, for those who ask how far bodies are apart: see `distance`, `witness` and `direction` of it.
+
+    >>> import fathom
+    >>> fathom.distance(fathom.sphere(1), fathom.sphere(1), pose_b=fathom.pose(translation=(3, 0, 0))).distance
+    1.0
+    """
+    return depth(a, b, pose_a=pose_a, pose_b=pose_b, bits=bits)
+
+
+def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = None, method: str = "automatic",
+           optima: int | None = None, bits: int = DEFAULT_BITS) -> list[Depth]:
+    """Answers many pairs, on all cores or on so many threads. The first pair that is wrong, by its place, raises ValueError.
+
+    >>> import fathom, numpy as np
+    >>> cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    >>> [hit.depth for hit in fathom.depths((cube, cube + [0, 0, 1 - s]) for s in (0.5, 0.25, 0.125))]
+    [0.5, 0.25, 0.125]
+    """
+    if threads is not None and threads < 1:
+        raise ValueError(f"expected at least one thread, found {threads}")
+    return [Depth(answer) for answer in _fathom.depths(pairs, method, optima, bits, threads or 0)]
+
+
+class Width:
+    """The width of a body: the least distance of two parallel planes that hold it between them."""
+
+    __slots__ = ("_answer",)
+
+    def __init__(self, answer: _fathom.Answer):
+        self._answer = answer
+
+    @property
+    def width(self) -> float:
+        """0.0 for a flat body."""
+        return self._answer.nearest
+
+    @property
+    def squared(self) -> Fraction:
+        return Exact(self._answer).depth_squared
+
+    @property
+    def direction(self) -> FloatArray:
+        """Unit normal of the two planes."""
+        return self._answer.direction
+
+    @property
+    def optima(self) -> list[Optimum]:
+        """Each pair of planes, with both signs of its normal."""
+        return [Optimum(fields) for fields in self._answer.optima]
+
+    def __repr__(self) -> str:
+        return f"Width({self.width!r})"
+
+
+def width(body: BodyLike, *, pose: PoseLike = None) -> Width:
+    """Returns the exact width of a polytope.
+
+    >>> import fathom
+    >>> fathom.width([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).squared
+    Fraction(1, 3)
+    """
+    return Width(_fathom.width(body, pose))
+
+
+class Checked(NamedTuple):
+    """What the checker says of a certificate."""
+
+    accepted: bool
+    status: str  #: of the bodies, if it is accepted
+    verdict: str  #: the line that the program fathom-check prints
+    reason: str  #: why not, if it is not accepted
+    line: int  #: where
+
+
+def check(certificate: str) -> Checked:
+    """Checks a certificate, by the independent checker.
+
+    >>> import fathom
+    >>> proof = fathom.depth(fathom.box((1, 1, 1)), fathom.box((1, 1, 2))).certificate("boxes")
+    >>> fathom.check(proof).verdict
+    's VERIFIED penetrating depth_squared=4 optima=4 boxes'
+    >>> fathom.check(proof.replace("depth 4", "depth 5")).accepted
+    False
+    """
+    found = _fathom.check(certificate)
+    return Checked(found["accepted"], found["status"], found["verdict"], found["reason"], found["line_number"])

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bodies that are more than an array of points, and poses. Numbers may be floats, ints, Fractions, Decimals or texts, all exact."""
+from __future__ import annotations
+
+from fathom import _fathom
+from fathom._fathom import Body, Pose
+from fathom._types import Number, Triple
+
+__all__ = ["Body", "Pose", "box", "capsule", "cone", "cylinder", "ellipsoid", "frustum", "halfspace", "pose", "read_mesh", "sphere",
+           "tapered_capsule"]
+
+
+def sphere(radius: Number) -> Body:
+    """The ball around the origin.
+
+    >>> import fathom
+    >>> fathom.depth(fathom.sphere(1), fathom.sphere(2).moved(fathom.pose(translation=(2, 1, 0)))).exact.signed_depth
+    Root(rational=Fraction(3, 1), root=Fraction(-5, 1))
+    """
+    return _fathom.sphere(radius)
+
+
+def capsule(radius: Number, half_length: Number, axis: str = "z") -> Body:
+    """The points at most `radius` away from the segment from -half_length to half_length on the axis."""
+    return _fathom.capsule(radius, half_length, axis)
+
+
+def tapered_capsule(radius_low: Number, radius_high: Number, half_length: Number, axis: str = "z") -> Body:
+    """The convex hull of two balls, around -half_length and half_length on the axis."""
+    return _fathom.tapered_capsule(radius_low, radius_high, half_length, axis)
+
+
+def box(half: Triple) -> Body:
+    """The points with |x|, |y|, |z| at most these three.
+
+    >>> import fathom
+    >>> fathom.box((1, 1, 1)).with_margin("0.1").is_flat
+    False
+    """
+    return _fathom.box(half)
+
+
+def cylinder(radius: Number, half_length: Number, axis: str = "z") -> Body:
+    """A cylinder with its end faces at -half_length and half_length on the axis."""
+    return _fathom.cylinder(radius, half_length, axis)
+
+
+def cone(radius: Number, half_length: Number, axis: str = "z") -> Body:
+    """A cone with its base at -half_length on the axis and its apex at half_length."""
+    return _fathom.cone(radius, half_length, axis)
+
+
+def frustum(radius_low: Number, radius_high: Number, half_length: Number, axis: str = "z") -> Body:
+    """A cone that is cut off: the radii are those of the end faces at -half_length and half_length."""
+    return _fathom.frustum(radius_low, radius_high, half_length, axis)
+
+
+def ellipsoid(radii: Triple) -> Body:
+    """An ellipsoid around the origin with its radii along x, y and z."""
+    return _fathom.ellipsoid(radii)
+
+
+def halfspace(normal: Triple, offset: Number) -> Body:
+    """The points p with <normal, p> <= offset."""
+    return _fathom.halfspace(normal, offset)
+
+
+def pose(quaternion: Triple = (1, 0, 0, 0), translation: Triple = (0, 0, 0)) -> Pose:
+    """The rotation v -> q v q^-1 of a quaternion (w, x, y, z), and then the translation.
+
+    The rotation is exact for every quaternion but 0, which need not be a unit.
+
+    >>> import fathom
+    >>> fathom.pose(quaternion=(1, 0, 0, 1)).rows[0]
+    (Fraction(0, 1), Fraction(-1, 1), Fraction(0, 1), Fraction(0, 1))
+    """
+    return _fathom.pose(quaternion, translation)
+
+
+def read_mesh(path: str, decimals: str = "binary64") -> Body:
+    """The convex hull of the points of a mesh: OFF, OBJ, PLY, STL, or points alone.
+
+    decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
+    """
+    return _fathom.read_mesh(str(path), decimals)

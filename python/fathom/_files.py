@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of cases, and golden data."""
+from __future__ import annotations
+
+import json
+import os
+from fractions import Fraction
+from typing import Any, Iterator, NamedTuple
+
+from fathom import _fathom
+from fathom._fathom import Body
+
+
+class Case(NamedTuple):
+    """Two bodies with a name."""
+
+    id: str
+    a: Body
+    b: Body
+
+
+def cases(path: str | os.PathLike[str]) -> Iterator[Case]:
+    """Reads a file of cases, one after another: JSON Lines, or one case as a document (schemas/case.schema.json).
+
+    A case that cannot be read raises ValueError with file and line.
+
+    >>> import fathom
+    >>> [(case.id, fathom.depth(case.a, case.b).status) for case in fathom.cases("examples/shapes.jsonl")][0]
+    ('pill', 'penetrating')
+    """
+    return (Case(*fields) for fields in _fathom.Cases(os.fspath(path)))
+
+
+class Record(NamedTuple):
+    """A golden record: a case with its exact answer (verify/golden/NOTES.md)."""
+
+    id: str
+    a: Body
+    b: Body
+    status: str
+    depth_squared: Fraction | None  #: None where it may be irrational
+    flags: list[str]  #: what is special about it: "flat_a", "huge", ...
+    fields: dict[str, Any]  #: the whole record, as it is written
+
+
+def golden(path: str | os.PathLike[str]) -> Iterator[Record]:
+    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder.
+
+    >>> import fathom
+    >>> sum(record.status == "touching" for record in fathom.golden("tests/data/golden")) > 50
+    True
+    """
+    path = os.fspath(path)
+    files = [path]
+    if os.path.isdir(path):
+        files = sorted(os.path.join(path, name) for name in os.listdir(path) if name.endswith(".jsonl.zst"))
+        if not files:
+            raise ValueError(f"{path}: expected files .jsonl.zst, found none")
+    return (_record(line, file, number) for file in files for number, line in enumerate(_lines(file), 1))
+
+
+def _lines(file: str) -> Iterator[str]:
+    try:
+        yield from _fathom.ZstdLines(file)
+    except ValueError as fault:
+        raise ValueError(f"{file}: {fault}") from None
+
+
+def _record(line: str, file: str, number: int) -> Record:
+    case = Case(*_fathom.parse_case(line, file, number))
+    fields = json.loads(line)
+    if "expected" not in fields:
+        raise ValueError(f"{file}:{number}: expected a golden record, found a case without 'expected'")
+    squared = fields["expected"].get("depth", {}).get("squared")
+    return Record(case.id, case.a, case.b, fields["expected"]["status"], None if squared is None else Fraction(squared), fields["flags"],
+                  fields)

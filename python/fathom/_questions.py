@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Other questions about two polytopes: depths along a direction, in a metric, within a factor; what is degenerate; and the judge."""
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from fathom import _fathom
+from fathom._answers import Depth
+from fathom._types import BodyLike, FloatArray, Number, PoseLike, Triple
+
+
+class Ray(NamedTuple):
+    """How far A must go along a direction."""
+
+    status: str
+    factor: Fraction  #: of the direction as it was given; 0 unless the bodies penetrate
+    translation: tuple[Fraction, Fraction, Fraction]
+    length: float  #: of the translation, correctly rounded
+    direction: FloatArray  #: unit normal of the facet where the ray leaves, or of a plane between the bodies
+    contact: dict[str, Any] | None
+    witness: Any
+
+
+def ray(a: BodyLike, b: BodyLike, direction: Triple, *, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Ray:
+    """Returns how far A must move along `direction`, of any length but 0, until the interiors are disjoint.
+
+    >>> import fathom
+    >>> fathom.ray(fathom.box((1, 1, 1)), fathom.box((1, 1, 1)), (2, 1, 0)).translation
+    (Fraction(2, 1), Fraction(1, 1), Fraction(0, 1))
+    """
+    found = _fathom.ray(a, b, direction, pose_a, pose_b)
+    return Ray(found["status"], found["factor"], found["translation"], found["length"], found["normal"][0], found.get("contact"),
+               found.get("witness"))
+
+
+class Metric(NamedTuple):
+    """A depth in the metric of a polytope."""
+
+    status: str
+    depth: Fraction  #: 0 unless the bodies penetrate
+    optima: list[dict[str, Any]]  #: vertex, translation, normal, contact of each shortest way out along a vertex of the ball
+    direction: FloatArray
+
+
+def metric(a: BodyLike, b: BodyLike, ball: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Metric:
+    """Returns the depth where a polytope around the origin, symmetric or not, is the unit ball.
+
+    >>> import fathom
+    >>> cube, octahedron = fathom.box((1, 1, 1)), [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    >>> fathom.metric(cube, cube, octahedron).depth
+    Fraction(2, 1)
+    """
+    found = _fathom.metric(a, b, ball, pose_a, pose_b)
+    return Metric(found["status"], found["depth"], found["optima"], found["normal"][0])
+
+
+class Approx(NamedTuple):
+    """A depth within a factor."""
+
+    status: str
+    low: float  #: at most the depth, rounded down
+    high: float  #: at least the depth: the length of the translation, rounded up
+    low_squared: Fraction
+    high_squared: Fraction
+    translation: tuple[Fraction, Fraction, Fraction]  #: makes the interiors disjoint
+    direction: FloatArray
+
+
+def approx(a: BodyLike, b: BodyLike, delta: Number = "1/100", *, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Approx:
+    """Returns a translation that separates the bodies, at most 1 + delta times as long as the shortest one.
+
+    >>> import fathom
+    >>> found = fathom.approx(fathom.box((1, 1, 1)), fathom.box((1, 1, 2)), "1/10")
+    >>> found.low <= 2 <= found.high <= 1.1 * found.low
+    True
+    """
+    found = _fathom.approx(a, b, delta, pose_a, pose_b)
+    return Approx(found["status"], found["low"], found["high"], found["low_squared"], found["high_squared"], found["translation"],
+                  found["normal"][0])
+
+
+class Study(NamedTuple):
+    """What is degenerate about two bodies."""
+
+    depth: Depth
+    coincidences: dict[str, dict[str, Any]]  #: by name: how many, and the first of them with their features
+    predicates: dict[str, dict[str, Any]]  #: by name: calls, how many met an exact zero, and which monomial decided
+    a: dict[str, int]  #: rank, vertices, edges, facets
+    b: dict[str, int]
+
+    @property
+    def names(self) -> list[str]:
+        """The names of what coincides."""
+        return [name for name, found in self.coincidences.items() if found["count"]]
+
+
+def study(a: BodyLike, b: BodyLike, *, listed: int = 20, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Study:
+    """Names what coincides: parallel edges, coplanar facets, ties and so on (docs/command_line.md).
+
+    >>> import fathom
+    >>> "coincident_normals" in fathom.study(fathom.box((1, 1, 1)), fathom.box((1, 2, 3))).names
+    True
+    """
+    found = _fathom.study(a, b, listed, pose_a, pose_b)
+    return Study(Depth(found["answer"]), found["coincidences"], found["predicates"], found["a"], found["b"])
+
+
+class Judgement(NamedTuple):
+    """What is right and wrong about an answer (verify/judge/VERDICTS.md)."""
+
+    passed: bool
+    verdict: str  #: "pass", "too-deep", "false-separation", ...
+    sentence: str  #: for people
+    findings: list[str]  #: everything that is wrong
+    accuracy: str | None
+    status: str  #: the truth
+    depth_squared: Fraction
+    distance_squared: Fraction
+    error: float | None  #: claimed depth less the true one, correctly rounded
+    error_ulps: float | None
+    error_relative: float | None
+    price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it
+    travel_squared: Fraction | None  #: the shortest way along it
+
+
+def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
+          touching: str = "either", sign: str = "positive", moves: str = "a", unit: bool = True, precision: str = "binary64",
+          relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
+    """Judges what another program answered about two polytopes, by exact comparison.
+
+    overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
+    touching   what it says of bodies that touch: "overlap", "separate", "either"
+    sign       of its depths: "positive" or "negative"
+    moves      which body the direction moves: "a" or "b"
+    unit       whether it promises directions of length 1
+    precision  "binary64" or "binary32": the points are rounded to it first
+    relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
+
+    >>> import fathom
+    >>> cube = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> fathom.judge(cube, cube, overlap=True, depth=1.25, direction=(1, 0, 0)).verdict
+    'too-deep'
+    >>> fathom.judge(cube, cube, overlap=True, depth=1.0, direction=(0, 0, 1)).passed
+    True
+    """
+    claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "touching": touching, "sign": sign,
+             "moves": moves, "unit": unit, "precision": precision, "relative": relative, "absolute": absolute}
+    found = _fathom.judge(a, b, claim, pose_a, pose_b)
+    return Judgement(**{field: found[field] for field in Judgement._fields})

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/src/answer.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "fathom/certificate.hpp"
+#include "fathom/width.hpp"
+#include "python/src/watching.hpp"
+#include "verify/check/check.hpp"
+
+namespace fathom::python {
+namespace {
+
+mpz_class dot(const Vector& u) { return u.x * u.x + u.y * u.y + u.z * u.z; }
+
+/// alpha n_i + beta n_i / |n|.
+Surd component(const mpz_class& n_i, const mpq_class& alpha, const mpq_class& beta, const mpz_class& square) {
+  const mpq_class along = beta * n_i;
+  return {alpha * n_i, along * abs(along) / square};
+}
+
+py::array_t<double> rounded(const Vector& n, const mpq_class& alpha, const mpq_class& beta, const Point& from) {
+  const mpz_class square = dot(n);
+  const auto coordinate = [&](const mpz_class& n_i, const mpq_class& start) {
+    Surd value = component(n_i, alpha, beta, square);
+    value.rational += start;
+    return round_binary64(value);
+  };
+  return array(std::array{coordinate(n.x, from.x), coordinate(n.y, from.y), coordinate(n.z, from.z)});
+}
+
+/// The value as rational + signed root.
+Surd value_of(const Depth& depth) { return {0, signed_square(depth)}; }
+
+std::optional<Surd> exact_value_of(const PairAnswer& answer) {
+  if (const Depth* const depth = answer.depth()) return value_of(*depth);
+  const Surd* const exact = answer.of_shapes().exact();
+  return exact ? std::optional(*exact) : std::nullopt;
+}
+
+py::str status(const PairAnswer& answer) {
+  const std::optional<Status> known = answer.depth() ? answer.depth()->status() : answer.of_shapes().status();
+  return std::string(known ? name(*known) : "undecided");
+}
+
+double low(const PairAnswer& answer) {
+  return answer.depth() ? round_binary64(value_of(*answer.depth()), Rounding::rd) : answer.of_shapes().low_binary64();
+}
+double high(const PairAnswer& answer) {
+  return answer.depth() ? round_binary64(value_of(*answer.depth()), Rounding::ru) : answer.of_shapes().high_binary64();
+}
+
+/// None if the bounds have not the same nearest float.
+py::object nearest(const PairAnswer& answer) {
+  if (const std::optional<Surd> value = exact_value_of(answer)) return py::float_(round_binary64(*value));
+  const Bounds& bounds = *answer.of_shapes().bounds();
+  const double least = round_binary64(bounds.low), most = round_binary64(bounds.high);
+  return least == most ? py::object(py::float_(least)) : py::object(py::none());
+}
+
+py::object exact_value_in_python(const PairAnswer& answer) {
+  const std::optional<Surd> value = exact_value_of(answer);
+  return value ? py::object(py::make_tuple(fraction(value->rational), fraction(value->root))) : py::object(py::none());
+}
+
+py::object bounds_in_python(const PairAnswer& answer) {
+  const Bounds* const bounds = answer.depth() ? nullptr : answer.of_shapes().bounds();
+  return bounds ? py::object(py::make_tuple(fraction(bounds->low), fraction(bounds->high))) : py::object(py::none());
+}
+
+Vector direction(const PairAnswer& answer) { return answer.depth() ? answer.depth()->direction() : answer.of_shapes().direction(); }
+
+Point translation_of(const Depth& depth) { return depth.distance() ? depth.distance()->translation : depth.translation(); }
+
+std::optional<Witness> witness_of(const Depth& depth) { return depth.distance() ? depth.distance()->witness : depth.witness(); }
+
+py::object translation(const PairAnswer& answer, bool exact) {
+  if (const Depth* const depth = answer.depth()) {
+    const Point t = translation_of(*depth);
+    return exact ? py::object(fractions(t)) : py::object(array(t));
+  }
+  const std::vector<AlongNormal> all = answer.of_shapes().translations();
+  if (all.empty()) return py::none();
+  const AlongNormal& t = all.front();
+  if (exact) return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
+  return rounded(t.normal, t.alpha, t.beta, {});
+}
+
+py::object rounded_point(const RoundedPoint& p, bool exact) {
+  if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
+  return rounded(p.normal, 0, p.distance, p.core);
+}
+
+py::object witness_in_python(const PairAnswer& answer, bool exact) {
+  if (const Depth* const depth = answer.depth()) return witness(witness_of(*depth), exact);
+  const std::optional<RoundedWitness> found = answer.of_shapes().witness();
+  if (!found) return py::none();
+  return py::make_tuple(rounded_point(found->a, exact), rounded_point(found->b, exact));
+}
+
+/// The cores' depth of shapes, if they are polytopes.
+const Depth* core_depth(const PairAnswer& answer) { return answer.depth() ? answer.depth() : std::get_if<Depth>(&answer.of_shapes().core); }
+
+py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> translation, py::object exact) {
+  using py::literals::operator""_a;
+  return py::dict("direction"_a = unit(n), "normal"_a = integers(n), "translation"_a = std::move(translation),
+                  "exact_translation"_a = std::move(exact), "contact"_a = contact(touching));
+}
+
+py::list optima(const PairAnswer& answer) {
+  py::list list;
+  const Depth* const core = core_depth(answer);
+  if (const Depth* const depth = answer.depth()) {
+    for (const Optimum& o : depth->optima()) {
+      const Point t = o.translation();
+      list.append(optimum(o.direction, &o.contact, array(t), fractions(t)));
+    }
+    return list;
+  }
+  const std::vector<AlongNormal> translations = answer.of_shapes().translations();
+  for (std::size_t i = 0; i < translations.size(); ++i) {
+    const AlongNormal& t = translations[i];
+    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : nullptr;
+    list.append(optimum(t.normal, touching, rounded(t.normal, t.alpha, t.beta, {}),
+                        py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
+  }
+  return list;
+}
+
+std::size_t optima_count(const PairAnswer& answer) {
+  if (const Depth* const core = core_depth(answer); core && core->optima_count() > 0) return core->optima_count();
+  return answer.depth() ? 0 : answer.of_shapes().translations().size();
+}
+
+std::string certificate(const PairAnswer& answer, const std::string& id) {
+  return watched([&](Monitor& monitor) {
+    if (const Depth* const depth = answer.depth()) return certificate_text(answer.a, answer.b, *depth, id, &monitor);
+    const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
+    return certificate_text(shape(answer.a), shape(answer.b), answer.of_shapes(), id, ShapeFormat::shortest, &monitor);
+  });
+}
+
+py::object method(const PairAnswer& answer) {
+  const Depth* const depth = core_depth(answer);
+  return depth && depth->method ? py::object(py::str(std::string(name(*depth->method)))) : py::object(py::none());
+}
+
+py::object flatness(const PairAnswer& answer) {
+  if (const Depth* const depth = answer.depth()) return py::make_tuple(depth->flat_a, depth->flat_b);
+  const auto flat = [](const Body& body) { return is_flat(body.shape ? *body.shape : hull(body.points)); };
+  return py::make_tuple(flat(answer.a), flat(answer.b));
+}
+
+Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits) {
+  Question result;
+  result.bits = bits;
+  result.options.optima = optima;
+  for (const Method known : {Method::automatic, Method::exact, Method::naive, Method::certificate})
+    if (name(known) == method) {
+      result.options.method = known;
+      return result;
+    }
+  throw py::value_error("expected method 'automatic', 'exact', 'naive' or 'certificate', found '" + method + "'");
+}
+
+/// Answers all of them with several threads. What goes wrong first, by the order of the pairs, is thrown.
+std::vector<PairAnswer> answer_all(std::vector<std::pair<Body, Body>> pairs, const Question& question, unsigned threads, Monitor& monitor) {
+  std::vector<std::optional<PairAnswer>> answers(pairs.size());
+  std::atomic<std::size_t> next = 0, running = threads;
+  std::atomic<bool> stop = false;
+  std::mutex fault_lock;
+  std::size_t first_fault = pairs.size();
+  std::exception_ptr fault;
+  const auto work = [&] {
+    FlagMonitor flag(stop);
+    for (std::size_t i = next++; i < pairs.size() && !stop; i = next++) {
+      try {
+        answers[i] = answer(std::move(pairs[i].first), std::move(pairs[i].second), question, flag);
+      } catch (...) {
+        const std::lock_guard lock(fault_lock);
+        if (!stop || i < first_fault) {
+          fault = std::current_exception();
+          first_fault = i;
+        }
+        stop = true;
+      }
+    }
+    --running;
+  };
+  std::vector<std::thread> workers;
+  for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
+  bool interrupted = false;
+  while (running > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!interrupted && monitor.stopped()) interrupted = stop = true;
+  }
+  for (std::thread& worker : workers) worker.join();
+  if (interrupted) throw Interrupted();
+  if (fault) std::rethrow_exception(fault);
+  std::vector<PairAnswer> result;
+  result.reserve(answers.size());
+  for (std::optional<PairAnswer>& one : answers) result.push_back(*std::move(one));
+  return result;
+}
+
+py::dict checked(const std::string& text) {
+  const fathom_check::Verdict verdict = [&] {
+    const py::gil_scoped_release unlocked;
+    return fathom_check::verify(text);
+  }();
+  using py::literals::operator""_a;
+  return py::dict("accepted"_a = verdict.accepted(), "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed,
+                  "line_number"_a = verdict.line, "reason"_a = verdict.reason, "status"_a = verdict.status,
+                  "verdict"_a = fathom_check::verdict_line(verdict, ""));
+}
+
+}  // namespace
+
+PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor) {
+  thread_local Workspace workspace;
+  Options options = question.options;
+  options.monitor = &monitor;
+  if (!a.shape && !b.shape) {
+    options.workspace = &workspace;
+    Depth depth = penetration_depth(a, b, options);
+    return {std::move(a), std::move(b), std::move(depth)};
+  }
+  const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
+  SignedDepth found = signed_depth(shape(a), shape(b), {.cores = options, .bits = question.bits});
+  return {std::move(a), std::move(b), std::move(found)};
+}
+
+py::object contact(const Contact* touching) {
+  if (!touching) return py::none();
+  using py::literals::operator""_a;
+  return py::dict("kind"_a = std::string(name(touching->kind)), "a"_a = py::tuple(py::cast(touching->a)),
+                  "b"_a = py::tuple(py::cast(touching->b)));
+}
+
+py::object witness(const std::optional<Witness>& found, bool exact) {
+  if (!found) return py::none();
+  if (exact) return py::make_tuple(fractions(found->a), fractions(found->b));
+  return py::make_tuple(array(found->a), array(found->b));
+}
+
+py::array_t<double> unit(const Vector& n) { return rounded(n, 0, 1, {}); }
+
+void bind_answers(py::module_& module) {
+  using py::arg;
+  py::class_<PairAnswer>(module, "Answer")
+      .def_property_readonly("status", status)
+      .def_property_readonly("low", low)
+      .def_property_readonly("high", high)
+      .def_property_readonly("nearest", nearest)
+      .def_property_readonly("exact_value", exact_value_in_python)
+      .def_property_readonly("bounds", bounds_in_python)
+      .def_property_readonly("direction", [](const PairAnswer& found) { return unit(direction(found)); })
+      .def_property_readonly("normal", [](const PairAnswer& found) { return integers(direction(found)); })
+      .def("translation", translation, arg("exact"))
+      .def("witness", witness_in_python, arg("exact"))
+      .def_property_readonly("optima", optima)
+      .def_property_readonly("optima_count", optima_count)
+      .def_property_readonly("method", method)
+      .def_property_readonly("flat", flatness)
+      .def("certificate", certificate, arg("id"));
+  module.def(
+      "depth",
+      [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, const std::string& method,
+         const std::optional<std::size_t>& optima, unsigned bits) {
+        Body body_a = body_from(a, pose_a, "a"), body_b = body_from(b, pose_b, "b");
+        const Question asked = question(method, optima, bits);
+        return watched([&](Monitor& monitor) { return answer(std::move(body_a), std::move(body_b), asked, monitor); });
+      },
+      arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("method"), arg("optima"), arg("bits"));
+  module.def(
+      "depths",
+      [](const py::iterable& pairs, const std::string& method, const std::optional<std::size_t>& optima, unsigned bits, unsigned threads) {
+        std::vector<std::pair<Body, Body>> bodies;
+        for (const py::handle pair : pairs) {
+          const std::string place = "pair " + std::to_string(bodies.size()) + ": ";
+          if (!PySequence_Check(pair.ptr()) || py::len(pair) != 2) throw py::value_error(place + "expected two bodies");
+          const auto two = py::reinterpret_borrow<py::sequence>(pair);
+          bodies.emplace_back(body_from(two[0], py::none(), (place + "a").c_str()), body_from(two[1], py::none(), (place + "b").c_str()));
+        }
+        const Question asked = question(method, optima, bits);
+        if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1U);
+        return watched([&](Monitor& monitor) { return answer_all(std::move(bodies), asked, threads, monitor); });
+      },
+      arg("pairs"), arg("method"), arg("optima"), arg("bits"), arg("threads"));
+  module.def(
+      "width",
+      [](const py::object& body, const py::object& pose) {
+        Body one = body_from(body, pose, "body");
+        const GivenPoints& points = points_of(one, "body");
+        Depth found = watched([&](Monitor& monitor) {
+          Options options;
+          options.monitor = &monitor;
+          return width(points.exact(), options);
+        });
+        return PairAnswer{one, one, std::move(found)};
+      },
+      arg("body"), arg("pose"));
+  module.def("check", checked, arg("text"));
+}
+
+}  // namespace fathom::python

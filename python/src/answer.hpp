@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answer about two bodies, polytopes or shapes, in the words of Python. Numbers are computed when they are asked for.
+#pragma once
+
+#include <variant>
+
+#include "fathom/signed_depth.hpp"
+#include "python/src/bodies.hpp"
+
+namespace fathom::python {
+
+struct PairAnswer {
+  Body a, b;
+  std::variant<Depth, SignedDepth> found;
+
+  /// Null if a body is a shape.
+  [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&found); }
+  [[nodiscard]] const SignedDepth& of_shapes() const { return std::get<SignedDepth>(found); }
+};
+
+struct Question {
+  Options options;
+  unsigned bits = 0;  ///< of bounds, for shapes
+};
+
+/// May be called without Python's lock.
+PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor);
+
+/// Answer, depth, depths, width, check.
+void bind_answers(py::module_& module);
+
+/// A dict of kind, a, b.
+py::object contact(const Contact* contact);
+/// A pair of points, as floats or fractions; None if there is none.
+py::object witness(const std::optional<Witness>& witness, bool exact);
+/// Each component of n / |n|, correctly rounded.
+py::array_t<double> unit(const Vector& n);
+
+}  // namespace fathom::python

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom._fathom: what python/fathom is made of. Users import fathom, whose docstrings say what everything means.
+#include <pybind11/pybind11.h>
+
+#include "fathom/files.hpp"
+#include "python/src/answer.hpp"
+#include "python/src/bodies.hpp"
+#include "python/src/questions.hpp"
+
+PYBIND11_MODULE(_fathom, module) {
+  namespace python = fathom::python;
+  pybind11::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const fathom::InputError& fault) {
+      PyErr_SetString(PyExc_ValueError, fault.what());
+    }
+  });
+  module.attr("version") = FATHOM_VERSION;
+  python::bind_bodies(module);
+  python::bind_answers(module);
+  python::bind_questions(module);
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/src/questions.hpp"
+
+#include <pybind11/stl.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "fathom/approximate.hpp"
+#include "fathom/files.hpp"
+#include "fathom/judge.hpp"
+#include "fathom/study.hpp"
+#include "python/src/answer.hpp"
+#include "python/src/bodies.hpp"
+#include "python/src/watching.hpp"
+#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/zstd_file.hpp"
+
+namespace fathom::python {
+namespace {
+
+using py::literals::operator""_a;
+
+struct Pair {
+  Body a, b;
+};
+
+Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
+  Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
+  points_of(pair.a, "a");
+  points_of(pair.b, "b");
+  return pair;
+}
+
+py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
+
+py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a, const py::object& pose_b) {
+  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Point along = point_from(direction);
+  const DirectionalDepth found =
+      watched([&](Monitor& monitor) { return directional_depth(pair.a.points.exact(), pair.b.points.exact(), along, &monitor); });
+  py::dict result("status"_a = std::string(name(found.status())), "factor"_a = fraction(found.factor()),
+                  "translation"_a = fractions(found.translation()), "squared"_a = fraction(found.squared()),
+                  "length"_a = root_binary64(found.squared()), "normal"_a = normal_of(found.normal()));
+  if (const RayExit* const exit = found.penetration()) {
+    result["contact"] = contact(&exit->contact);
+    result["witness"] = witness(exit->witness, true);
+  }
+  return result;
+}
+
+py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a, const py::object& pose_b) {
+  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Body unit_body = body_from(ball, py::none(), "ball");
+  const GivenPoints& points = points_of(unit_body, "ball");
+  const MetricResult found = watched([&](Monitor& monitor) {
+    return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
+  });
+  py::list optima;
+  for (const MetricOptimum& optimum : found.optima())
+    optima.append(py::dict("vertex"_a = optimum.vertex, "translation"_a = fractions(optimum.translation),
+                           "normal"_a = normal_of(optimum.direction), "contact"_a = contact(&optimum.contact)));
+  return py::dict("status"_a = std::string(name(found.status())), "depth"_a = fraction(found.depth()), "optima"_a = optima,
+                  "normal"_a = normal_of(found.direction()));
+}
+
+py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a, const py::object& pose_b) {
+  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const mpq_class within = number_from(delta);
+  const ApproxDepth found =
+      watched([&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
+  return py::dict("status"_a = std::string(name(found.status())), "low"_a = root_binary64(found.bound_squared(), Rounding::rd),
+                  "high"_a = root_binary64(found.squared(), Rounding::ru), "low_squared"_a = fraction(found.bound_squared()),
+                  "high_squared"_a = fraction(found.squared()), "translation"_a = fractions(found.translation()),
+                  "normal"_a = normal_of(found.direction()));
+}
+
+py::dict involved(const Involved& features) { return py::dict("a"_a = py::cast(features.a), "b"_a = py::cast(features.b)); }
+
+py::dict size_of(const BodySize& size) {
+  return py::dict("rank"_a = size.rank, "vertices"_a = size.vertices, "edges"_a = size.edges, "facets"_a = size.facets);
+}
+
+py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
+  Pair pair = pair_from(a, b, pose_a, pose_b);
+  Study found = watched([&](Monitor& monitor) {
+    return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor});
+  });
+  py::dict coincidences, predicates;
+  for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
+    const Coincidences& kind = found.coincidences[i];
+    py::list list;
+    for (const Involved& one : kind.listed) list.append(involved(one));
+    coincidences[py::str(std::string(coincidence_names[i]))] = py::dict("count"_a = kind.count, "listed"_a = list);
+  }
+  for (std::size_t i = 0; i < found.predicates.size(); ++i) {
+    const TierCounts& tier = found.predicates[i];
+    py::dict decided;
+    for (const auto& [monomial, count] : tier.decided) decided[py::str(monomial_name(monomial))] = count;
+    predicates[py::str(std::string(predicate_names[i]))] =
+        py::dict("calls"_a = tier.calls, "exact"_a = tier.exact, "zero"_a = tier.zero, "decided"_a = decided);
+  }
+  return py::dict("answer"_a = PairAnswer{std::move(pair.a), std::move(pair.b), std::move(found.depth)}, "coincidences"_a = coincidences,
+                  "predicates"_a = predicates, "a"_a = size_of(found.a), "b"_a = size_of(found.b));
+}
+
+// ---- the judge ----
+
+template <class Value>
+Value one_of(const std::string& what, const std::string& word, std::initializer_list<std::pair<const char*, Value>> known) {
+  std::string words;
+  for (const auto& [text, value] : known) {
+    if (word == text) return value;
+    words += (words.empty() ? "'" : ", '") + std::string(text) + "'";
+  }
+  throw py::value_error("expected " + what + " to be one of " + words + ", found '" + word + "'");
+}
+
+struct Claimed {
+  Reply reply;
+  Conventions conventions;
+  Precision precision = Precision::binary64;
+  Tolerance tolerance;
+};
+
+Claimed claimed_from(const py::dict& claim) {
+  Claimed result;
+  const auto triple = [](const py::handle& from) {
+    const auto values = py::reinterpret_borrow<py::sequence>(from);
+    if (!PySequence_Check(from.ptr()) || py::len(from) != 3) throw py::value_error("expected a direction or a point of three numbers");
+    return Triple{values[0].cast<double>(), values[1].cast<double>(), values[2].cast<double>()};
+  };
+  result.reply.overlap = claim["overlap"].cast<bool>();
+  if (!claim["depth"].is_none()) result.reply.depth = claim["depth"].cast<double>();
+  if (!claim["direction"].is_none()) result.reply.direction = triple(claim["direction"]);
+  if (!claim["witness"].is_none()) {
+    const auto two = claim["witness"].cast<py::sequence>();
+    if (py::len(two) != 2) throw py::value_error("expected a witness of two points");
+    result.reply.witness_a = triple(two[0]);
+    result.reply.witness_b = triple(two[1]);
+  }
+  using Touching = Conventions::Touching;
+  result.conventions.touching =
+      one_of<Touching>("touching", claim["touching"].cast<std::string>(),
+                       {{"overlap", Touching::overlap}, {"separate", Touching::separate}, {"either", Touching::either}});
+  result.conventions.depth = one_of<Conventions::Sign>("sign", claim["sign"].cast<std::string>(),
+                                                       {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
+  result.conventions.moves = one_of<Conventions::Body>("moves", claim["moves"].cast<std::string>(),
+                                                       {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
+  result.conventions.unit = claim["unit"].cast<bool>();
+  result.precision = one_of<Precision>("precision", claim["precision"].cast<std::string>(),
+                                       {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
+  result.tolerance.relative = number_from(claim["relative"]);
+  result.tolerance.absolute = number_from(claim["absolute"]);
+  return result;
+}
+
+py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
+  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Claimed claimed = claimed_from(claim);
+  std::optional<GivenPoints> seen_a = seen(pair.a.points, claimed.precision), seen_b = seen(pair.b.points, claimed.precision);
+  if (!seen_a || !seen_b) throw py::value_error("a coordinate overflows " + std::string(name(claimed.precision)));
+  const Judgement found = watched([&](Monitor& monitor) {
+    Options options;
+    options.monitor = &monitor;
+    const Truth truth = truth_about(*std::move(seen_a), *std::move(seen_b), options);
+    return judge(truth, claimed.reply, claimed.conventions, claimed.precision, claimed.tolerance);
+  });
+  py::list findings;
+  for (const Verdict finding : found.findings) findings.append(std::string(name(finding)));
+  const auto optional = [](const auto& value) { return value ? py::object(py::float_(*value)) : py::object(py::none()); };
+  const auto squared = [](const std::optional<mpq_class>& value) { return value ? fraction(*value) : py::object(py::none()); };
+  return py::dict("verdict"_a = std::string(name(found.verdict)), "passed"_a = passes(found.verdict), "findings"_a = findings,
+                  "accuracy"_a = found.accuracy ? py::object(py::str(std::string(name(*found.accuracy)))) : py::object(py::none()),
+                  "status"_a = std::string(name(*found.status)), "depth_squared"_a = fraction(found.depth_squared),
+                  "distance_squared"_a = fraction(found.distance_squared), "error"_a = optional(found.error),
+                  "error_ulps"_a = optional(found.error_ulps), "error_relative"_a = optional(found.error_relative),
+                  "price_squared"_a = squared(found.price_squared), "travel_squared"_a = squared(found.travel_squared),
+                  "sentence"_a = found.sentence);
+}
+
+// ---- files ----
+
+/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
+class Cases {
+ public:
+  explicit Cases(const std::string& path) : stream_(CaseStream::open(path, std::cin)) {}
+
+  py::tuple next() {
+    std::optional<CaseItem> item = stream_.next();
+    if (!item) throw py::stop_iteration();
+    if (!item->ok()) throw py::value_error(item->error().what());
+    Case found = std::get<Case>(std::move(item->outcome));
+    return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
+  }
+
+ private:
+  CaseStream stream_;
+};
+
+py::tuple parsed_case(const std::string& text, const std::string& name, std::size_t line) {
+  CaseItem item = parse_case(text, name, line);
+  if (!item.ok()) throw py::value_error(item.error().what());
+  Case found = std::get<Case>(std::move(item.outcome));
+  return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
+}
+
+py::str next_line(golden::ZstdReader& reader) {
+  const std::optional<std::string_view> line = reader.line();
+  if (!line) throw py::stop_iteration();
+  return py::str(line->data(), line->size());
+}
+
+}  // namespace
+
+void bind_questions(py::module_& module) {
+  using py::arg;
+  module.def("ray", ray, arg("a"), arg("b"), arg("direction"), arg("pose_a"), arg("pose_b"));
+  module.def("metric", metric, arg("a"), arg("b"), arg("ball"), arg("pose_a"), arg("pose_b"));
+  module.def("approx", approx, arg("a"), arg("b"), arg("delta"), arg("pose_a"), arg("pose_b"));
+  module.def("study", study_of, arg("a"), arg("b"), arg("listed"), arg("pose_a"), arg("pose_b"));
+  module.def("judge", judged, arg("a"), arg("b"), arg("claim"), arg("pose_a"), arg("pose_b"));
+  module.def("parse_case", parsed_case, arg("text"), arg("name"), arg("line"));
+  py::class_<Cases>(module, "Cases")
+      .def(py::init<const std::string&>(), arg("path"))
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &Cases::next);
+  py::class_<golden::ZstdReader>(module, "ZstdLines")
+      .def(py::init([](const std::string& path) {
+             try {
+               return std::make_unique<golden::ZstdReader>(path);
+             } catch (const golden::FileError& fault) {
+               throw py::value_error(fault.what());
+             }
+           }),
+           arg("path"))
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", [](golden::ZstdReader& reader) {
+        try {
+          return next_line(reader);
+        } catch (const golden::FileError& fault) {
+          throw py::value_error(fault.what());
+        }
+      });
+}
+
+}  // namespace fathom::python

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   points and faces of a mesh: equal points, faces that turn inside out, holes and slivers welcome.
+// Output  whether some face goes through the inside of the points' hull, and how much the hull adds.
+// Time    linear but for hashing and sorting if the mesh is the boundary of a convex body; else that of a hull.    [proofs/polytope.md]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fathom/body.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom::polytope {
+
+/// A point and how deep inside a hull it is.
+struct DeepestPoint {
+  std::uint32_t point = 0;
+  mpq_class squared_depth;  ///< 0: on the hull's boundary
+};
+
+/// A mesh whose hull is another body.
+struct Dents {
+  std::optional<mpq_class> volume_ratio;  ///< the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
+  std::optional<DeepestPoint> deepest;    ///< the point deepest inside the hull, of several the first; nullopt if it takes too long to find
+};
+
+/// What is known of a mesh.
+struct MeshConvexity {
+  bool tried = false;          ///< false: it has no faces, or its points' denominators share little (place_if_slim)
+  std::optional<Dents> dents;  ///< set if it is not convex
+};
+
+/// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if it lies in a facet's plane; a face without
+/// area belongs to it, and so does any face if all points lie in a plane. The search for the deepest point compares points with facets, and
+/// gives up after so many comparisons. Throws std::invalid_argument if there is no point.
+MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces, std::size_t most_comparisons = 1'000'000);
+
+using MeshTriangle = std::array<std::uint32_t, 3>;
+
+/// The faces as triangles, those with two equal corners left out; of equal points the one named `canonical` stands for all.
+std::vector<MeshTriangle> triangles_of(const MeshFaces& faces, std::span<const std::uint32_t> canonical);
+
+/// True only if the triangles are the boundary of a convex body with interior, all seen from one side. Points that are no corners do not
+/// count. False says nothing.
+bool is_convex_boundary(std::span<const Vector> points, std::span<const MeshTriangle> triangles);
+
+}  // namespace fathom::polytope

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Answers: against values known by construction, against each other, and against the program."""
+import decimal
+import json
+import math
+import os
+import subprocess
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import fathom
+
+CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+FATHOM = os.environ.get("FATHOM_EXECUTABLE")
+
+
+def test_forms_of_a_body():
+    class Mesh:  # as trimesh has it
+        vertices = CUBE + [0.5, 0, 0]
+
+    other = CUBE + [0.5, 0, 0]
+    forms = [other, other.astype(np.float32), np.asfortranarray(other), other.tolist(), Mesh(), fathom.Body(other), other[::-1][::-1],
+             [[Fraction(x) for x in p] for p in other], [[str(x) for x in p] for p in other], [[decimal.Decimal(x) for x in p] for p in other],
+             np.array(other, dtype=object), (2 * other).astype(int) * 0.5]
+    for form in forms:
+        hit = fathom.depth(CUBE, form)
+        assert (hit.status, hit.depth, hit.exact.depth_squared) == ("penetrating", 0.5, Fraction(1, 4))
+
+
+def test_integers_are_exact():
+    big = 2**70 + 1
+    assert fathom.distance([(0, 0, 0)], [(big, 0, 0)]).exact.distance_squared == big**2
+    assert fathom.distance([(0, 0, 0)], np.array([[2**53 + 1, 0, 0]])).exact.distance_squared == (2**53 + 1) ** 2
+
+
+def test_arrays_are_not_kept():
+    cube = CUBE.copy()
+    hit = fathom.depth(cube, CUBE + [0.5, 0, 0])
+    cube += 7
+    assert fathom.check(hit.certificate()).accepted
+    assert hit.exact.witness[0][0] <= 1
+
+
+@pytest.mark.parametrize("method", ["automatic", "exact", "naive", "certificate"])
+def test_methods_agree(method):
+    hit = fathom.depth(CUBE, CUBE * 2 + [0.25, 0.25, 0.75], method=method)
+    assert hit.exact.depth_squared == Fraction(1, 16)
+    assert hit.optima_count == len(hit.optima) == 1
+    assert hit.optima[0].contact == {"kind": "facet-facet", "a": (1, 3, 5, 7), "b": (0, 2, 4, 6)}
+
+
+def test_optima_are_all_there():
+    hit = fathom.depth(CUBE, CUBE)
+    assert sorted(o.normal for o in hit.optima) == sorted([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])
+    few = fathom.depth(CUBE, CUBE, optima=2)
+    assert (len(few.optima), few.optima_count) == (2, 6)
+    for optimum in hit.optima:
+        assert fathom.depth(CUBE + optimum.translation, CUBE).status == "touching"
+
+
+def test_statuses():
+    touch = fathom.depth(CUBE, CUBE + [1, 0, 0])
+    assert (touch.status, touch.depth, touch.distance, touch.signed_depth) == ("touching", 0.0, 0.0, 0.0)
+    assert touch.optima == [] and touch.translation.tolist() == [0, 0, 0]
+    apart = fathom.depth(CUBE, CUBE + [2, 0, 0])
+    assert (apart.status, apart.depth, apart.distance, apart.signed_depth) == ("disjoint", 0.0, 1.0, -1.0)
+    a, b = apart.witness
+    assert (b - a).tolist() == apart.translation.tolist() == [1, 0, 0]
+
+
+def test_floats_are_correctly_rounded():
+    rng = np.random.default_rng(1)
+    for _ in range(50):
+        a, b = rng.normal(size=(2, 12, 3))
+        hit = fathom.depth(a, b)
+        value = hit.exact.signed_depth
+        assert value.rational == 0
+        nearest = abs(hit.signed_depth)
+        below, above = Fraction(math.nextafter(nearest, 0)), Fraction(math.nextafter(nearest, math.inf))
+        middle_low, middle_high = (below + Fraction(nearest)) / 2, (above + Fraction(nearest)) / 2
+        assert middle_low**2 <= abs(value.root) <= middle_high**2
+        assert Fraction(hit.low) ** 2 * (1 if hit.low > 0 else -1) <= value.root <= Fraction(hit.high) ** 2 * (1 if hit.high > 0 else -1)
+        n = hit.exact.normal
+        square = sum(c * c for c in n)
+        for component, c in zip(hit.direction, n):
+            low, high = (Fraction(math.nextafter(abs(component), to)) for to in (0, math.inf))
+            assert ((low + Fraction(abs(component))) / 2) ** 2 <= Fraction(c * c, square) <= ((high + Fraction(abs(component))) / 2) ** 2
+        for got, exact in zip(hit.translation, hit.exact.translation):
+            assert got == float(exact)  # Python rounds Fractions correctly
+
+
+def test_poses_are_exact():
+    turn = fathom.pose(quaternion=(1, 0, 0, 1), translation=("1/3", 0, 0))
+    assert fathom.depth(CUBE, CUBE, pose_b=turn).exact.depth_squared == Fraction(1, 9)
+    matrix = np.array([[0, -1, 0, 0.5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    assert fathom.depth(CUBE, CUBE, pose_b=matrix).depth == fathom.depth(CUBE, CUBE @ matrix[:3, :3].T + matrix[:3, 3]).depth
+    assert fathom.depth(CUBE, CUBE, pose_a=matrix.tolist()[:3], pose_b=matrix).depth == 1
+    capsule = fathom.capsule(1, 2)
+    assert fathom.depth(capsule, capsule, pose_b=fathom.pose((1, 1, 0, 0), (0, 0, 3))).exact.signed_depth == (1, 0)
+
+
+def test_shapes():
+    sphere = fathom.sphere("1/2")
+    assert fathom.depth(sphere, sphere, pose_b=fathom.pose(translation=(1, 1, 0))).exact.signed_depth == (Fraction(1), Fraction(-2))
+    rounded = fathom.box((1, 1, 1)).with_margin(Fraction(1, 10))
+    hit = fathom.depth(rounded, rounded.moved(fathom.pose(translation=(2, 0, 0))))
+    assert (hit.status, hit.depth, hit.exact.signed_depth.rational) == ("penetrating", 0.2, Fraction(1, 5))
+    drum = fathom.depth(fathom.cylinder(1, 1), fathom.ellipsoid((1, 2, 3)), pose_b=fathom.pose((3, 1, 1, 0), (0.5, 0, 1.25)))
+    low, high = drum.exact.bounds
+    assert drum.status == "penetrating" and 0 < drum.low <= low <= high <= drum.high and drum.high - drum.low < 1e-11
+    assert fathom.check(drum.certificate("drum")).accepted
+    assert fathom.depth(fathom.halfspace((0, 0, 1), 0), fathom.cone(1, 1)).depth == 1
+    assert (fathom.box((1, 1, 1)) + fathom.sphere(1)).is_shape and not fathom.box((1, 1, 1)).is_shape
+
+
+def test_bounds_without_a_float():
+    rough = fathom.depth(fathom.ellipsoid((1, 2, 3)), fathom.ellipsoid((3, 2, 1)), pose_b=fathom.pose((1, 2, 3, 4), (1, 0, 0)), bits=8)
+    assert rough.signed_depth is None and rough.depth is None and rough.low < rough.high
+    assert "between" in repr(rough)
+
+
+def test_the_program_says_the_same():
+    if not FATHOM:
+        pytest.skip("FATHOM_EXECUTABLE is not set")
+    cases = subprocess.run([FATHOM, "cases", "--family", "all", "--count", "150", "--size", "10"], capture_output=True, text=True, check=True).stdout
+    said = subprocess.run([FATHOM, "depth", "--json", "-"], input=cases, capture_output=True, text=True, check=True).stdout.splitlines()
+    found = 0
+    for case, answer in zip(map(json.loads, cases.splitlines()), map(json.loads, said)):
+        hit = fathom.depth(case["a"]["vertices"], case["b"]["vertices"], pose_a=case["a"].get("pose"), pose_b=case["b"].get("pose"))
+        if case.get("pose_rounding"):
+            continue
+        found += 1
+        assert hit.status == answer["status"], case["id"]
+        assert str(hit.exact.depth_squared) == answer["depth"]["squared"], case["id"]
+        assert hit.low == float(answer["signed_depth"]["low"]) and hit.high == float(answer["signed_depth"]["high"]), case["id"]
+    assert found > 100
+
+
+def test_batches():
+    rng = np.random.default_rng(2)
+    pairs = [tuple(rng.normal(size=(2, 20, 3))) for _ in range(300)]
+    alone = [fathom.depth(a, b) for a, b in pairs]
+    for threads in (None, 1, 3):
+        together = fathom.depths(iter(pairs), threads=threads)
+        assert [hit.exact.signed_depth for hit in together] == [hit.exact.signed_depth for hit in alone]
+        assert [hit.exact.translation for hit in together] == [hit.exact.translation for hit in alone]
+    assert fathom.depths([]) == []
+
+
+def test_other_questions():
+    box, other = fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved(fathom.pose(translation=(1, 0, 0)))
+    ray = fathom.ray(box, other, (-2, 0, 0))
+    assert (ray.factor, ray.length, ray.contact["kind"]) == (Fraction(1, 2), 1.0, "facet-facet")
+    metric = fathom.metric(box, other, [(s, t, u) for s in (-1, 1) for t in (-1, 1) for u in (-1, 1)])
+    assert (metric.depth, metric.status) == (1, "penetrating")
+    near = fathom.approx(box, other, Fraction(1, 100))
+    assert near.low_squared <= 1 <= near.high_squared <= near.low_squared * Fraction(101, 100) ** 2
+    assert fathom.width(box).width == 2.0
+    study = fathom.study(box, other)
+    assert study.coincidences["coplanar_facets"]["count"] >= 4 and study.depth.depth == 1 and study.a["facets"] == 6
+    judged = fathom.judge(box, other, overlap=True, depth=-1.0, direction=(-1, 0, 0), witness=((1, 0, 0), (0, 0, 0)), sign="negative")
+    assert judged.passed and judged.price_squared == 1 and judged.error == 0.0
+    assert fathom.judge(box, other, overlap=False).verdict == "false-separation"
+    assert fathom.judge(box, other, overlap=True, depth=math.nan).verdict == "nan"

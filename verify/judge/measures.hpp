@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the judge asks about the truth and a claim. Polytopes know the truth exactly; of shapes it may lie between bounds.
+//                                                                                                    [verify/judge/VERDICTS.md]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fathom/judge.hpp"
+#include "kernels/number/surd.hpp"
+#include "kernels/vector.hpp"
+#include "verify/judge/claim.hpp"
+
+namespace fathom::judging {
+
+/// How close the bounds of shapes are: at first, and if they leave a question open at last.
+inline constexpr unsigned usual_bits = 40, most_bits = 160;
+
+/// tol is that of each residual: the tolerance, or the slack if that is larger. Every yes is proved; where the bounds of the truth leave
+/// something open, the answer is no, and `open` tells. A claimed depth d may be negative; u is the way that A moves.
+class Measures {
+ public:
+  Measures() = default;
+  Measures(const Measures&) = delete;
+  Measures& operator=(const Measures&) = delete;
+  virtual ~Measures() = default;
+
+  [[nodiscard]] virtual std::optional<Status> status() const = 0;
+  /// Whether the depth, the distance, or d itself is more than the tolerance.
+  virtual bool is_deep() = 0;
+  virtual bool is_far() = 0;
+  virtual bool claims_depth(const mpq_class& d) = 0;
+  /// Whether -d is more than tol.
+  virtual bool is_negative(const mpq_class& d) = 0;
+  virtual bool too_deep(const mpq_class& d) = 0;
+  virtual bool too_shallow(const mpq_class& d) = 0;
+  /// Whether d differs from the price of u by more than tol.
+  virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
+  /// Whether the interiors meet, and do so still after a way along u that is longer than d by more than tol.
+  virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
+  /// Whether a witness point that was measured is farther from its body than tol; and whether the points miss the translation by more, which is
+  /// given by its square.
+  virtual bool is_off_a() = 0;
+  virtual bool is_off_b() = 0;
+  virtual bool misses(const Surd& squared_gap) = 0;
+  /// The class of a depth that is right.
+  virtual Accuracy accuracy(const mpq_class& d) = 0;
+  /// Whether closer bounds might have changed an answer.
+  [[nodiscard]] virtual bool open() const { return false; }
+
+  /// Writes the truth, and the residuals of the claim as it stands. Comes first.
+  virtual void measure(const Claim& claim, Judgement& result) = 0;
+
+  /// Writes what was measured since. Comes last.
+  virtual void conclude(Judgement&) const {}
+
+  // For people. The depth and the distance; the latter may be unknown.
+  [[nodiscard]] virtual std::string depth() const = 0;
+  [[nodiscard]] virtual std::string distance() const = 0;
+  /// How far d is from the depth.
+  [[nodiscard]] virtual double off_by(const mpq_class& d) const = 0;
+  /// "0.4 of overlap is left along its direction", of the direction that was measured; and where the plane across it is.
+  [[nodiscard]] virtual std::string left(const mpq_class& d) const = 0;
+  [[nodiscard]] virtual std::string across(const std::string& claimed) const = 0;
+  [[nodiscard]] virtual double away_a() const = 0;
+  [[nodiscard]] virtual double away_b() const = 0;
+};
+
+std::unique_ptr<Measures> measures_of(const Truth& truth, Precision precision, const Tolerance& tolerance);
+/// With bounds of `bits` bits.
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits);
+
+}  // namespace fathom::judging

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of polytopes: every length is a rational or a root, and every comparison exact.                            [proofs/judge.md]
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fathom/numbers.hpp"
+#include "verify/judge/allowance.hpp"
+#include "verify/judge/measures.hpp"
+#include "verify/judge/scene.hpp"
+
+namespace fathom::judging {
+namespace {
+
+double root(const mpq_class& squared) { return root_binary64(squared, Rounding::rn); }
+
+class PolytopeMeasures final : public Measures {
+ public:
+  PolytopeMeasures(const Truth& truth, Precision precision, const Tolerance& tolerance)
+      : truth_(truth),
+        depth_(truth.depth),
+        precision_(precision),
+        scene_(truth),
+        allowed_(scene_.sizes(), truth.depth.squared(), precision, tolerance) {}
+
+  [[nodiscard]] std::optional<Status> status() const override { return depth_.status(); }
+  bool is_deep() override { return !allowed_.classification.negligible(depth_.squared()); }
+  bool is_far() override { return !depth_.distance() || !allowed_.classification.negligible(depth_.distance()->squared); }
+  bool claims_depth(const mpq_class& d) override { return allowed_.classification.above(d, 0); }
+  bool is_negative(const mpq_class& d) override { return allowed_.depth.below(d, 0); }
+  bool too_deep(const mpq_class& d) override { return allowed_.depth.above(d, depth_.squared()); }
+  bool too_shallow(const mpq_class& d) override { return allowed_.depth.below(d, depth_.squared()); }
+  bool is_inconsistent(const Vector& u, const mpq_class& d) override {
+    return allowed_.direction.off(d, price_ && way_ == u ? *price_ : scene_.price(u));
+  }
+  bool is_not_separating(const Vector& u, const mpq_class& d) override {
+    return depth_.status() == Status::penetrating && allowed_.direction.below(d, travel(u));
+  }
+  bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
+  bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
+  bool misses(const Surd& squared_gap) override { return !allowed_.gap.negligible(squared_gap); }
+  Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, depth_.squared(), rounding_unit(), precision_); }
+
+  void measure(const Claim& claim, Judgement& result) override {
+    result.status = depth_.status();
+    result.depth_squared = depth_.squared();
+    if (depth_.distance()) result.distance_squared = depth_.distance()->squared;
+    if (claim.depth) measure_depth(*claim.depth, result);
+    if (claim.direction) {
+      result.travel_squared = travel(*claim.direction);
+      price_ = result.price_squared = scene_.price(*claim.direction);
+      if (claim.depth) {
+        result.inconsistency = kernels::nearest_binary64({*claim.depth, -*price_});
+        const Surd left{-*claim.depth, *result.travel_squared};
+        if (depth_.status() == Status::penetrating && sign(left) > 0) result.overlap_left = kernels::nearest_binary64(left);
+      }
+    }
+    if (claim.witness_a) away_a_ = result.witness_a_squared = squared_distance(*claim.witness_a, truth_.a);
+    if (claim.witness_b) away_b_ = result.witness_b_squared = squared_distance(*claim.witness_b, truth_.b);
+  }
+
+  [[nodiscard]] std::string depth() const override { return fmt::format("{}", root(depth_.squared())); }
+  [[nodiscard]] std::string distance() const override {
+    return depth_.distance() ? fmt::format("{}", root(depth_.distance()->squared)) : "";
+  }
+  [[nodiscard]] double off_by(const mpq_class& d) const override { return kernels::nearest_binary64({d, -depth_.squared()}); }
+  [[nodiscard]] std::string left(const mpq_class& d) const override {
+    return fmt::format("{:.4g} of overlap is left along its direction", std::abs(kernels::nearest_binary64({-d, travel_})));
+  }
+  [[nodiscard]] std::string across(const std::string& claimed) const override {
+    return fmt::format("the plane across its direction is at {}, not at {}", kernels::nearest_binary64({0, *price_}), claimed);
+  }
+  [[nodiscard]] double away_a() const override { return root(*away_a_); }
+  [[nodiscard]] double away_b() const override { return root(*away_b_); }
+
+ private:
+  /// u R.
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * scene_.sizes().farthest; }
+
+  void measure_depth(const mpq_class& d, Judgement& result) const {
+    const mpq_class &s = depth_.squared(), ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
+    result.error = kernels::nearest_binary64({d, -s});
+    if (sgn(s) > 0) {
+      result.error_ulps = kernels::nearest_binary64({d / ulp, -s / (ulp * ulp)});
+      result.error_relative = kernels::nearest_binary64({-1, d * abs(d) / s});
+    }
+    if (sgn(u_r) > 0) result.error_u_r = kernels::nearest_binary64({d / u_r, -s / (u_r * u_r)});
+  }
+
+  const mpq_class& travel(const Vector& u) {
+    if (!way_ || *way_ != u) {
+      travel_ = scene_.travel(u);
+      price_.reset();
+      way_ = u;
+    }
+    return travel_;
+  }
+
+  const Truth& truth_;
+  const Depth& depth_;
+  Precision precision_;
+  Scene scene_;
+  Allowances allowed_;
+  std::optional<mpq_class> price_, away_a_, away_b_;
+  std::optional<Vector> way_;  // whose travel is known, and maybe whose price
+  mpq_class travel_;
+};
+
+}  // namespace
+
+std::unique_ptr<Measures> measures_of(const Truth& truth, Precision precision, const Tolerance& tolerance) {
+  return std::make_unique<PolytopeMeasures>(truth, precision, tolerance);
+}
+
+}  // namespace fathom::judging

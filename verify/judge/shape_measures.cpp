@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of shapes: every length lies between two rationals, and a yes holds for all that lies between them. Exact signed depths are enclosed as
+// closely as is asked for; if rational, they are known.                                                      [proofs/judge.md]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "fathom/numbers.hpp"
+#include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/rational_interval.hpp"
+#include "kernels/point_products.hpp"
+#include "reference/shapes/support.hpp"
+#include "verify/judge/allowance.hpp"
+#include "verify/judge/measures.hpp"
+#include "verify/judge/scene.hpp"
+
+namespace fathom::judging {
+namespace {
+
+using kernels::RationalInterval;
+
+RationalInterval known(const mpq_class& value) { return {value, value}; }
+RationalInterval operator/(const RationalInterval& x, const mpq_class& divisor) { return {x.low / divisor, x.high / divisor}; }
+
+Between outward(const RationalInterval& x) { return {round_binary64(x.low, Rounding::rd), round_binary64(x.high, Rounding::ru)}; }
+
+/// Correctly rounded if that is known; else the least of the values, rounded towards 0.
+double least(const RationalInterval& x) {
+  const double nearest = round_binary64(x.low);
+  if (nearest == round_binary64(x.high)) return nearest + 0.0;
+  if (sgn(x.low) > 0) return round_binary64(x.low, Rounding::rd);
+  return sgn(x.high) < 0 ? round_binary64(x.high, Rounding::ru) : 0.0;
+}
+
+/// As many digits as are certain, if these are enough to be of use.
+std::string text(const RationalInterval& x) {
+  constexpr int most = 17, enough = 6;
+  const double nearest = round_binary64(x.low);
+  if (nearest == round_binary64(x.high)) return fmt::format("{}", nearest + 0.0);
+  const Between range = outward(x);
+  for (int digits = most; digits >= enough; --digits) {
+    std::string low = fmt::format("{:.{}g}", range.low, digits);
+    if (low == fmt::format("{:.{}g}", range.high, digits)) return low;
+  }
+  return fmt::format("between {} and {}", range.low, range.high);
+}
+
+bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
+
+Point point_of(const Vector& u) { return {u.x, u.y, u.z}; }
+
+Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
+  return moved(shape, rigid_pose({1, 0, 0, 0}, {factor * u.x, factor * u.y, factor * u.z}));
+}
+
+class ShapeMeasures final : public Measures {
+ public:
+  ShapeMeasures(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits)
+      : truth_(truth), precision_(precision), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
+    const SignedDepth* signed_depth = &truth.depth;
+    if (bits != usual_bits && truth.depth.bounds()) signed_depth = &closer_.emplace(of(truth.a));
+    status_ = signed_depth->status();
+    open_ = !status_;
+    value_ = enclosed(*signed_depth);
+    depth_ = positive_part(value_);
+    if (has_halfspace()) {  // its witness point lies on a plane so far from the other body, and its depth counts in any direction
+      sizes_.farthest += depth_.high;
+      sizes_.reach += depth_.high;
+    }
+    allow(tolerance);
+  }
+
+  [[nodiscard]] std::optional<Status> status() const override { return status_; }
+  bool is_deep() override { return below(0, depth_, classification_); }
+  bool is_far() override { return below(0, positive_part(-value_), classification_); }
+  bool claims_depth(const mpq_class& d) override { return above(d, known(0), classification_); }
+  bool is_negative(const mpq_class& d) override { return below(d, known(0), of_depth_); }
+  bool too_deep(const mpq_class& d) override { return above(d, depth_, of_depth_); }
+  bool too_shallow(const mpq_class& d) override { return below(d, depth_, of_depth_); }
+
+  bool is_inconsistent(const Vector& u, const mpq_class& d) override {
+    const std::optional<RationalInterval> price = price_of(u);
+    return !price || above(d, *price, of_direction_) || below(d, *price, of_direction_);
+  }
+
+  bool is_not_separating(const Vector& u, const mpq_class& d) override {
+    if (status_ != Status::penetrating) return false;
+    const std::optional<RationalInterval> price = price_of(u);
+    if (has_halfspace()) {  // then it is the travel
+      if (price && !below(d, *price, of_direction_)) return false;
+      if (price) left_ = round_binary64(price->low - d, Rounding::rd);
+      return true;
+    }
+    if (price->high <= d + of_direction_.low) return false;
+    const mpq_class way = d + of_direction_.high;
+    const bool meet = depth_.low > way || still_meet(u, way);
+    if (meet) find_left(u, d, way, price->high);
+    return meet;
+  }
+
+  bool is_off_a() override { return away_a_ && below(0, *away_a_, of_witness_); }
+  bool is_off_b() override { return away_b_ && below(0, *away_b_, of_witness_); }
+  bool misses(const Surd& squared_gap) override {
+    if (compare(squared_gap, of_gap_.high * of_gap_.high) > 0) return true;
+    open_ = open_ || compare(squared_gap, of_gap_.low * of_gap_.low) > 0;
+    return false;
+  }
+
+  Accuracy accuracy(const mpq_class& d) override {
+    if (is_correctly_rounded(d)) return Accuracy::correctly_rounded;
+    if (is_within(d, known(4 * ulp_at_root(depth_.low * depth_.low, precision_)))) return Accuracy::ulps_4;
+    if (is_within(d, known(16 * rounding_unit()))) return Accuracy::u_r_16;
+    return is_within(d, depth_ / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
+  }
+
+  [[nodiscard]] bool open() const override { return open_; }
+
+  void measure(const Claim& claim, Judgement& result) override {
+    result.status = status_;
+    result.signed_depth = outward(value_);
+    if (claim.depth) measure_depth(*claim.depth, result);
+    if (claim.direction) {
+      measured_price_ = price_of(*claim.direction);
+      if (measured_price_) result.price = outward(*measured_price_);
+      if (measured_price_ && claim.depth) result.inconsistency = least(known(*claim.depth) - *measured_price_);
+    }
+    if (claim.witness_a) result.witness_a_distance = outward(*(away_a_ = distance_of(*claim.witness_a, truth_.a)));
+    if (claim.witness_b) result.witness_b_distance = outward(*(away_b_ = distance_of(*claim.witness_b, truth_.b)));
+  }
+
+  void conclude(Judgement& result) const override {
+    if (left_) result.overlap_left = *left_;
+  }
+
+  [[nodiscard]] std::string depth() const override { return text(depth_); }
+  [[nodiscard]] std::string distance() const override { return text(positive_part(-value_)); }
+  [[nodiscard]] double off_by(const mpq_class& d) const override { return least(known(d) - depth_); }
+  [[nodiscard]] std::string left(const mpq_class&) const override {
+    if (!measured_price_) return "its direction does not lead out of the half-space";
+    return left_ ? fmt::format("at least {:.4g} of overlap is left along its direction", *left_) : "overlap is left along its direction";
+  }
+  [[nodiscard]] std::string across(const std::string& claimed) const override {
+    if (!measured_price_) return "its direction does not lead out of the half-space";
+    if (has_halfspace()) return fmt::format("the way out along its direction is {}, not {}", text(*measured_price_), claimed);
+    return fmt::format("the plane across its direction is at {}, not at {}", text(*measured_price_), claimed);
+  }
+  [[nodiscard]] double away_a() const override { return least(*away_a_); }
+  [[nodiscard]] double away_b() const override { return least(*away_b_); }
+
+ private:
+  // ---- allowances ----
+
+  void allow(const Tolerance& tolerance) {
+    for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
+    const mpq_class deepest = depth_.high * depth_.high;
+    const auto allowed = [&](const mpq_class& fixed) {
+      const mpq_class relative = std::max(mpq_class(0), tolerance.relative),
+                      absolute = std::max({mpq_class(0), mpq_class(tolerance.absolute * sizes_.extent), fixed});
+      return greater({relative * depth_.low, relative * depth_.high}, known(absolute));
+    };
+    const Slack slack = rounding_slack(sizes_, deepest, precision_, tolerance.ulps);
+    classification_ = allowed(tolerance.ulps * ulp_at_root(deepest, precision_));
+    of_depth_ = allowed(slack.depth);
+    of_direction_ = allowed(slack.direction);
+    of_witness_ = allowed(slack.witness);
+    of_gap_ = allowed(slack.gap);
+  }
+
+  /// Whether d - length, or length - d, exceeds the allowance, whatever they are.
+  bool above(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
+    return exceeds(known(d) - length, allowed);
+  }
+  bool below(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
+    return exceeds(length - known(d), allowed);
+  }
+  bool exceeds(const RationalInterval& excess, const RationalInterval& allowed) {
+    if (excess.low > allowed.high) return true;
+    open_ = open_ || excess.high > allowed.low;
+    return false;
+  }
+
+  // ---- the truth ----
+
+  [[nodiscard]] bool has_halfspace() const { return is_halfspace(truth_.a) || is_halfspace(truth_.b); }
+
+  [[nodiscard]] SignedDepth of(const Shape& a) const {
+    SignedDepthOptions options;
+    options.bits = bits_;
+    return signed_depth(a, truth_.b, options);
+  }
+
+  [[nodiscard]] RationalInterval enclosed(const SignedDepth& depth) const {
+    if (const Bounds* const bounds = depth.bounds()) return {bounds->low, bounds->high};
+    return kernels::enclosed(*depth.exact(), 4 * bits_);
+  }
+
+  /// Of two bounded bodies h(u)/|u| and the radii. Out of a half-space the way along u; nullopt if that is no way out.
+  [[nodiscard]] std::optional<RationalInterval> price_of(const Vector& u) const {
+    if (!has_halfspace()) return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
+    const bool of_a = is_halfspace(truth_.a);
+    const Point& n = std::get<HalfSpace>(of_a ? truth_.a.core : truth_.b.core).normal;
+    const mpq_class along = of_a ? mpq_class(-product(u, n)) : product(u, n);
+    if (sgn(along) <= 0) return std::nullopt;
+    const mpq_class slant = product(n, n) * mpq_class(dot(u, u)) / (along * along);
+    const RationalInterval root = kernels::enclosed({0, slant}, 4 * bits_);
+    return RationalInterval{value_.low * (sgn(value_.low) < 0 ? root.high : root.low),
+                            value_.high * (sgn(value_.high) < 0 ? root.low : root.high)};
+  }
+
+  /// Whether the interiors meet after A has moved along u by `way` or slightly more.
+  bool still_meet(const Vector& u, const mpq_class& way) {
+    if (sgn(way) <= 0) return true;  // they meet at the beginning
+    const mpq_class factor = way / kernels::enclosed({0, mpq_class(dot(u, u))}, 4 * bits_).low;
+    const std::optional<Status> after = of(translated(truth_.a, factor, u)).status();
+    open_ = open_ || !after;
+    return after == Status::penetrating;
+  }
+
+  /// Finds how far along u they meet at least, to a thousandth.
+  void find_left(const Vector& u, const mpq_class& d, mpq_class low, mpq_class high) {
+    constexpr int steps = 10;
+    const bool was_open = open_;
+    low = std::max(low, depth_.low);  // no way out is shorter than the depth
+    for (int i = 0; i < steps; ++i) {
+      mpq_class middle = (low + high) / 2;
+      const double near = round_binary64(middle);  // with fewer digits, if they do
+      if (std::isfinite(near) && low < exact_value(near) && exact_value(near) < high) middle = exact_value(near);
+      (still_meet(u, middle) ? low : high) = middle;
+    }
+    open_ = was_open;
+    left_ = round_binary64(low - d, Rounding::rd);
+  }
+
+  [[nodiscard]] RationalInterval distance_of(const Point& witness, const Shape& body) const {
+    SignedDepthOptions options;
+    options.bits = bits_;
+    const std::array<Point, 1> points{witness};
+    return positive_part(-enclosed(signed_depth(hull(points), body, options)));
+  }
+
+  // ---- the claimed depth ----
+
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * sizes_.farthest; }
+
+  void measure_depth(const mpq_class& d, Judgement& result) const {
+    const RationalInterval error = known(d) - depth_;
+    const mpq_class u_r = rounding_unit();
+    result.error = least(error);
+    if (sgn(depth_.low) > 0) {
+      result.error_ulps = least(error / ulp_at_root(depth_.high * depth_.high, precision_));
+      result.error_relative = least(quotient(error, depth_));
+    }
+    if (sgn(u_r) > 0) result.error_u_r = least(error / u_r);
+  }
+
+  /// Whether |d - depth| <= length.
+  bool is_within(const mpq_class& d, const RationalInterval& length) {
+    const RationalInterval over = known(d) - depth_;
+    const mpq_class most = std::max(mpq_class(-over.low), over.high), least = std::max({mpq_class(0), over.low, mpq_class(-over.high)});
+    if (most <= length.low) return true;
+    open_ = open_ || least <= length.high;
+    return false;
+  }
+
+  bool is_correctly_rounded(const mpq_class& d) {
+    const auto round = [&](const mpq_class& x) {
+      return precision_ == Precision::binary64 ? round_binary64(x) : static_cast<double>(round_binary32(x));
+    };
+    const double low = round(depth_.low), high = round(depth_.high);
+    if (low == high) return std::isfinite(low) && exact_value(low) == d;
+    open_ = open_ || (std::isfinite(low) && exact_value(low) <= d && (std::isinf(high) || d <= exact_value(high)));
+    return false;
+  }
+
+  const ShapeTruth& truth_;
+  Precision precision_;
+  unsigned bits_;
+  std::optional<SignedDepth> closer_;
+  std::optional<Status> status_;
+  RationalInterval value_, depth_;  // the signed depth, and its positive part
+  Sizes sizes_;
+  RationalInterval classification_, of_depth_, of_direction_, of_witness_, of_gap_;  // what is allowed
+  std::optional<RationalInterval> measured_price_, away_a_, away_b_;
+  std::optional<double> left_;
+  bool open_ = false;
+};
+
+}  // namespace
+
+Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
+  Sizes sizes;
+  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
+    std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, to either side
+    for (const Shape* body : {&a, &b}) {
+      if (is_halfspace(*body)) continue;
+      auto& [low, high] = reach[body == &b ? 1 : 0];
+      low = shapes::support(*body, {-axis.x, -axis.y, -axis.z}, bits).high;
+      high = shapes::support(*body, axis, bits).high;
+      sizes.extent = std::max(sizes.extent, mpq_class(low + high));
+      sizes.farthest = std::max({sizes.farthest, low, high});
+    }
+    sizes.reach = std::max({sizes.reach, mpq_class(reach[1][1] + reach[0][0]), mpq_class(reach[0][1] + reach[1][0])});
+  }
+  return sizes;
+}
+
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits) {
+  return std::make_unique<ShapeMeasures>(truth, precision, tolerance, bits);
+}
+
+}  // namespace fathom::judging
+
+namespace fathom {
+
+ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options) {
+  SignedDepth depth = signed_depth(a, b, options);
+  return {std::move(a), std::move(b), std::move(depth)};
+}
+
+}  // namespace fathom

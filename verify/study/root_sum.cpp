@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/study/root_sum.hpp"
+
+#include <algorithm>
+
+#include "kernels/number/surd.hpp"
+
+namespace fathom::studies {
+
+void RootSum::add(const mpq_class& factor, const mpq_class& square) {
+  if (factor == 0 || square == 0) return;
+  for (Part& part : parts_) {
+    if (const auto ratio = kernels::rational_root(square / part.square)) {
+      part.factor += factor * *ratio;
+      return;
+    }
+  }
+  parts_.push_back({square, factor});
+}
+
+void RootSum::add(const RootSum& sum, const mpq_class& times) {
+  for (const Part& part : sum.parts_) add(times * part.factor, part.square);
+}
+
+bool RootSum::is_zero() const {
+  return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.factor == 0; });
+}
+
+Vector primitive_along(const RationalVector& v) {
+  const mpz_class scale = lcm(lcm(v.x.get_den(), v.y.get_den()), v.z.get_den());
+  return primitive(Vector{mpz_class(v.x * scale), mpz_class(v.y * scale), mpz_class(v.z * scale)});
+}
+
+bool parallel(const RootVector& u, const RootVector& v) {
+  const RationalVector rr = cross(u.rational, v.rational), ri = cross(u.rational, v.irrational), ir = cross(u.irrational, v.rational),
+                       ii = cross(u.irrational, v.irrational);
+  for (const auto axis : {&RationalVector::x, &RationalVector::y, &RationalVector::z}) {
+    RootSum component;
+    component.add(rr.*axis);
+    component.add(ri.*axis, v.square);
+    component.add(ir.*axis, u.square);
+    component.add(ii.*axis, u.square * v.square);
+    if (!component.is_zero()) return false;
+  }
+  return true;
+}
+
+}  // namespace fathom::studies
