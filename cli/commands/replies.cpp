@@ -10,7 +10,6 @@
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
-#include "cli/output/sizes.hpp"
 #include "fathom/files.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
@@ -89,8 +88,9 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   const CaseReply reply = replies.reply(asked, progress, workspace);
   if (reply.keep) reply.keep();
   progress.answered();
-  if (const std::optional<std::string> note = sizes_note(asked.bodies.sizes)) talk(*note);
-  if (const std::string dents = dents_text(asked.bodies.hull); !dents.empty() && !(replies.tells_of_dents && !request.json)) talk(dents);
+  if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
+  if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty() && !(replies.tells_of_dents && !request.json))
+    talk(dents);
   if (!has_shape(single)) tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);

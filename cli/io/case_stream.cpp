@@ -22,7 +22,6 @@
 #include "cli/io/passage.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
-#include "cli/output/sizes.hpp"
 #include "reference/files/unread_cases.hpp"
 
 namespace fathom::cli {
@@ -90,8 +89,10 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     const AskedCase asked(item.value(), work.one_body);
     if (const std::string fault = wrong_meshes(asked.bodies.hull, work.require_convex); !fault.empty())
       return lose({name, line, fault}, bad_input);
-    if (std::string dents = dents_text(asked.bodies.hull); !dents.empty()) passage.notes.push_back({NoteKind::dents, std::move(dents)});
-    if (std::optional<std::string> note = sizes_note(asked.bodies.sizes)) passage.notes.push_back({NoteKind::sizes, *std::move(note)});
+    if (std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty())
+      passage.notes.push_back({NoteKind::dents, std::move(dents)});
+    if (std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes))
+      passage.notes.push_back({NoteKind::sizes, *std::move(note)});
     passage.perhaps_inner = !has_shape(item.value()) && may_have_inner_points(item.value(), work.one_body);
     if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
     passage.reply = work.answer(asked, monitor, memory.workspace);
@@ -288,8 +289,8 @@ std::string wrong_shapes(const Case& single, bool one_body, const std::string& r
   return *body ? fmt::format("{}: expected a polytope, found a shape that is none: {}", body, refusal) : "";
 }
 
-std::string wrong_meshes(const HullFacts& facts, bool require_convex) {
-  const std::string dents = require_convex ? dents_text(facts) : "";
+std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex) {
+  const std::string dents = require_convex ? shapes::dents_text(facts) : "";
   return dents.empty() ? "" : "expected convex meshes, as --require-convex says: " + dents;
 }
 

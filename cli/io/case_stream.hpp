@@ -47,7 +47,7 @@ inline bool has_shape(const Case& single) { return single.a.shape || single.b.sh
 std::string wrong_shapes(const Case& single, bool one_body, const std::string& refusal);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
-std::string wrong_meshes(const HullFacts& facts, bool require_convex);
+std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);
 
 /// Answers a block of cases for for_each_case in another process, with the same `input` and a `work` that is the same except for `threads`
 /// and `elsewhere`; replies must not have `keep`. Throws Interrupted, and std::invalid_argument for other texts.

@@ -4,16 +4,16 @@
 
 #include <vector>
 
-#include "cli/output/convexity.hpp"
 #include "cli/output/json.hpp"
-#include "cli/output/sizes.hpp"
 #include "cli/output/text_rows.hpp"
+#include "fathom/files.hpp"
+#include "reference/shapes/body_notes.hpp"
 
 namespace fathom::cli {
 
 struct AboutBodies {
-  BodySizes sizes;
-  HullFacts hull;
+  shapes::BodySizes sizes;
+  shapes::HullFacts hull;
 };
 
 AboutBodies about_bodies(const Case& input, bool one_body);

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "cli/output/coordinates.hpp"
-#include "cli/output/counts.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/counts.hpp"
 #include "kernels/number/infinitesimal.hpp"
 
 namespace fathom::cli {
@@ -65,9 +65,9 @@ Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", boun
 Json counters_object(const Counters& counters) {
   Json result;
   Json stages = Json::array();
-  for (const StageCounts& stage : counts_by_stage(counters)) {
+  for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
     if (stage.ran()) stages.push_back(stage.stage);
-    for (const Count& count : stage.counts) result[count.name] = count.value;
+    for (const kernels::Count& count : stage.counts) result[count.name] = count.value;
   }
   result["stages"] = stages;
   Json predicates = Json::object();

@@ -10,10 +10,10 @@
 
 #include "cli/io/output.hpp"
 #include "cli/output/coordinates.hpp"
-#include "cli/output/counts.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/counts.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -73,10 +73,10 @@ void add_notes(std::vector<Row>& rows, const Answer& answer, const Request& requ
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
   std::vector<std::string_view> stages;
   std::vector<Row> counts;
-  for (const StageCounts& stage : counts_by_stage(counters)) {
+  for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
     if (!stage.ran()) continue;
     stages.push_back(stage.stage);
-    for (const Count& count : stage.counts) counts.emplace_back(count.name, fmt::format("{}", count.value));
+    for (const kernels::Count& count : stage.counts) counts.emplace_back(count.name, fmt::format("{}", count.value));
   }
   rows.emplace_back("counted", fmt::format("{}", fmt::join(stages, ", ")));
   rows.insert(rows.end(), counts.begin(), counts.end());

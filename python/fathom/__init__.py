@@ -14,16 +14,18 @@ A body is the convex hull of an array of points, of a list of points whose coord
 anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. What is given is taken as it is: floats
 stand for their exact values. Every float that comes out is the correctly rounded value; what is exact is under `.exact`.
 
+A mesh with `faces` that is not convex is answered as its hull, with a NotConvexWarning.
+
 Bad input raises ValueError, and what is no number or no body TypeError. Ctrl-C ends any call.
 """
-from fathom._answers import Depth, Exact, Optimum, Root, check, Checked, depth, depths, distance, width, Width
-from fathom._bodies import (Body, Pose, box, capsule, cone, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh, sphere,
-                            tapered_capsule)
+from fathom._answers import Depth, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
+from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh,
+                            sphere, tapered_capsule)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, golden
 from fathom._questions import Approx, Judgement, Metric, Ray, Study, approx, judge, metric, ray, study
 
-__all__ = ["Approx", "Body", "Case", "Checked", "Depth", "Exact", "Judgement", "Metric", "Optimum", "Pose", "Ray", "Record", "Root",
-           "Study", "Width", "approx", "box", "capsule", "cases", "check", "cone", "cylinder", "depth", "depths", "distance", "ellipsoid",
-           "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "sphere", "study", "tapered_capsule", "width",
-           "__version__"]
+__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum", "Pose",
+           "Ray", "Record", "Root", "Study", "Width", "approx", "box", "capsule", "cases", "check", "cone", "convexity", "cylinder", "depth",
+           "depths", "distance", "ellipsoid", "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "sphere",
+           "study", "tapered_capsule", "width", "__version__"]

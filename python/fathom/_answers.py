@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from fractions import Fraction
 from typing import Any, Iterable, NamedTuple
 
@@ -10,6 +11,10 @@ from fathom import _fathom
 from fathom._types import BodyLike, FloatArray, PoseLike
 
 DEFAULT_BITS = 64
+
+
+class NotConvexWarning(UserWarning):
+    """A mesh is not convex: the answer is that of its hull. `warnings.simplefilter("error", fathom.NotConvexWarning)` makes it an error."""
 
 
 class Root(NamedTuple):
@@ -178,6 +183,22 @@ class Depth:
         return self._answer.flat
 
     @property
+    def contact(self) -> dict[str, Any] | None:
+        """The features that face each other in `direction`, as indices of points: {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}. Of
+        rounded bodies those of their cores; None for cylinders and the like."""
+        return self._answer.contact
+
+    @property
+    def notes(self) -> list[str]:
+        """What may be a slip: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
+        return self._answer.notes
+
+    @property
+    def counters(self) -> dict[str, Any]:
+        """What the run did, in counts that do not depend on the machine; "stages": what ran, "predicates": what they were asked."""
+        return self._answer.counters
+
+    @property
     def method(self) -> str | None:
         """"certificate", "exact" or "naive": what found the answer. None for cylinders and the like."""
         return self._answer.method
@@ -198,13 +219,19 @@ class Depth:
         return f"Depth({self.status}{number})"
 
 
+def _told(answer: _fathom.Answer) -> Depth:
+    if answer.dents:
+        warnings.warn(answer.dents, NotConvexWarning, stacklevel=3)
+    return Depth(answer)
+
+
 def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, method: str = "automatic",
           optima: int | None = None, bits: int = DEFAULT_BITS) -> Depth:
     """Returns the exact penetration depth of two convex bodies, or their distance.
 
     a, b            bodies: see the module
-    pose_a, pose_b  exact maps of the bodies: rows of 3 x 4 or 4 x 4 numbers, or `fathom.pose(...)`. Rotations of floats are hardly ever
-                    exact: what is answered is the body under that matrix
+    pose_a, pose_b  exact maps of the bodies: rows of 3 x 4 or 4 x 4 numbers, `fathom.pose(...)`, or a text as on the command line:
+                    "xyz=0,0,1.5 rpy=0,0,45deg". Rotations of floats are hardly ever exact: what is answered is the body under that matrix
     method          "automatic", "exact", "naive", "certificate": the answer is the same
     optima          at most so many shortest ways out are listed; all are counted
     bits            of the bounds, for cylinders, cones, ellipsoids and half-spaces against them
@@ -212,10 +239,12 @@ def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike
     >>> import fathom
     >>> fathom.depth(fathom.cylinder(1, 2), fathom.box((1, 1, 1)), pose_b=fathom.pose(translation=(0, 0, 2.5)))
     Depth(penetrating, depth=0.5)
+    >>> fathom.depth(fathom.box((1, 1, 1)), fathom.sphere(1), pose_a=[[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]).notes
+    ['pose_a: det 8, not a rotation: the body is scaled by 2']
     >>> fathom.depth([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [("1/10", "1/10", "0.1"), (1, 1, 1)]).exact.depth_squared
     Fraction(49, 300)
     """
-    return Depth(_fathom.depth(a, b, pose_a, pose_b, method, optima, bits))
+    return _told(_fathom.depth(a, b, pose_a, pose_b, method, optima, bits))
 
 
 def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, bits: int = DEFAULT_BITS) -> Depth:
@@ -225,7 +254,7 @@ def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseL
     >>> fathom.distance(fathom.sphere(1), fathom.sphere(1), pose_b=fathom.pose(translation=(3, 0, 0))).distance
     1.0
     """
-    return depth(a, b, pose_a=pose_a, pose_b=pose_b, bits=bits)
+    return _told(_fathom.depth(a, b, pose_a, pose_b, "automatic", None, bits))
 
 
 def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = None, method: str = "automatic",
@@ -239,7 +268,7 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = 
     """
     if threads is not None and threads < 1:
         raise ValueError(f"expected at least one thread, found {threads}")
-    return [Depth(answer) for answer in _fathom.depths(pairs, method, optima, bits, threads or 0)]
+    return [_told(answer) for answer in _fathom.depths(pairs, method, optima, bits, threads or 0)]
 
 
 class Width:

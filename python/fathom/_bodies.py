@@ -2,12 +2,15 @@
 """Bodies that are more than an array of points, and poses. Numbers may be floats, ints, Fractions, Decimals or texts, all exact."""
 from __future__ import annotations
 
+from fractions import Fraction
+from typing import NamedTuple
+
 from fathom import _fathom
 from fathom._fathom import Body, Pose
-from fathom._types import Number, Triple
+from fathom._types import BodyLike, Number, Triple
 
-__all__ = ["Body", "Pose", "box", "capsule", "cone", "cylinder", "ellipsoid", "frustum", "halfspace", "pose", "read_mesh", "sphere",
-           "tapered_capsule"]
+__all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "cylinder", "ellipsoid", "frustum", "halfspace", "pose",
+           "read_mesh", "sphere", "tapered_capsule"]
 
 
 def sphere(radius: Number) -> Body:
@@ -83,3 +86,26 @@ def read_mesh(path: str, decimals: str = "binary64") -> Body:
     decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
     """
     return _fathom.read_mesh(str(path), decimals)
+
+
+class Convexity(NamedTuple):
+    """How a mesh differs from the convex hull that stands for it."""
+
+    convex: bool
+    volume_ratio: Fraction | None  #: the hull's volume over the mesh's, > 1; None if the mesh is convex, or not closed
+    deepest: int | None  #: the point deepest inside the hull; None if the mesh is convex, or it would take too long to find
+    squared_depth: Fraction | None  #: of that point; 0: all points are on the hull
+
+
+def convexity(body: BodyLike) -> Convexity | None:
+    """Compares a mesh with its hull, exactly; None of what has no `faces`.
+
+    >>> import fathom
+    >>> class Dented:  # as trimesh has it
+    ...     vertices = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (1, 1, 1)]
+    ...     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)]
+    >>> fathom.convexity(Dented)
+    Convexity(convex=False, volume_ratio=Fraction(4, 3), deepest=4, squared_depth=Fraction(1, 3))
+    """
+    found = _fathom.convexity(body)
+    return None if found is None else Convexity(*found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other questions about two polytopes: depths along a direction, in a metric, within a factor; what is degenerate; and the judge."""
+"""Other questions about two bodies: depths along a direction, in a metric, within a factor; what is degenerate; and the judge."""
 from __future__ import annotations
 
 from fractions import Fraction
@@ -85,9 +85,9 @@ class Study(NamedTuple):
 
     depth: Depth
     coincidences: dict[str, dict[str, Any]]  #: by name: how many, and the first of them with their features
-    predicates: dict[str, dict[str, Any]]  #: by name: calls, how many met an exact zero, and which monomial decided
-    a: dict[str, int]  #: rank, vertices, edges, facets
-    b: dict[str, int]
+    predicates: dict[str, dict[str, Any]]  #: by name: calls, how many met an exact zero, and which monomial decided; empty of shapes
+    a: dict[str, Any]  #: rank, vertices, edges, facets; of shapes half_space, terms, points, discs, balls, radius
+    b: dict[str, Any]
 
     @property
     def names(self) -> list[str]:
@@ -96,7 +96,7 @@ class Study(NamedTuple):
 
 
 def study(a: BodyLike, b: BodyLike, *, listed: int = 20, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Study:
-    """Names what coincides: parallel edges, coplanar facets, ties and so on (docs/command_line.md).
+    """Names what coincides: parallel edges, coplanar facets, ties and so on; of shapes, axes, radii, faces (docs/command_line.md).
 
     >>> import fathom
     >>> "coincident_normals" in fathom.study(fathom.box((1, 1, 1)), fathom.box((1, 2, 3))).names
@@ -115,26 +115,28 @@ class Judgement(NamedTuple):
     findings: list[str]  #: everything that is wrong
     accuracy: str | None
     status: str  #: the truth
-    depth_squared: Fraction
-    distance_squared: Fraction
+    depth_squared: Fraction | None  #: None if a body is a shape that is no polytope, as is distance_squared
+    distance_squared: Fraction | None
+    signed_depth: tuple[float, float] | None  #: the truth about shapes, rounded outward; None of polytopes
     error: float | None  #: claimed depth less the true one, correctly rounded
     error_ulps: float | None
     error_relative: float | None
     price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it
     travel_squared: Fraction | None  #: the shortest way along it
+    price: tuple[float, float] | None  #: of shapes: what leaving along the claimed direction costs, rounded outward
 
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           touching: str = "either", sign: str = "positive", moves: str = "a", unit: bool = True, precision: str = "binary64",
           relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
-    """Judges what another program answered about two polytopes, by exact comparison.
+    """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
     touching   what it says of bodies that touch: "overlap", "separate", "either"
     sign       of its depths: "positive" or "negative"
     moves      which body the direction moves: "a" or "b"
     unit       whether it promises directions of length 1
-    precision  "binary64" or "binary32": the points are rounded to it first
+    precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
 
     >>> import fathom

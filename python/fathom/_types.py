@@ -23,6 +23,6 @@ class HasVertices(Protocol):
 
 
 BodyLike = Union["_fathom.Body", npt.NDArray[Any], Sequence[Triple], HasVertices]
-PoseLike = Union["_fathom.Pose", npt.NDArray[Any], Sequence[Sequence[Number]], None]
+PoseLike = Union["_fathom.Pose", str, npt.NDArray[Any], Sequence[Sequence[Number]], None]
 FloatArray = npt.NDArray[np.float64]
 FractionTriple = "tuple[Fraction, Fraction, Fraction]"

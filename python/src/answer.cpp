@@ -4,17 +4,19 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "fathom/certificate.hpp"
+#include "fathom/study.hpp"
 #include "fathom/width.hpp"
+#include "kernels/counts.hpp"
+#include "python/src/batch.hpp"
 #include "python/src/watching.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/shapes/body_notes.hpp"
 #include "verify/check/check.hpp"
 
 namespace fathom::python {
@@ -144,8 +146,7 @@ std::size_t optima_count(const PairAnswer& answer) {
 std::string certificate(const PairAnswer& answer, const std::string& id) {
   return watched([&](Monitor& monitor) {
     if (const Depth* const depth = answer.depth()) return certificate_text(answer.a, answer.b, *depth, id, &monitor);
-    const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
-    return certificate_text(shape(answer.a), shape(answer.b), answer.of_shapes(), id, ShapeFormat::shortest, &monitor);
+    return certificate_text(files::shape_of(answer.a), files::shape_of(answer.b), answer.of_shapes(), id, ShapeFormat::shortest, &monitor);
   });
 }
 
@@ -156,8 +157,32 @@ py::object method(const PairAnswer& answer) {
 
 py::object flatness(const PairAnswer& answer) {
   if (const Depth* const depth = answer.depth()) return py::make_tuple(depth->flat_a, depth->flat_b);
-  const auto flat = [](const Body& body) { return is_flat(body.shape ? *body.shape : hull(body.points)); };
-  return py::make_tuple(flat(answer.a), flat(answer.b));
+  return py::make_tuple(is_flat(files::shape_of(answer.a)), is_flat(files::shape_of(answer.b)));
+}
+
+py::object contact_in_python(const PairAnswer& answer) {
+  const Depth* const depth = answer.depth();
+  return contact(depth ? depth->contact() : answer.of_shapes().contact());
+}
+
+py::dict counters_in_python(const PairAnswer& answer) {
+  const Counters counters = answer.depth() ? answer.depth()->counters : answer.of_shapes().counters();
+  py::dict result;
+  py::list stages;
+  for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
+    if (stage.ran()) stages.append(std::string(stage.stage));
+    for (const kernels::Count& count : stage.counts) result[py::str(std::string(count.name))] = count.value;
+  }
+  result["stages"] = stages;
+  result["predicates"] = predicates(counters.predicates);
+  return result;
+}
+
+std::vector<std::string> notes(const PairAnswer& answer) {
+  std::vector<std::string> result = answer.notes;
+  if (const std::optional<std::string> sizes = shapes::sizes_note(shapes::sizes_of(answer.a, answer.b))) result.push_back(*sizes);
+  if (!answer.dents.empty()) result.push_back(answer.dents);
+  return result;
 }
 
 Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits) {
@@ -170,46 +195,6 @@ Question question(const std::string& method, const std::optional<std::size_t>& o
       return result;
     }
   throw py::value_error("expected method 'automatic', 'exact', 'naive' or 'certificate', found '" + method + "'");
-}
-
-/// Answers all of them with several threads. What goes wrong first, by the order of the pairs, is thrown.
-std::vector<PairAnswer> answer_all(std::vector<std::pair<Body, Body>> pairs, const Question& question, unsigned threads, Monitor& monitor) {
-  std::vector<std::optional<PairAnswer>> answers(pairs.size());
-  std::atomic<std::size_t> next = 0, running = threads;
-  std::atomic<bool> stop = false;
-  std::mutex fault_lock;
-  std::size_t first_fault = pairs.size();
-  std::exception_ptr fault;
-  const auto work = [&] {
-    FlagMonitor flag(stop);
-    for (std::size_t i = next++; i < pairs.size() && !stop; i = next++) {
-      try {
-        answers[i] = answer(std::move(pairs[i].first), std::move(pairs[i].second), question, flag);
-      } catch (...) {
-        const std::lock_guard lock(fault_lock);
-        if (!stop || i < first_fault) {
-          fault = std::current_exception();
-          first_fault = i;
-        }
-        stop = true;
-      }
-    }
-    --running;
-  };
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
-  bool interrupted = false;
-  while (running > 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (!interrupted && monitor.stopped()) interrupted = stop = true;
-  }
-  for (std::thread& worker : workers) worker.join();
-  if (interrupted) throw Interrupted();
-  if (fault) std::rethrow_exception(fault);
-  std::vector<PairAnswer> result;
-  result.reserve(answers.size());
-  for (std::optional<PairAnswer>& one : answers) result.push_back(*std::move(one));
-  return result;
 }
 
 py::dict checked(const std::string& text) {
@@ -229,14 +214,27 @@ PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor) {
   thread_local Workspace workspace;
   Options options = question.options;
   options.monitor = &monitor;
+  std::string dents = shapes::dents_text({shapes::hull_fact(a), shapes::hull_fact(b)});
   if (!a.shape && !b.shape) {
     options.workspace = &workspace;
     Depth depth = penetration_depth(a, b, options);
-    return {std::move(a), std::move(b), std::move(depth)};
+    return {std::move(a), std::move(b), std::move(depth), {}, std::move(dents)};
   }
-  const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
-  SignedDepth found = signed_depth(shape(a), shape(b), {.cores = options, .bits = question.bits});
-  return {std::move(a), std::move(b), std::move(found)};
+  SignedDepth found = signed_depth(files::shape_of(a), files::shape_of(b), {.cores = options, .bits = question.bits});
+  return {std::move(a), std::move(b), std::move(found), {}, std::move(dents)};
+}
+
+py::dict predicates(const PredicateCounts& counts) {
+  using py::literals::operator""_a;
+  py::dict result;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const TierCounts& tier = counts[i];
+    py::dict decided;
+    for (const auto& [monomial, count] : tier.decided) decided[py::str(monomial_name(monomial))] = count;
+    result[py::str(std::string(predicate_names[i]))] =
+        py::dict("calls"_a = tier.calls, "exact"_a = tier.exact, "zero"_a = tier.zero, "decided"_a = decided);
+  }
+  return result;
 }
 
 py::object contact(const Contact* touching) {
@@ -271,14 +269,21 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("optima_count", optima_count)
       .def_property_readonly("method", method)
       .def_property_readonly("flat", flatness)
+      .def_property_readonly("contact", contact_in_python)
+      .def_property_readonly("counters", counters_in_python)
+      .def_property_readonly("notes", notes)
+      .def_readonly("dents", &PairAnswer::dents)
       .def("certificate", certificate, arg("id"));
   module.def(
       "depth",
       [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, const std::string& method,
          const std::optional<std::size_t>& optima, unsigned bits) {
-        Body body_a = body_from(a, pose_a, "a"), body_b = body_from(b, pose_b, "b");
+        std::vector<std::string> notes;
+        Body body_a = body_from(a, pose_a, "a", &notes), body_b = body_from(b, pose_b, "b", &notes);
         const Question asked = question(method, optima, bits);
-        return watched([&](Monitor& monitor) { return answer(std::move(body_a), std::move(body_b), asked, monitor); });
+        PairAnswer found = watched([&](Monitor& monitor) { return answer(std::move(body_a), std::move(body_b), asked, monitor); });
+        found.notes = std::move(notes);
+        return found;
       },
       arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("method"), arg("optima"), arg("bits"));
   module.def(

@@ -2,7 +2,9 @@
 // The answer about two bodies, polytopes or shapes, in the words of Python. Numbers are computed when they are asked for.
 #pragma once
 
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "fathom/signed_depth.hpp"
 #include "python/src/bodies.hpp"
@@ -12,6 +14,8 @@ namespace fathom::python {
 struct PairAnswer {
   Body a, b;
   std::variant<Depth, SignedDepth> found;
+  std::vector<std::string> notes = {};  ///< on the poses
+  std::string dents = {};               ///< what is said of meshes that are not convex; else empty
 
   /// Null if a body is a shape.
   [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&found); }
@@ -29,6 +33,8 @@ PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor);
 /// Answer, depth, depths, width, check.
 void bind_answers(py::module_& module);
 
+/// What the predicates were asked, by name.
+py::dict predicates(const PredicateCounts& counts);
 /// A dict of kind, a, b.
 py::object contact(const Contact* contact);
 /// A pair of points, as floats or fractions; None if there is none.

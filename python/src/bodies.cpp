@@ -4,22 +4,22 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/pose_text.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/shapes/body_notes.hpp"
 
 namespace fathom::python {
 namespace {
 
 using Triples = std::vector<std::array<double, 3>>;
-
-/// A Pose in Python: pybind11 would make lists of a bare array.
-struct ExactPose {
-  Pose matrix;
-};
 
 [[noreturn]] void refuse(const std::string& sentence) { throw py::value_error(sentence); }
 
@@ -73,6 +73,25 @@ GivenPoints points_from_sequence(const py::iterable& sequence) {
   return GivenPoints(std::move(points));
 }
 
+/// Three indices a face, as trimesh has them.
+MeshFaces faces_from(py::handle from, std::size_t points) {
+  const auto array = py::array_t<std::int64_t, py::array::c_style>::ensure(from);
+  if (!array || array.ndim() != 2 || array.shape(1) != 3) {
+    PyErr_Clear();
+    refuse("expected faces of three indices each");
+  }
+  const auto view = array.unchecked<2>();
+  MeshFaces faces;
+  for (py::ssize_t i = 0; i < view.shape(0); ++i)
+    for (py::ssize_t j = 0; j < 3; ++j) {
+      const std::int64_t corner = view(i, j);
+      if (corner < 0 || static_cast<std::size_t>(corner) >= points)
+        refuse("face " + std::to_string(i) + ": expected an index below " + std::to_string(points) + ", found " + std::to_string(corner));
+      faces.corners.push_back(static_cast<std::uint32_t>(corner));
+    }
+  return faces;
+}
+
 GivenPoints given_points(py::handle from) {
   if (py::isinstance<py::array>(from)) {
     const auto array = py::reinterpret_borrow<py::array>(from);
@@ -85,50 +104,34 @@ GivenPoints given_points(py::handle from) {
   return points_from_sequence(py::reinterpret_borrow<py::iterable>(from));
 }
 
-Pose pose_from(py::handle from) {
-  if (py::isinstance<ExactPose>(from)) return from.cast<ExactPose>().matrix;
-  const auto rows = py::reinterpret_borrow<py::sequence>(from);
-  const std::size_t count = PySequence_Check(from.ptr()) ? py::len(from) : 0;
-  if (count != 3 && count != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
-  Pose pose;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto row = py::reinterpret_borrow<py::sequence>(rows[i]);
-    if (!PySequence_Check(row.ptr()) || py::len(row) != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
-    for (std::size_t j = 0; j < 4; ++j) {
-      const mpq_class entry = number_from(row[j]);
-      if (i < 3) pose[i][j] = entry;
-      else if (entry != (j == 3 ? 1 : 0)) refuse("expected 0 0 0 1 as the last row of a pose of 4 rows");
+Body given_body(py::handle from) {
+  if (py::isinstance<Body>(from)) return from.cast<Body>();
+  Body body{given_points(from)};
+  if (py::hasattr(from, "vertices") && py::hasattr(from, "faces"))
+    body.faces = std::make_shared<const MeshFaces>(faces_from(from.attr("faces"), body.points.size()));
+  return body;
+}
+
+files::GivenPose pose_from(py::handle from) {
+  if (py::isinstance<files::GivenPose>(from)) return from.cast<files::GivenPose>();
+  std::string fault;
+  files::GivenPose pose;
+  if (py::isinstance<py::str>(from)) {
+    pose = files::parse_pose(from.cast<std::string>(), Decimals::exact, fault);
+  } else {
+    std::vector<std::array<mpq_class, 4>> rows;
+    const bool listed = PySequence_Check(from.ptr());
+    if (!listed || (py::len(from) != 3 && py::len(from) != 4)) refuse("expected a pose of 3 or 4 rows of 4 numbers");
+    for (const py::object row : py::reinterpret_borrow<py::sequence>(from)) {  // an array makes its rows as they are asked for
+      if (!PySequence_Check(row.ptr()) || py::len(row) != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
+      const auto entries = py::reinterpret_borrow<py::sequence>(row);
+      rows.push_back({number_from(entries[0]), number_from(entries[1]), number_from(entries[2]), number_from(entries[3])});
     }
+    pose = files::pose_of(rows, fault);
   }
+  if (!fault.empty()) refuse("pose: " + fault);
   return pose;
 }
-
-Point placed(const Point& p, const Pose& pose) {
-  const auto row = [&](std::size_t i) { return mpq_class(pose[i][0] * p.x + pose[i][1] * p.y + pose[i][2] * p.z + pose[i][3]); };
-  return {row(0), row(1), row(2)};
-}
-
-Body posed(Body body, const Pose& pose) {
-  if (body.shape) return {{}, moved(*body.shape, pose)};
-  std::vector<Point> points;
-  points.reserve(body.points.size());
-  for (const Point& p : body.points) points.push_back(placed(p, pose));
-  return {GivenPoints(std::move(points))};
-}
-
-/// A hull of points without radius is told by its points.
-Body body_of(Shape shape) {
-  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
-  if (shape.radius != 0 || !terms || terms->size() != 1) return {{}, std::move(shape)};
-  std::vector<Point> points;
-  for (const Atom& atom : terms->front().atoms) {
-    if (!atom.axes.empty()) return {{}, std::move(shape)};
-    points.push_back(atom.center);
-  }
-  return {GivenPoints(std::move(points))};
-}
-
-Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
 
 Axis axis_from(const std::string& axis) {
   if (axis == "x") return Axis::x;
@@ -161,50 +164,75 @@ std::string described(const Body& body) {
 void bind_shapes(py::module_& module) {
   using py::arg;
   const auto number = [](const py::object& from) { return number_from(from); };
-  module.def("sphere", [number](const py::object& radius) { return body_of(sphere(number(radius))); }, arg("radius"));
+  module.def("sphere", [number](const py::object& radius) { return files::body_of(sphere(number(radius))); }, arg("radius"));
   module.def(
       "capsule",
       [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return body_of(capsule(number(radius), number(half_length), axis_from(axis)));
+        return files::body_of(capsule(number(radius), number(half_length), axis_from(axis)));
       },
       arg("radius"), arg("half_length"), arg("axis") = "z");
   module.def(
       "tapered_capsule",
       [number](const py::object& low, const py::object& high, const py::object& half_length, const std::string& axis) {
-        return body_of(tapered_capsule(number(low), number(high), number(half_length), axis_from(axis)));
+        return files::body_of(tapered_capsule(number(low), number(high), number(half_length), axis_from(axis)));
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def("box", [](const py::object& half) { return body_of(box(point_from(half))); }, arg("half"));
+  module.def("box", [](const py::object& half) { return files::body_of(box(point_from(half))); }, arg("half"));
   module.def(
       "cylinder",
       [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return body_of(cylinder(number(radius), number(half_length), axis_from(axis)));
+        return files::body_of(cylinder(number(radius), number(half_length), axis_from(axis)));
       },
       arg("radius"), arg("half_length"), arg("axis") = "z");
   module.def(
       "cone",
       [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return body_of(cone(number(radius), number(half_length), axis_from(axis)));
+        return files::body_of(cone(number(radius), number(half_length), axis_from(axis)));
       },
       arg("radius"), arg("half_length"), arg("axis") = "z");
   module.def(
       "frustum",
       [number](const py::object& low, const py::object& high, const py::object& half_length, const std::string& axis) {
-        return body_of(frustum(number(low), number(high), number(half_length), axis_from(axis)));
+        return files::body_of(frustum(number(low), number(high), number(half_length), axis_from(axis)));
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def("ellipsoid", [](const py::object& radii) { return body_of(ellipsoid(point_from(radii))); }, arg("radii"));
+  module.def("ellipsoid", [](const py::object& radii) { return files::body_of(ellipsoid(point_from(radii))); }, arg("radii"));
   module.def(
-      "halfspace", [number](const py::object& normal, const py::object& offset) { return body_of(halfspace(point_from(normal), number(offset))); },
+      "halfspace", [number](const py::object& normal, const py::object& offset) { return files::body_of(halfspace(point_from(normal), number(offset))); },
       arg("normal"), arg("offset"));
+}
+
+py::object extent_in_python(const Body& body) {
+  const std::optional<std::array<double, 3>> lengths = shapes::extent(body);
+  return lengths ? py::object(array(*lengths)) : py::object(py::none());
+}
+
+/// None if nothing is known.
+py::object convexity(const Body& body) {
+  const std::optional<polytope::MeshConvexity> found = [&] {
+    const py::gil_scoped_release unlocked;
+    return shapes::hull_fact(body);
+  }();
+  if (!found) return py::none();
+  if (!found->dents) return py::make_tuple(true, py::none(), py::none(), py::none());
+  const polytope::Dents& dents = *found->dents;
+  const py::object ratio = dents.volume_ratio ? fraction(*dents.volume_ratio) : py::object(py::none());
+  if (!dents.deepest) return py::make_tuple(false, ratio, py::none(), py::none());
+  return py::make_tuple(false, ratio, dents.deepest->point, fraction(dents.deepest->squared_depth));
 }
 
 }  // namespace
 
-Body body_from(py::handle from, py::handle pose, const char* name) try {
-  Body body = py::isinstance<Body>(from) ? from.cast<Body>() : Body{given_points(from)};
+Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes) try {
+  Body body = given_body(from);
   if (!body.shape && body.points.empty()) refuse("expected at least one point, found none");
-  return pose.is_none() ? body : posed(std::move(body), pose_from(pose));
+  if (pose.is_none()) return body;
+  const files::GivenPose given = pose_from(pose);
+  if (notes)
+    if (const std::string note = files::pose_note(given, body.shape && body.shape->radius > 0); !note.empty())
+      notes->push_back(std::string("pose_") + name + ": " + note);
+  files::place(body, given);
+  return body;
 } catch (const py::value_error& fault) {
   refuse(std::string(name) + ": " + fault.what());
 } catch (const std::invalid_argument& fault) {
@@ -219,31 +247,38 @@ const GivenPoints& points_of(const Body& body, const char* name) {
 }
 
 void bind_bodies(py::module_& module) {
-  py::class_<ExactPose>(module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
-      .def(py::init([](const py::object& rows) { return ExactPose{pose_from(rows)}; }), py::arg("rows"))
-      .def_property_readonly("rows", [](const ExactPose& pose) {
-        py::list rows;
-        for (const auto& row : pose.matrix) rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
-        return py::tuple(rows);
-      });
+  py::class_<files::GivenPose>(module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
+      .def(py::init(&pose_from), py::arg("rows"))
+      .def_property_readonly("rows",
+                             [](const files::GivenPose& given) {
+                               py::list rows;
+                               for (const auto& row : files::exact_pose(given))
+                                 rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
+                               return py::tuple(rows);
+                             })
+      .def_property_readonly("note", [](const files::GivenPose& given) { return files::pose_note(given, false); });
   module.def(
       "pose",
       [](const py::object& quaternion, const py::object& translation) {
         const auto q = py::reinterpret_borrow<py::sequence>(quaternion);
         if (!PySequence_Check(quaternion.ptr()) || py::len(quaternion) != 4) refuse("expected a quaternion w, x, y, z");
-        return ExactPose{rigid_pose({number_from(q[0]), number_from(q[1]), number_from(q[2]), number_from(q[3])}, point_from(translation))};
+        const Quaternion turn = {number_from(q[0]), number_from(q[1]), number_from(q[2]), number_from(q[3])};
+        if (turn == Quaternion{0, 0, 0, 0}) refuse("expected a quaternion that is not 0, found 0");
+        return files::GivenPose{.turn = turn, .place = point_from(translation)};
       },
       py::arg("quaternion"), py::arg("translation"));
   py::class_<Body>(module, "Body", "A convex body: the hull of `points`, or a shape.")
       .def(py::init([](const py::object& points) { return body_from(points, py::none(), "points"); }), py::arg("points"))
       .def_property_readonly("points", points_in_python)
       .def_property_readonly("is_shape", [](const Body& body) { return body.shape.has_value(); })
-      .def_property_readonly("is_flat", [](const Body& body) { return is_flat(shape_of(body)); })
+      .def_property_readonly("extent", extent_in_python)
+      .def_property_readonly("is_flat", [](const Body& body) { return is_flat(files::shape_of(body)); })
       .def("moved", [](const Body& body, const py::object& pose) { return body_from(py::cast(body), pose, "body"); }, py::arg("pose"))
-      .def("with_margin", [](const Body& body, const py::object& margin) { return body_of(with_margin(shape_of(body), number_from(margin))); },
+      .def("with_margin", [](const Body& body, const py::object& margin) { return files::body_of(with_margin(files::shape_of(body), number_from(margin))); },
            py::arg("margin"))
-      .def("__add__", [](const Body& a, const Body& b) { return body_of(minkowski_sum(shape_of(a), shape_of(b))); }, py::is_operator())
+      .def("__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(files::shape_of(a), files::shape_of(b))); }, py::is_operator())
       .def("__repr__", described);
+  module.def("convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
   bind_shapes(module);
   module.def(
       "read_mesh",

@@ -2,15 +2,18 @@
 // Bodies from Python: arrays, lists, meshes, shapes, each perhaps with a pose.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fathom/body.hpp"
 #include "python/src/numbers.hpp"
 
 namespace fathom::python {
 
 /// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays of floats and sequences of numbers that are
-/// binary64 stay in binary64. The pose is None, a Pose, or 3 or 4 rows of 4 numbers. Throws py::value_error with a sentence that begins with
-/// `name`, and py::type_error.
-Body body_from(py::handle body, py::handle pose, const char* name);
+/// binary64 stay in binary64. `faces` beside `vertices` are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws
+/// py::value_error with a sentence that begins with `name`, and py::type_error. What there is to say of the pose goes to `notes`.
+Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
 /// Its points, if it is a polytope; throws py::value_error else.
 const GivenPoints& points_of(const Body& body, const char* name);

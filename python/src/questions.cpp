@@ -17,6 +17,7 @@
 #include "python/src/answer.hpp"
 #include "python/src/bodies.hpp"
 #include "python/src/watching.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 
@@ -29,6 +30,7 @@ struct Pair {
   Body a, b;
 };
 
+/// Two polytopes.
 Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
   Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
   points_of(pair.a, "a");
@@ -85,27 +87,56 @@ py::dict size_of(const BodySize& size) {
   return py::dict("rank"_a = size.rank, "vertices"_a = size.vertices, "edges"_a = size.edges, "facets"_a = size.facets);
 }
 
-py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
-  Pair pair = pair_from(a, b, pose_a, pose_b);
+py::dict studied(PairAnswer answer, const py::dict& coincidences, const py::dict& predicates, const py::dict& a, const py::dict& b) {
+  return py::dict("answer"_a = std::move(answer), "coincidences"_a = coincidences, "predicates"_a = predicates, "a"_a = a, "b"_a = b);
+}
+
+py::dict coincidence(std::uint64_t count, const py::list& listed) { return py::dict("count"_a = count, "listed"_a = listed); }
+
+py::dict study_of_polytopes(Pair pair, std::size_t listed) {
   Study found = watched([&](Monitor& monitor) {
     return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor});
   });
-  py::dict coincidences, predicates;
+  py::dict coincidences;
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
-    const Coincidences& kind = found.coincidences[i];
     py::list list;
-    for (const Involved& one : kind.listed) list.append(involved(one));
-    coincidences[py::str(std::string(coincidence_names[i]))] = py::dict("count"_a = kind.count, "listed"_a = list);
+    for (const Involved& one : found.coincidences[i].listed) list.append(involved(one));
+    coincidences[py::str(std::string(coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
-  for (std::size_t i = 0; i < found.predicates.size(); ++i) {
-    const TierCounts& tier = found.predicates[i];
-    py::dict decided;
-    for (const auto& [monomial, count] : tier.decided) decided[py::str(monomial_name(monomial))] = count;
-    predicates[py::str(std::string(predicate_names[i]))] =
-        py::dict("calls"_a = tier.calls, "exact"_a = tier.exact, "zero"_a = tier.zero, "decided"_a = decided);
+  const py::dict a = size_of(found.a), b = size_of(found.b), asked = predicates(found.predicates);
+  return studied({std::move(pair.a), std::move(pair.b), std::move(found.depth)}, coincidences, asked, a, b);
+}
+
+py::dict feature(const ShapeFeature& found) {
+  return py::dict("what"_a = std::string(found.what),
+                  "direction"_a = found.direction == Vector{0, 0, 0} ? py::object(py::none()) : py::object(integers(found.direction)),
+                  "point"_a = found.point ? py::object(fractions(*found.point)) : py::object(py::none()),
+                  "length"_a = found.length ? py::object(py::make_tuple(fraction(found.length->rational), fraction(found.length->root)))
+                                            : py::object(py::none()));
+}
+
+py::dict size_of(const ShapeSize& size) {
+  return py::dict("half_space"_a = size.half_space, "terms"_a = size.terms, "points"_a = size.points, "discs"_a = size.discs,
+                  "balls"_a = size.balls, "radius"_a = fraction(size.radius));
+}
+
+py::dict study_of_shapes(Pair pair, std::size_t listed) {
+  ShapeStudy found = watched([&](Monitor& monitor) {
+    return study(files::shape_of(pair.a), files::shape_of(pair.b), {.listed = listed, .monitor = &monitor});
+  });
+  py::dict coincidences;
+  for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
+    py::list list;
+    for (const ShapeInvolved& one : found.coincidences[i].listed) list.append(py::dict("a"_a = feature(one.a), "b"_a = feature(one.b)));
+    coincidences[py::str(std::string(shape_coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
-  return py::dict("answer"_a = PairAnswer{std::move(pair.a), std::move(pair.b), std::move(found.depth)}, "coincidences"_a = coincidences,
-                  "predicates"_a = predicates, "a"_a = size_of(found.a), "b"_a = size_of(found.b));
+  const py::dict a = size_of(found.a), b = size_of(found.b);
+  return studied({std::move(pair.a), std::move(pair.b), std::move(found.depth)}, coincidences, {}, a, b);
+}
+
+py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
+  Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
+  return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed) : study_of_polytopes(std::move(pair), listed);
 }
 
 // ---- the judge ----
@@ -159,28 +190,45 @@ Claimed claimed_from(const py::dict& claim) {
   return result;
 }
 
-py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b);
-  const Claimed claimed = claimed_from(claim);
-  std::optional<GivenPoints> seen_a = seen(pair.a.points, claimed.precision), seen_b = seen(pair.b.points, claimed.precision);
-  if (!seen_a || !seen_b) throw py::value_error("a coordinate overflows " + std::string(name(claimed.precision)));
-  const Judgement found = watched([&](Monitor& monitor) {
-    Options options;
-    options.monitor = &monitor;
-    const Truth truth = truth_about(*std::move(seen_a), *std::move(seen_b), options);
+/// The body as an implementation of this precision sees it. The numbers of shapes are taken as they are.
+Body as_seen(Body body, Precision precision, const char* name) {
+  if (body.shape) return body;
+  std::optional<GivenPoints> points = seen(body.points, precision);
+  if (!points) throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(precision)));
+  return {*std::move(points)};
+}
+
+Judgement judgement_on(const Body& a, const Body& b, const Claimed& claimed, Monitor& monitor) {
+  Options options;
+  options.monitor = &monitor;
+  const auto judge_by = [&](const auto& truth) {
     return judge(truth, claimed.reply, claimed.conventions, claimed.precision, claimed.tolerance);
-  });
+  };
+  if (!a.shape && !b.shape) return judge_by(truth_about(a.points, b.points, options));
+  return judge_by(truth_about(files::shape_of(a), files::shape_of(b), {.cores = options}));
+}
+
+py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
+  const Claimed claimed = claimed_from(claim);
+  const Body seen_a = as_seen(body_from(a, pose_a, "a"), claimed.precision, "a"),
+             seen_b = as_seen(body_from(b, pose_b, "b"), claimed.precision, "b");
+  const Judgement found = watched([&](Monitor& monitor) { return judgement_on(seen_a, seen_b, claimed, monitor); });
+  const bool polytopes = !seen_a.shape && !seen_b.shape;
   py::list findings;
   for (const Verdict finding : found.findings) findings.append(std::string(name(finding)));
-  const auto optional = [](const auto& value) { return value ? py::object(py::float_(*value)) : py::object(py::none()); };
+  const auto number = [](const auto& value) { return value ? py::object(py::float_(*value)) : py::object(py::none()); };
+  const auto word = [](const auto& value) { return value ? py::object(py::str(std::string(name(*value)))) : py::object(py::none()); };
   const auto squared = [](const std::optional<mpq_class>& value) { return value ? fraction(*value) : py::object(py::none()); };
+  const auto between = [](const std::optional<Between>& value) {
+    return value ? py::object(py::make_tuple(value->low, value->high)) : py::object(py::none());
+  };
+  const auto truth = [&](const mpq_class& value) { return polytopes ? fraction(value) : py::object(py::none()); };
   return py::dict("verdict"_a = std::string(name(found.verdict)), "passed"_a = passes(found.verdict), "findings"_a = findings,
-                  "accuracy"_a = found.accuracy ? py::object(py::str(std::string(name(*found.accuracy)))) : py::object(py::none()),
-                  "status"_a = std::string(name(*found.status)), "depth_squared"_a = fraction(found.depth_squared),
-                  "distance_squared"_a = fraction(found.distance_squared), "error"_a = optional(found.error),
-                  "error_ulps"_a = optional(found.error_ulps), "error_relative"_a = optional(found.error_relative),
-                  "price_squared"_a = squared(found.price_squared), "travel_squared"_a = squared(found.travel_squared),
-                  "sentence"_a = found.sentence);
+                  "accuracy"_a = word(found.accuracy), "status"_a = found.status ? word(found.status) : py::object(py::str("undecided")),
+                  "depth_squared"_a = truth(found.depth_squared), "distance_squared"_a = truth(found.distance_squared),
+                  "signed_depth"_a = between(found.signed_depth), "error"_a = number(found.error), "error_ulps"_a = number(found.error_ulps),
+                  "error_relative"_a = number(found.error_relative), "price_squared"_a = squared(found.price_squared),
+                  "travel_squared"_a = squared(found.travel_squared), "price"_a = between(found.price), "sentence"_a = found.sentence);
 }
 
 // ---- files ----

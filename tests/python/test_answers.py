@@ -164,3 +164,68 @@ def test_other_questions():
     assert judged.passed and judged.price_squared == 1 and judged.error == 0.0
     assert fathom.judge(box, other, overlap=False).verdict == "false-separation"
     assert fathom.judge(box, other, overlap=True, depth=math.nan).verdict == "nan"
+
+
+def test_studies_and_judgements_of_shapes():
+    ball, cylinder = fathom.sphere(1), fathom.cylinder(1, 2)
+    study = fathom.study(ball, cylinder)
+    assert study.depth.low <= 2 <= study.depth.high and {"concentric", "equal_radii"} <= set(study.names) and study.b["discs"] == 2
+    judged = fathom.judge(ball, cylinder, overlap=True, depth=2.0, direction=(1, 0, 0))
+    assert judged.passed and judged.status == "penetrating" and judged.depth_squared is None
+    assert judged.signed_depth[0] <= 2 <= judged.signed_depth[1] and judged.price[0] <= 2 <= judged.price[1]
+    assert fathom.judge(ball, CUBE, overlap=False).verdict == "false-separation"
+    assert fathom.judge(ball, cylinder, overlap=True, depth=3.0).verdict == "too-deep"
+
+
+def test_texts_of_poses():
+    matrix = [[0, -1, 0, Fraction(1, 3)], [1, 0, 0, 0], [0, 0, 1, 0]]
+    for text in ("xyz=1/3,0,0 rpy=0,0,90deg", "quat=1,0,0,1 xyz=1/3,0,0", "0 -1 0 1/3 1 0 0 0 0 0 1 0"):
+        assert fathom.Pose(text).rows == tuple(map(tuple, matrix))
+        assert fathom.depth(CUBE, CUBE, pose_b=text).exact.depth_squared == Fraction(1, 9)
+    assert fathom.Pose(matrix).note == "" and "reflection" in fathom.Pose(np.diag([1, 1, -1, 1])).note
+
+
+def test_notes():
+    assert fathom.depth(CUBE, CUBE).notes == []
+    [note] = fathom.depth(CUBE, CUBE * 1000).notes
+    assert "same unit" in note
+    turned = fathom.depth(CUBE, CUBE, pose_b=np.array([[1, 0, 0, 5], [0, 1, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1.0]]).T)
+    assert turned.notes == ["pose_b: the last column is 0 0 0 1: this 4 x 4 is read as transposed"]
+    assert turned.exact.distance_squared == 4**2 + 5**2 + 6**2
+
+
+class Tent:  # as trimesh has it: a tetrahedron with one face pushed in
+    vertices = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]], float)
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]])
+
+
+def test_meshes_that_are_not_convex():
+    with pytest.warns(fathom.NotConvexWarning, match="A is not convex: the hull holds 1.33 times its volume"):
+        hit = fathom.depth(Tent, CUBE)
+    assert hit.notes and hit.status == "penetrating"
+    with pytest.warns(fathom.NotConvexWarning, match="B is not convex"):
+        fathom.depths([(CUBE, Tent)])
+    flat = Tent()
+    flat.vertices = Tent.vertices[[0, 1, 2, 3, 0]]
+    flat.faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    assert fathom.convexity(flat) == (True, None, None, None) and fathom.convexity(CUBE) is None
+    flat.faces = [(0, 1, 5)]
+    with pytest.raises(ValueError, match="a: face 0: expected an index below 5, found 5"):
+        fathom.depth(flat, CUBE)
+
+
+def test_contacts_and_counters():
+    apart = fathom.depth(CUBE, CUBE + [2, 2, 2])
+    assert apart.contact == {"kind": "vertex-vertex", "a": (7,), "b": (0,)}
+    rounded = fathom.depth(fathom.box((1, 1, 1)).with_margin(1), fathom.sphere(1), pose_b="xyz=0,0,5/2")
+    assert rounded.contact["kind"] == "facet-vertex"
+    assert fathom.depth(fathom.cylinder(1, 1), CUBE).contact is None
+    exact = fathom.depth(CUBE, CUBE + [0.5, 0.25, 0], method="exact")
+    assert exact.counters["vertices_a"] == 8 and "closest lines" in exact.counters["stages"]
+    assert exact.counters["predicates"]["x_order"]["calls"] > 0
+    assert fathom.depth(fathom.cylinder(1, 1), CUBE).counters["support_calls"] > 0
+
+
+def test_extents():
+    assert fathom.cylinder(1, 2).extent.tolist() == [2, 2, 4] and fathom.halfspace((0, 0, 1), 0).extent is None
+    assert fathom.Body(CUBE).extent.tolist() == [1, 1, 1]

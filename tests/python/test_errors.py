@@ -47,7 +47,7 @@ def test_types(body):
     (lambda: fathom.depth(CUBE, CUBE, method="best"), "expected method 'automatic'"),
     (lambda: fathom.depth(CUBE, CUBE, optima=0), "at least one optimum must be listed"),
     (lambda: fathom.depth(CUBE, CUBE, pose_a=np.eye(3)), "a: expected a pose of 3 or 4 rows of 4 numbers"),
-    (lambda: fathom.depth(CUBE, CUBE, pose_b=np.diag([1, 1, 1, 2])), "b: expected 0 0 0 1 as the last row"),
+    (lambda: fathom.depth(CUBE, CUBE, pose_b=np.diag([1, 1, 1, 2])), "b: pose: expected the last row 0 0 0 1"),
     (lambda: fathom.depth(CUBE, CUBE, pose_b=fathom.pose((0, 0, 0, 0))), "0"),
     (lambda: fathom.depth(fathom.cylinder(1, 1), CUBE, pose_a=np.zeros((3, 4))), "singular"),
     (lambda: fathom.sphere(0), "radius"),

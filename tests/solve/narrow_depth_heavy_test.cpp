@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 10,000 pairs of every family: the expanding polytope with integers of fixed size against its twin in mpz_class, and the answer on narrow
+// 2,000 pairs of every family: the expanding polytope with integers of fixed size against its twin in mpz_class, and the answer on narrow
 // lattices against that on any lattice, in every field.
 #include <gtest/gtest.h>
 

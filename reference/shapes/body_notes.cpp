@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/output/sizes.hpp"
+#include "reference/shapes/body_notes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "fathom/numbers.hpp"
 
-namespace fathom::cli {
+namespace fathom::shapes {
 namespace {
+
+using polytope::Dents;
+
+constexpr double shown_as_excess = 0.005;  // "1 + 2e-16 times": three digits would show 1
+
+std::string volume_text(const mpq_class& ratio) {
+  const double excess = round_binary64(mpq_class(ratio - 1));
+  if (excess < shown_as_excess) return fmt::format("the hull holds 1 + {:.2g} times its volume", excess);
+  return fmt::format("the hull holds {:.3g} times its volume", round_binary64(ratio));
+}
+
+std::string dents_of(char body, const Dents& dents) {
+  std::string text = fmt::format("{} is not convex: {}", body,
+                                 dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
+  if (!dents.deepest) return text;
+  if (dents.deepest->squared_depth == 0) return text + ", all its points are on the hull";
+  return text + fmt::format(", its deepest point is {:.3g} inside", root_binary64(dents.deepest->squared_depth));
+}
 
 using Lengths = std::array<double, 3>;
 
@@ -73,11 +92,6 @@ std::string text_of(const std::optional<Lengths>& lengths) {
   return lengths ? fmt::format("{:.4g} x {:.4g} x {:.4g}", (*lengths)[0], (*lengths)[1], (*lengths)[2]) : "a half-space";
 }
 
-Json json_of(const std::optional<Lengths>& lengths) {
-  if (!lengths || !std::ranges::all_of(*lengths, [](double x) { return std::isfinite(x); })) return {};
-  return Json::array({(*lengths)[0], (*lengths)[1], (*lengths)[2]});
-}
-
 }  // namespace
 
 std::optional<Lengths> extent(const Body& body) {
@@ -86,15 +100,11 @@ std::optional<Lengths> extent(const Body& body) {
   return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;
 }
 
-BodySizes sizes_of(const Case& input, bool one_body) { return {extent(input.a), one_body ? std::nullopt : extent(input.b), one_body}; }
+BodySizes sizes_of(const Body& a, const Body& b) { return {extent(a), extent(b)}; }
+
+BodySizes sizes_of(const Body& a) { return {extent(a), std::nullopt, true}; }
 
 std::string sizes_text(const BodySizes& sizes) { return "A " + text_of(sizes.a) + (sizes.one_body ? "" : ", B " + text_of(sizes.b)); }
-
-Json sizes_object(const BodySizes& sizes) {
-  Json result = {{"a", json_of(sizes.a)}};
-  if (!sizes.one_body) result["b"] = json_of(sizes.b);
-  return result;
-}
 
 std::optional<std::string> sizes_note(const BodySizes& sizes) {
   if (!sizes.a || !sizes.b) return std::nullopt;
@@ -106,4 +116,17 @@ std::optional<std::string> sizes_note(const BodySizes& sizes) {
                      a_is_large ? 'B' : 'A', sizes_text(sizes));
 }
 
-}  // namespace fathom::cli
+std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
+  if (!body.faces || body.shape) return std::nullopt;
+  polytope::MeshConvexity found = polytope::mesh_convexity(body.points, *body.faces);
+  return found.tried ? std::optional(std::move(found)) : std::nullopt;
+}
+
+std::string dents_text(const HullFacts& facts) {
+  std::string result;
+  if (facts.a && facts.a->dents) result = dents_of('A', *facts.a->dents);
+  if (facts.b && facts.b->dents) result += (result.empty() ? "" : "; ") + dents_of('B', *facts.b->dents);
+  return result;
+}
+
+}  // namespace fathom::shapes

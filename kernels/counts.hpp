@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "kernels/counters.hpp"
+#include "fathom/counters.hpp"
 
-namespace fathom::cli {
+namespace fathom::kernels {
 
 struct Count {
   std::string_view name;
@@ -60,4 +60,4 @@ inline std::vector<StageCounts> counts_by_stage(const Counters& c) {
   };
 }
 
-}  // namespace fathom::cli
+}  // namespace fathom::kernels
