@@ -2,32 +2,22 @@
 // Points, translations and directions to the nearest binary64, as decimals for people and as numbers of JSON; and exactly for people.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "cli/output/json.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/rounded/coordinates.hpp"
 
 namespace fathom::cli {
 
-/// Three coordinates: rational but for one root.
-using Coordinates = std::array<Surd, 3>;
+using rounded::CoordinatePair;
+using rounded::Coordinates;
+using rounded::coordinates;
+using rounded::nearest_binary64;
+using rounded::rational_point;
+using rounded::unit;
 
-Coordinates coordinates(const Point& p);
-Coordinates coordinates(const AlongNormal& vector);
-Coordinates coordinates(const RoundedPoint& point);
-/// The unit vector in the direction of n, which is not 0.
-Coordinates unit(const Vector& n);
-
-/// The vector or the point, if it is rational.
-std::optional<Point> rational_point(const AlongNormal& vector);
-std::optional<Point> rational_point(const RoundedPoint& point);
-
-/// Points of both bodies.
-using CoordinatePair = std::array<Coordinates, 2>;
-CoordinatePair coordinates(const Witness& witness);
-CoordinatePair coordinates(const RoundedWitness& witness);
 template <class SomeWitness>
 std::optional<CoordinatePair> coordinates_of(const std::optional<SomeWitness>& witness) {
   return witness ? std::optional(coordinates(*witness)) : std::nullopt;

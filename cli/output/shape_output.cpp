@@ -14,6 +14,7 @@
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
+#include "kernels/number/surd.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -144,7 +145,7 @@ void add_length(std::vector<Row>& rows, const SignedDepth& depth, const Request&
   if (apart) rows.emplace_back("distance", value_text(depth, -1));
   if (const Surd* const exactly = depth.exact()) {
     const Surd length = apart ? negated(*exactly) : *exactly;
-    if (request.exact) rows.emplace_back("exactly", exact_surd_text(length));
+    if (request.exact) rows.emplace_back("exactly", kernels::exact_surd_text(length));
     if (request.digits) {
       const Enclosure enclosure = enclose(length, *request.digits);
       rows.emplace_back("enclosure", fmt::format("[{}, {}]", enclosure.low, enclosure.high));

@@ -9,6 +9,7 @@
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/surd.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -18,7 +19,7 @@ using Lines = std::vector<std::string>;
 std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
 
 std::string status_text(const SignedDepth& depth) {
-  const std::string value = depth.exact() ? "signed depth " + exact_surd_text(*depth.exact())
+  const std::string value = depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
                                           : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
   return fmt::format("{}; {}", status_name(depth), value);
 }
@@ -41,7 +42,7 @@ std::string body_text(const ShapeSize& size) {
 
 std::string feature_text(const ShapeFeature& feature) {
   std::string text(feature.what);
-  if (feature.length) text += " " + exact_surd_text(*feature.length);
+  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
   if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
   if (feature.point) text += " at " + point_text(*feature.point);
   return text;

@@ -16,15 +16,9 @@ namespace {
 
 constexpr std::size_t beyond_binary64_digits = 17;
 
-/// The value as a rational, if it is one.
-std::optional<mpq_class> rational(const Surd& value) {
-  const std::optional<mpq_class> root = kernels::rational_root(value.root);
-  return root ? std::optional<mpq_class>(value.rational + *root) : std::nullopt;
-}
-
 std::optional<mpq_class> rational_square(const Surd& value) {
   if (value.rational == 0) return abs(value.root);
-  const std::optional<mpq_class> number = rational(value);
+  const std::optional<mpq_class> number = kernels::rational_value(value);
   return number ? std::optional<mpq_class>(*number * *number) : std::nullopt;
 }
 
@@ -41,13 +35,6 @@ std::string surd_text(const Surd& value) {
   if (sign(value) == 0) return "0";
   if (const double rounded = round_binary64(value); std::isfinite(rounded) && rounded != 0) return fmt::format("{}", rounded);
   return enclose(value, beyond_binary64_digits).low;
-}
-
-std::string exact_surd_text(const Surd& value) {
-  if (const std::optional<mpq_class> number = rational(value)) return exact_text(*number);
-  const std::string root = fmt::format("{}sqrt({})", sgn(value.root) < 0 ? "-" : "", exact_text(abs(value.root)));
-  if (value.rational == 0) return root;
-  return fmt::format("{} {} {}", root, value.rational < 0 ? '-' : '+', exact_text(abs(value.rational)));
 }
 
 Json surd_length(const Surd& value, const std::optional<unsigned>& digits) {

@@ -13,9 +13,6 @@ namespace fathom::cli {
 /// As root_text: the shortest decimal that reads back as the nearest binary64; 17 digits beyond that range.
 std::string surd_text(const Surd& value);
 
-/// "sqrt(2) + 1/2", "-sqrt(2) + 1/2", "3/2".
-std::string exact_surd_text(const Surd& value);
-
 /// A length: value >= 0. Its exact square is null if that is irrational.
 Json surd_length(const Surd& value, const std::optional<unsigned>& digits);
 

@@ -53,7 +53,7 @@ auto refined(const Surd& value, const Round& round) {
 
 template <class Round>
 auto rounded(const Surd& value, const Round& round) {
-  if (const auto root = rational_root(value.root)) return round(mpq_class(value.rational + *root));
+  if (const auto number = rational_value(value)) return round(*number);
   const auto result = refined(value, round);
   return result == 0 ? std::copysign(result, sign(value) < 0 ? decltype(result){-1} : decltype(result){1}) : result;
 }
@@ -72,11 +72,20 @@ RationalInterval quotient(const RationalInterval& x, const RationalInterval& y) 
 }
 
 RationalInterval enclosed(const Surd& value, unsigned bits) {
-  if (const std::optional<mpq_class> root = rational_root(value.root)) {
-    const mpq_class known = value.rational + *root;
-    return {known, known};
-  }
+  if (const std::optional<mpq_class> known = rational_value(value)) return {*known, *known};
   return enclosed_irrational(value, bits);
+}
+
+std::optional<mpq_class> rational_value(const Surd& value) {
+  const std::optional<mpq_class> root = rational_root(value.root);
+  return root ? std::optional<mpq_class>(value.rational + *root) : std::nullopt;
+}
+
+std::string exact_surd_text(const Surd& value) {
+  if (const std::optional<mpq_class> number = rational_value(value)) return exact_text(*number);
+  const std::string root = (sgn(value.root) < 0 ? "-sqrt(" : "sqrt(") + exact_text(abs(value.root)) + ")";
+  if (value.rational == 0) return root;
+  return root + (value.rational < 0 ? " - " : " + ") + exact_text(abs(value.rational));
 }
 
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y) {

@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <optional>
+#include <string>
 
 #include "fathom/numbers.hpp"
 
@@ -13,6 +14,12 @@ namespace fathom::kernels {
 
 /// Returns the signed root of x, if it is rational.
 std::optional<mpq_class> rational_root(const mpq_class& x);
+
+/// Returns the value, if it is rational.
+std::optional<mpq_class> rational_value(const Surd& value);
+
+/// "sqrt(2) + 1/2", "-sqrt(2) + 1/2", "3/2".
+std::string exact_surd_text(const Surd& value);
 
 /// Returns the exact sign of rational + signed root of x + signed root of y.
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y);

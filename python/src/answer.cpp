@@ -16,29 +16,12 @@
 #include "python/src/batch.hpp"
 #include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "verify/check/check.hpp"
 
 namespace fathom::python {
 namespace {
-
-mpz_class dot(const Vector& u) { return u.x * u.x + u.y * u.y + u.z * u.z; }
-
-/// alpha n_i + beta n_i / |n|.
-Surd component(const mpz_class& n_i, const mpq_class& alpha, const mpq_class& beta, const mpz_class& square) {
-  const mpq_class along = beta * n_i;
-  return {alpha * n_i, along * abs(along) / square};
-}
-
-py::array_t<double> rounded(const Vector& n, const mpq_class& alpha, const mpq_class& beta, const Point& from) {
-  const mpz_class square = dot(n);
-  const auto coordinate = [&](const mpz_class& n_i, const mpq_class& start) {
-    Surd value = component(n_i, alpha, beta, square);
-    value.rational += start;
-    return round_binary64(value);
-  };
-  return array(std::array{coordinate(n.x, from.x), coordinate(n.y, from.y), coordinate(n.z, from.z)});
-}
 
 /// The value as rational + signed root.
 Surd value_of(const Depth& depth) { return {0, signed_square(depth)}; }
@@ -94,12 +77,12 @@ py::object translation(const PairAnswer& answer, bool exact) {
   if (all.empty()) return py::none();
   const AlongNormal& t = all.front();
   if (exact) return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
-  return rounded(t.normal, t.alpha, t.beta, {});
+  return array(rounded::nearest_binary64(rounded::coordinates(t)));
 }
 
 py::object rounded_point(const RoundedPoint& p, bool exact) {
   if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
-  return rounded(p.normal, 0, p.distance, p.core);
+  return array(rounded::nearest_binary64(rounded::coordinates(p)));
 }
 
 py::object witness_in_python(const PairAnswer& answer, bool exact) {
@@ -132,7 +115,7 @@ py::list optima(const PairAnswer& answer) {
   for (std::size_t i = 0; i < translations.size(); ++i) {
     const AlongNormal& t = translations[i];
     const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : nullptr;
-    list.append(optimum(t.normal, touching, rounded(t.normal, t.alpha, t.beta, {}),
+    list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(rounded::coordinates(t))),
                         py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
   }
   return list;
@@ -250,7 +233,7 @@ py::object witness(const std::optional<Witness>& found, bool exact) {
   return py::make_tuple(array(found->a), array(found->b));
 }
 
-py::array_t<double> unit(const Vector& n) { return rounded(n, 0, 1, {}); }
+py::array_t<double> unit(const Vector& n) { return array(rounded::nearest_binary64(rounded::unit(n))); }
 
 void bind_answers(py::module_& module) {
   using py::arg;

@@ -22,10 +22,7 @@ mpq_class rational(const std::string& decimal) { return *parse_number(decimal, D
 
 Interval interval(const SignedDepth& depth) {
   if (const Bounds* const bounds = depth.bounds()) return *bounds;
-  if (const std::optional<mpq_class> root = kernels::rational_root(depth.exact()->root)) {
-    const mpq_class value = depth.exact()->rational + *root;
-    return {value, value};
-  }
+  if (const std::optional<mpq_class> value = kernels::rational_value(*depth.exact())) return {*value, *value};
   const Enclosure enclosure = enclose(*depth.exact(), digits);
   return {rational(enclosure.low), rational(enclosure.high)};
 }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rounded/coordinates.hpp"
+
+#include "fathom/numbers.hpp"
+#include "kernels/number/surd.hpp"
+#include "kernels/vector.hpp"
+
+namespace fathom::rounded {
+namespace {
+
+/// from + length n/|n|.
+Coordinates beyond(const Point& from, const mpq_class& length, const Vector& n) {
+  const mpz_class square = dot(n, n);
+  const auto coordinate = [&](const mpq_class& start, const mpz_class& n_i) {
+    if (sgn(length) == 0 || sgn(n_i) == 0) return Surd{start, 0};
+    const mpq_class along = length * n_i;
+    return Surd{start, mpq_class(along * abs(along) / square)};
+  };
+  return {coordinate(from.x, n.x), coordinate(from.y, n.y), coordinate(from.z, n.z)};
+}
+
+Point scaled(const Vector& n, const mpq_class& factor) { return {factor * n.x, factor * n.y, factor * n.z}; }
+
+Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+/// length n/|n|, if that is rational.
+std::optional<Point> along(const Vector& n, const mpq_class& length) {
+  if (length == 0) return Point{};
+  const std::optional<mpq_class> size = kernels::rational_root(mpq_class(dot(n, n)));
+  return size ? std::optional(scaled(n, length / *size)) : std::nullopt;
+}
+
+double nearest(const Surd& value) { return sgn(value.root) == 0 ? round_binary64(value.rational) : round_binary64(value); }
+
+}  // namespace
+
+Coordinates coordinates(const Point& p) { return {Surd{p.x, 0}, Surd{p.y, 0}, Surd{p.z, 0}}; }
+
+Coordinates coordinates(const AlongNormal& vector) { return beyond(scaled(vector.normal, vector.alpha), vector.beta, vector.normal); }
+
+Coordinates coordinates(const RoundedPoint& point) { return beyond(point.core, point.distance, point.normal); }
+
+Coordinates unit(const Vector& n) { return beyond({}, 1, n); }
+
+CoordinatePair coordinates(const Witness& witness) { return {coordinates(witness.a), coordinates(witness.b)}; }
+CoordinatePair coordinates(const RoundedWitness& witness) { return {coordinates(witness.a), coordinates(witness.b)}; }
+
+std::array<double, 3> nearest_binary64(const Coordinates& values) { return {nearest(values[0]), nearest(values[1]), nearest(values[2])}; }
+
+std::optional<Point> rational_point(const AlongNormal& vector) {
+  const std::optional<Point> rest = along(vector.normal, vector.beta);
+  return rest ? std::optional(sum(scaled(vector.normal, vector.alpha), *rest)) : std::nullopt;
+}
+
+std::optional<Point> rational_point(const RoundedPoint& point) {
+  const std::optional<Point> rest = along(point.normal, point.distance);
+  return rest ? std::optional(sum(point.core, *rest)) : std::nullopt;
+}
+
+}  // namespace fathom::rounded
