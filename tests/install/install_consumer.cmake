@@ -41,11 +41,11 @@ endforeach()
 # Law: without CMake, pkg-config leads C programs to the library. A blank in a path would need quotes in the shell's words.
 file(CREATE_LINK ${prefix} ${WORK}/place SYMBOLIC)
 file(GLOB pc_file "${prefix}/lib*/pkgconfig/fathom-c.pc" "${prefix}/lib*/*/pkgconfig/fathom-c.pc")
-string(REPLACE "${prefix}" "${WORK}/place" pc_file "${pc_file}")
+string(REPLACE "${prefix}" ${WORK}/place pc_file "${pc_file}")
 cmake_path(GET pc_file PARENT_PATH pc_folder)
 cmake_path(GET pc_folder PARENT_PATH lib_folder)
-run(sh -c "set -e; PKG_CONFIG_PATH=${pc_folder}; export PKG_CONFIG_PATH
-  cc -std=c99 '${examples}/c_depth.c' ${FLAGS} $(pkg-config --cflags --libs fathom-c) -o ${WORK}/c_depth")
+run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
+  sh -c "cc -std=c99 '${examples}/c_depth.c' ${FLAGS} $(pkg-config --cflags --libs fathom-c) -o ${WORK}/c_depth")
 run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${lib_folder}
   ${CMAKE_COMMAND} -D PROGRAM=${WORK}/c_depth -D "SOURCE=${examples}/c_depth.c" -P "${examples}/run.cmake")
 run(${WORK}/consumer/judge_in_googletest)
