@@ -11,7 +11,7 @@ static void answer_about(fathom_body* a, fathom_body* b) {
       fathom_answer_json(answer, "example", &json) != FATHOM_OK) {
     printf("%s\n", fathom_last_error());
   } else {
-    printf("%s, signed depth %s; all in JSON: %.51s...\n", fathom_status_name(fathom_answer_status(answer)), exactly, json);
+    printf("%s, signed depth %s; all in JSON: %.27s...\n", fathom_status_name(fathom_answer_status(answer)), exactly, json);
   }
   fathom_text_free(json);
   fathom_text_free(exactly);
@@ -30,9 +30,9 @@ int main(void) {
   fathom_body_from_shape("sphere:r=0.1,at=1/4:1/4:13/30", FATHOM_EXACT_DECIMALS, &b);
   answer_about(a, b);
 
-  /* A capsule that leans on another one. */
+  /* Two capsules beside each other. */
   fathom_body_from_shape("capsule:r=1/2,h=1", FATHOM_EXACT_DECIMALS, &pill);
-  fathom_body_posed(pill, "xyz=1,0,0 rpy=45,0,0deg", FATHOM_EXACT_DECIMALS, &b);
+  fathom_body_posed(pill, "xyz=1,1,0 rpy=0,0,90deg", FATHOM_EXACT_DECIMALS, &b);
   answer_about(pill, b);
 
   /* The points of a mesh against a shape of a case. */
@@ -50,4 +50,7 @@ int main(void) {
   return a == NULL ? 0 : 1;
 }
 
-//> penetrating
+//> touching, signed depth 0; all in JSON: {"schema":"fathom/result/2"...
+//> disjoint, signed depth -sqrt(2)+1; all in JSON: {"schema":"fathom/result/2"...
+//> penetrating, signed depth 1/4; all in JSON: {"schema":"fathom/result/2"...
+//> sphere:r=-1: the radius of a sphere is not positive: -1

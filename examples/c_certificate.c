@@ -38,4 +38,6 @@ int main(void) {
   return 0;
 }
 
-//> s VERIFIED
+//> s VERIFIED penetrating depth_squared=3/16 optima=1 quarter
+//> no: s REFUSED quarter:4: point 0 of a is not that of the case
+//> no: s MALFORMED certificate:1: expected 'fathom-certificate 1' or 'fathom-certificate 2', found 'no certificate'

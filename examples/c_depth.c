@@ -78,3 +78,8 @@ int main(void) {
 
 //> fathom 0
 //> penetrating, 0.25, between 0.25 and 0.25
+//> along (-1, 0, 0): move A by (-0.25, 0, 0)
+//> so that (1, 0.75, 0.5) comes to (0.75, 0.75, 0.5)
+//> way 0: (-0.25, 0, 0)
+//> way 1: (0, -0.25, 0)
+//> exactly 1/4
