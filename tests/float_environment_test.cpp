@@ -14,8 +14,8 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/fathom.h"
 #include "fathom/files.hpp"
-#include "fathom/judge.h"
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
@@ -24,6 +24,7 @@
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/placed_pair.hpp"
+#include "tests/c/handles.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random_bodies.hpp"
@@ -330,19 +331,15 @@ TEST(FloatEnvironment, Judging) {
   reply.depth = 0.404;
   reply.direction = Triple{-0.57, -0.57, -0.57};
   expect_the_same("judge", [&] { return judge(a, b, reply).sentence; });
-  expect_the_same("fathom_judge", [&] {
+  expect_the_same("the library for C", [&] {
+    using namespace testing;  // handles
+    const BodyHandle first = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}), second = body_of({0.1, 0.1, 5e-324, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     fathom_claim claim;
     fathom_judgement judgement;
     fathom_claim_init(&claim);
     fathom_judgement_init(&judgement);
-    claim.a = a.front().data();
-    claim.b = b.front().data();
-    claim.a_count = claim.b_count = 4;
-    claim.overlap = claim.has_depth = 1;
-    claim.depth = 0.404;
-    char sentence[1000] = "";
-    const int code = fathom_judge(&claim, &judgement, sentence, sizeof sentence);
-    return text(code, std::string(sentence), judgement.true_depth, judgement.error);
+    const int code = fathom_judge(first.get(), second.get(), &claim, &judgement, nullptr);
+    return text(code, exactly(answer_about(first, second), FATHOM_WITNESS_A), judgement.signed_depth, judgement.verdict);
   });
 }
 

@@ -2,7 +2,6 @@
 #include "cli/io/output.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,20 +22,6 @@ void print(std::string_view text) {
   const std::string line = std::string(text) + '\n';
   if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size() || std::fflush(stdout) != 0)
     throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno));
-}
-
-std::string without_controls(std::string_view text) {
-  std::string result;
-  bool behind_lead = false;  // of a character of two bytes, U+0080 to U+00BF
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool second = behind_lead && byte >= 0x80 && byte < 0xa0;
-    if (second) result.replace(result.size() - 1, 1, "\\xc2");
-    if (second || byte < 0x20 || byte == 0x7f) result += fmt::format("\\x{:02x}", byte);
-    else result += c;
-    behind_lead = byte == 0xc2;
-  }
-  return result;
 }
 
 std::string fault_text(const std::exception& error) {

@@ -2,7 +2,7 @@
 // Input   two bodies, and what an implementation of penetration depth answered about them.
 // Output  whether the answer is right, and if not, how wrong it is, by exact comparison.
 //         verify/judge/VERDICTS.md defines every verdict and number.
-// C programs include fathom/judge.h.
+// C programs include fathom/fathom.h.
 #pragma once
 
 #include <gmpxx.h>

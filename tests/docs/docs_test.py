@@ -83,7 +83,7 @@ class Scratch:
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
         path = pathlib.Path(self.folder.name)
-        for copied in ("examples", "tests/data", "verify"):  # what commands read
+        for copied in ("examples", "include", "tests/data", "verify"):  # what commands read
             shutil.copytree(ROOT / copied, path / copied)
         (path / "fathom").symlink_to(EXECUTABLE)
         (path / "build").mkdir()
@@ -169,10 +169,10 @@ class Docs(unittest.TestCase):
         """Law: each paragraph of a block of C++ stands in one example, which a test compiles and runs."""
         stripped = lambda lines: "\n".join(line.strip() for line in lines)
         examples = [stripped(path.read_text().splitlines()) for folder in ("examples", "verify/examples", "tests/install")
-                    for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".cpp", ".c", ".txt")]
+                    for path in sorted((ROOT / folder).rglob("*")) if path.suffix in (".cpp", ".c", ".rs", ".txt")]
         for page in pages():
             for _, language, lines in blocks(page.read_text()):
-                if language in ("cpp", "c", "cmake"):
+                if language in ("cpp", "c", "cmake", "rust"):
                     paragraphs = stripped(lines).split("\n\n")
                     self.assertTrue(any(all(part in example for part in paragraphs) for example in examples), f"{name(page)}: {lines}")
 

@@ -33,10 +33,21 @@ run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/c
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/all_headers)
 run(${WORK}/consumer/check)
-foreach(example depth.cpp certificate.cpp judge_c.c)
+foreach(example depth.cpp certificate.cpp c_judge.c)
   cmake_path(GET example STEM name)
   run(${CMAKE_COMMAND} -D PROGRAM=${WORK}/consumer/${name} -D "SOURCE=${examples}/${example}" -P "${examples}/run.cmake")
 endforeach()
+
+# Law: without CMake, pkg-config leads C programs to the library. A blank in a path would need quotes in the shell's words.
+file(CREATE_LINK ${prefix} ${WORK}/place SYMBOLIC)
+file(GLOB pc_file "${prefix}/lib*/pkgconfig/fathom-c.pc" "${prefix}/lib*/*/pkgconfig/fathom-c.pc")
+string(REPLACE "${prefix}" ${WORK}/place pc_file "${pc_file}")
+cmake_path(GET pc_file PARENT_PATH pc_folder)
+cmake_path(GET pc_folder PARENT_PATH lib_folder)
+run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
+  sh -c "cc -std=c99 '${examples}/c_depth.c' ${FLAGS} $(pkg-config --cflags --libs fathom-c) -o ${WORK}/c_depth")
+run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${lib_folder}
+  ${CMAKE_COMMAND} -D PROGRAM=${WORK}/c_depth -D "SOURCE=${examples}/c_depth.c" -P "${examples}/run.cmake")
 run(${WORK}/consumer/judge_in_googletest)
 if(NOT output MATCHES "PASSED  .* 3 tests")
   message(FATAL_ERROR "the example with GoogleTest printed '${output}'")

@@ -40,11 +40,12 @@ ORDER = [
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
     ["cli", "python"],
+    ["c"],
     ["tests"],
 ]
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
-CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "tests")
+CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "tests")
 ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")

@@ -177,7 +177,7 @@ requires(Solid<T>) Box largest(const std::vector<T>& boxes, int from = first(0),
         self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("largest", "least")}), [(name, "examples")])
         self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("fathom/box.hpp", "vector")}), [(name, "examples")])
         self.assertEqual(breaches({name: header, "examples/box.cpp": program.replace("int main", "// int main")}), [(name, "examples")] * 2)
-        c = SPDX + 'extern "C" {\nint fathom_volume(int x);\n}\n'
+        c = SPDX + 'extern "C" {\ntypedef int fathom_ask(void* who);\nint fathom_volume(int x);\n}\n'
         self.assertEqual(breaches({"include/fathom/box.h": c}), [("include/fathom/box.h", "examples")] * 2)
         check = "// SPDX-License-Identifier: Apache-2.0\nnamespace fathom_check {\nbool verify(int x);\n}  // namespace fathom_check\n"
         self.assertEqual(breaches({"verify/check/check.hpp": check}), [("verify/check/check.hpp", "examples")] * 2)

@@ -23,7 +23,7 @@ def functions_of(header):
             scopes.pop()
         elif token == "(" and all(scopes) and not parentheses and statement and "=" not in statement:
             name = statement[-1]
-            if name[0].isalpha() and name not in NO_NAMES:
+            if name[0].isalpha() and name not in NO_NAMES and statement[0] != "typedef":
                 if name not in types and statement[-2:-1] != ["~"]:
                     names.append(name)
                 statement.append("=")  # no other name before the statement's end is a function's

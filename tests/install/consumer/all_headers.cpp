@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All of the installed headers in one source, fathom/cgal.hpp apart.
-#include <fathom/judge.h>
+#include <fathom/fathom.h>
 
 #include <fathom/check.hpp>
 #include <fathom/fathom.hpp>

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands between C and the rest: handles, messages, and the one place where exceptions become codes.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "fathom/fathom.h"
+#include "fathom/files.hpp"
+#include "fathom/signed_depth.hpp"
+#include "kernels/float_environment.hpp"
+
+struct fathom_body {
+  std::shared_ptr<const fathom::Body> body;
+};
+
+struct fathom_answer {
+  std::shared_ptr<const fathom::Body> a, b;
+  std::variant<fathom::Depth, fathom::SignedDepth> found;  ///< the former of two polytopes
+  std::optional<std::size_t> listed;                       ///< how many optima were asked for
+};
+
+namespace fathom::c {
+
+/// The answer has no such part.
+struct Absence : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What fathom_last_error returns to this thread. Cut where it is too long.
+void set_message(std::string_view message) noexcept;
+
+/// Throws std::invalid_argument that names what is missing, unless the pointer is there.
+void require(const void* pointer, const char* name);
+
+/// Throws std::invalid_argument unless the struct is there, and as large as that of this version.
+template <class Struct>
+void require_struct(const Struct* given, const char* name) {
+  require(given, name);
+  if (given->size != sizeof(Struct)) throw std::invalid_argument(std::string(name) + ": not set by its init function of this version");
+}
+
+/// The text as the caller frees it.
+char* text_for_caller(std::string_view text);
+
+Decimals decimals_from(int decimals);
+
+/// Does the work in the default floating-point environment and returns its code; whatever it throws becomes one, with a message.
+template <class Work>
+int guarded(Work work) noexcept {
+  const kernels::DefaultFloatEnvironment environment;
+  const auto failed = [](int code, std::string_view message) {
+    set_message(message);
+    return code;
+  };
+  try {
+    work();
+    return failed(FATHOM_OK, "");
+  } catch (const Absence& error) {
+    return failed(FATHOM_ABSENT, error.what());
+  } catch (const Interrupted&) {
+    return failed(FATHOM_INTERRUPTED, "interrupted");
+  } catch (const std::invalid_argument& error) {
+    return failed(FATHOM_BAD_INPUT, error.what());
+  } catch (const InputError& error) {
+    return failed(FATHOM_BAD_INPUT, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(FATHOM_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(FATHOM_INTERNAL, error.what());
+  } catch (...) {
+    return failed(FATHOM_INTERNAL, "a fault of fathom");
+  }
+}
+
+/// Sets the handle to what `make` returns, or to NULL.
+template <class Handle, class Make>
+int make_handle(Handle** handle, Make make) noexcept {
+  if (handle) *handle = nullptr;
+  return guarded([&] {
+    require(handle, "the place for the result");
+    *handle = std::make_unique<Handle>(make()).release();
+  });
+}
+
+/// Sets the text to what `make` returns, or to NULL.
+template <class Make>
+int make_text(char** text, Make make) noexcept {
+  if (text) *text = nullptr;
+  return guarded([&] {
+    require(text, "the place for the text");
+    *text = text_for_caller(make());
+  });
+}
+
+/// Asks the caller's function, if there is one.
+class CallersMonitor final : public Monitor {
+ public:
+  explicit CallersMonitor(const fathom_options& options) : options_(options) {}
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool stopped() override { return options_.stop && options_.stop(options_.caller) != 0; }
+
+ private:
+  const fathom_options& options_;
+};
+
+/// The options that are given, or the usual ones. Throws std::invalid_argument.
+fathom_options options_from(const fathom_options* options);
+
+/// A signed depth, rounded: `nearest` is NaN if bounds leave it open.
+struct RoundedDepth {
+  double nearest, low, high;
+};
+RoundedDepth rounded(const Depth& depth);
+RoundedDepth rounded(const SignedDepth& depth);
+
+/// FATHOM_PENETRATING and so on.
+int status_of(const Depth& depth);
+int status_of(const SignedDepth& depth);
+
+}  // namespace fathom::c

@@ -1,0 +1,293 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file
+ * fathom for C, and for every language that can call C: the exact penetration depth of two convex bodies, certificates and their checker,
+ * and the judge of other implementations. C99 and C++; the library is libfathom.so.1.
+ *
+ * Bodies and answers are handles: they are made by one function, never change after that, may be used by many threads at once, and end with
+ * fathom_body_free or fathom_answer_free. An answer does not need the bodies that it is about.
+ *
+ * A function that can fail returns FATHOM_OK or another of these codes, and then fathom_last_error says why. What it was to make is NULL
+ * after a failure, numbers are left as they were. A null pointer where something is needed is answered with FATHOM_BAD_INPUT. No exception
+ * leaves the library, it prints nothing, and it may be called in any floating-point environment, which is the caller's again afterwards.
+ * Texts are UTF-8 and end with a zero; those that a function makes end with fathom_text_free.
+ *
+ * Every symbol has the version FATHOM_1, within which no function and no struct changes. New functions may join them.
+ *
+ * All doubles that come out are correctly rounded to nearest, unless something else is said.
+ */
+#ifndef FATHOM_FATHOM_H
+#define FATHOM_FATHOM_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define FATHOM_API __attribute__((visibility("default")))
+#else
+#define FATHOM_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- codes, messages, texts ---- */
+
+/** What functions return. */
+enum {
+  FATHOM_OK = 0,
+  FATHOM_BAD_INPUT = 1,     /**< an argument, a text or a file is not what was expected */
+  FATHOM_OUT_OF_MEMORY = 2, /**< memory that GMP cannot get ends the process, as in every program that uses GMP */
+  FATHOM_INTERNAL = 3,      /**< a fault of fathom: please report it */
+  FATHOM_INTERRUPTED = 4,   /**< fathom_options::stop said so */
+  FATHOM_ABSENT = 5         /**< the answer has no such part, as a translation where only bounds are known */
+};
+
+/** The version of the library, as "0.1.0". */
+FATHOM_API const char* fathom_version(void);
+
+/** Why the last function that this thread called failed, as one sentence: "cube.off:12: expected a vertex index below 8, found '9'". Empty
+ * after FATHOM_OK. It stands until this thread calls the next function that returns a code. Never NULL; at most 1023 bytes. */
+FATHOM_API const char* fathom_last_error(void);
+
+/** Ends a text that a function has made. NULL is allowed. */
+FATHOM_API void fathom_text_free(char* text);
+
+/* ---- bodies ---- */
+
+/** A convex body: the hull of points, or a shape that is none, as a capsule. */
+typedef struct fathom_body fathom_body;
+
+/** What a decimal in a text stands for. Integers, ratios "22/7" and hexadecimal floats are exact in any case. */
+enum {
+  FATHOM_BINARY64_DECIMALS = 0, /**< the nearest binary64, which is what other programs read */
+  FATHOM_EXACT_DECIMALS = 1     /**< its own value: 0.1 is 1/10 */
+};
+
+/** Makes the hull of `count` points, x y z x y z ..., from 1 to 2^31 of them. The doubles are taken exactly, and have to be finite. */
+FATHOM_API int fathom_body_from_points(const double* xyz, size_t count, fathom_body** body);
+
+/** The same of exact numbers: 3 * count texts, each an integer, a ratio "1/3", a decimal "0.1", which is 1/10, or a hexadecimal float. */
+FATHOM_API int fathom_body_from_numbers(const char* const* xyz, size_t count, fathom_body** body);
+
+/** Makes a shape of its short form, as the command line takes it: "sphere:r=1", "capsule:r=0.1,h=0.5,at=1:2:3",
+ * "box:half=1:2:3,margin=1/10"; tapered_capsule, cylinder, cone, frustum, ellipsoid and halfspace too. docs/shapes.md lists their
+ * fields. */
+FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body);
+
+/** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body. */
+FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
+
+/** Makes both bodies of a case as JSON, schema fathom/case/1: {"a": {"vertices": [[0, 0, 0], ...]}, "b": {"shape": "sphere", "radius": 1}}.
+ * JSON numbers are binary64, texts exact; hulls with margins, sums and triangles are given in this way. Both are made, or none. */
+FATHOM_API int fathom_bodies_from_case(const char* json, fathom_body** a, fathom_body** b);
+
+/** Makes the body where a pose puts it, exactly: x goes to M x + t for the three rows of four numbers (M | t). M need not be a rotation,
+ * but regular for shapes. The radius of a shape is a length in the world, and stays. */
+FATHOM_API int fathom_body_moved(const fathom_body* body, const double pose[12], fathom_body** moved);
+
+/** The same of a pose as text, as the option --pose-a takes it: twelve or sixteen numbers, or "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W
+ * or rpy=0,0,90deg instead of quat. The rotation of a quaternion is exact, whatever its length. */
+FATHOM_API int fathom_body_posed(const fathom_body* body, const char* pose, int decimals, fathom_body** moved);
+
+/** Ends a body. NULL is allowed. */
+FATHOM_API void fathom_body_free(fathom_body* body);
+
+/* ---- depth ---- */
+
+/** Where two bodies are. */
+enum {
+  FATHOM_PENETRATING = 0,
+  FATHOM_TOUCHING = 1,
+  FATHOM_DISJOINT = 2,
+  FATHOM_UNDECIDED = 3 /**< of curved shapes, whose bounds leave it open */
+};
+
+/** "penetrating", "touching", "disjoint", "undecided"; NULL for other numbers. */
+FATHOM_API const char* fathom_status_name(int status);
+
+/** Asked now and then, on the thread that called the library, whether the work is to end: anything but 0 ends it. It has to return. */
+typedef int fathom_stop(void* caller);
+
+/** How to find an answer. fathom_options_init sets all of it. */
+typedef struct fathom_options {
+  size_t size;       /**< sizeof(fathom_options), set by fathom_options_init */
+  size_t optima;     /**< 0, for all: how many shortest ways out are listed at most */
+  unsigned bits;     /**< 40: bounds are found to 2^-bits of the value or of the bodies' extent; at most 1000 */
+  fathom_stop* stop; /**< NULL: nobody is asked */
+  void* caller;      /**< what `stop` gets */
+} fathom_options;
+
+FATHOM_API void fathom_options_init(fathom_options* options);
+
+/** The answer about two bodies. The signed depth is their depth if they penetrate, 0 if they touch, minus their distance if they are
+ * disjoint. It is exact for polytopes, spheres and capsules, everything rounded among them, and half-spaces; bounds are proved for curved
+ * shapes. */
+typedef struct fathom_answer fathom_answer;
+
+/** Finds the answer about A and B. `options` may be NULL. */
+FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
+
+/** Ends an answer. NULL is allowed. */
+FATHOM_API void fathom_answer_free(fathom_answer* answer);
+
+/** FATHOM_PENETRATING and so on; -1 for NULL. */
+FATHOM_API int fathom_answer_status(const fathom_answer* answer);
+
+/** Sets the signed depth: to nearest, NaN if bounds leave that open; and bounds, rounded outward, which are equal if and only if it is
+ * known and a double. Each pointer may be NULL. */
+FATHOM_API int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high);
+
+/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. */
+FATHOM_API int fathom_answer_direction(const fathom_answer* answer, double direction[3]);
+
+/** Sets the shortest translation of A after which the bodies touch: out of B if they penetrate, towards it if they are disjoint. */
+FATHOM_API int fathom_answer_translation(const fathom_answer* answer, double translation[3]);
+
+/** Sets a point of A and a point of B with b - a = the translation: a pair of nearest points if the bodies are disjoint. */
+FATHOM_API int fathom_answer_witness(const fathom_answer* answer, double a[3], double b[3]);
+
+/** How many shortest ways out are listed: 0 unless the bodies penetrate, and where only bounds are known. */
+FATHOM_API size_t fathom_answer_optima(const fathom_answer* answer);
+
+/** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of the functions above. */
+FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]);
+
+/** What fathom_answer_exact tells. */
+enum {
+  FATHOM_SIGNED_DEPTH = 0, /**< a number; "[LOW,HIGH]", two rationals, where only bounds are known */
+  FATHOM_DIRECTION = 1,    /**< three integers without a common factor, not of unit length */
+  FATHOM_TRANSLATION = 2,  /**< three numbers, and so are the points */
+  FATHOM_WITNESS_A = 3,
+  FATHOM_WITNESS_B = 4
+};
+
+/** Makes the text of an exact quantity: numbers in lowest terms, joined by blanks, each "3/5", or "sqrt(2)", "-sqrt(1/3)", or a sum of
+ * both, "sqrt(2)-1/2". */
+FATHOM_API int fathom_answer_exact(const fathom_answer* answer, int quantity, char** text);
+
+/** Makes one line of JSON with everything that is known, schema fathom/result/2, as `fathom depth --json` prints it. `id` names the case,
+ * and may be NULL. */
+FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, char** text);
+
+/** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other checkers. `id` and `options` may be NULL;
+ * of the options it reads `stop`. */
+FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options, char** text);
+
+/* ---- certificates ---- */
+
+/** What a checker finds. */
+enum {
+  FATHOM_VERIFIED = 0,
+  FATHOM_REFUSED = 1,  /**< well written, and no proof of what it says */
+  FATHOM_MALFORMED = 2 /**< no certificate */
+};
+
+/** Checks whether a text of `length` bytes is a proof, by a checker that shares nothing with what makes certificates. What acceptance
+ * proves is written in FORMAT.md. With both bodies, which have to be hulls of points, it is refused too unless it is about the same
+ * points in the same order; without them, NULL, it is taken on its own. `line` gets what the checker prints, "s VERIFIED penetrating
+ * depth_squared=9/25 certificate", or the line and the reason; it may be NULL. FATHOM_OK says that the text was checked, not that it is
+ * a proof. */
+FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
+                                        char** line);
+
+/* ---- the judge ---- */
+
+/** Verdicts, in order of rank; their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
+ * come from harnesses only. VERDICTS.md defines them. */
+enum {
+  FATHOM_VERDICT_CRASH = 0,
+  FATHOM_VERDICT_TIME_OUT = 1,
+  FATHOM_VERDICT_SILENT = 2,
+  FATHOM_VERDICT_GARBAGE = 3,
+  FATHOM_VERDICT_FAILED = 4,
+  FATHOM_VERDICT_NAN = 5,
+  FATHOM_VERDICT_FALSE_SEPARATION = 6,
+  FATHOM_VERDICT_FALSE_OVERLAP = 7,
+  FATHOM_VERDICT_NOT_A_DIRECTION = 8,
+  FATHOM_VERDICT_WRONG_SIGN = 9,
+  FATHOM_VERDICT_TOO_DEEP = 10,
+  FATHOM_VERDICT_TOO_SHALLOW = 11,
+  FATHOM_VERDICT_NOT_SEPARATING = 12,
+  FATHOM_VERDICT_INCONSISTENT = 13,
+  FATHOM_VERDICT_WITNESS_OFF = 14,
+  FATHOM_VERDICT_NOT_INVARIANT = 15,
+  FATHOM_VERDICT_UNSUPPORTED = 16,
+  FATHOM_VERDICT_TOUCHING_BY_CONVENTION = 17, /**< a pass */
+  FATHOM_VERDICT_PASS = 18
+};
+
+/** The best class that a right depth is in. */
+enum {
+  FATHOM_NO_CLASS = -1,
+  FATHOM_CORRECTLY_ROUNDED = 0,
+  FATHOM_4_ULP = 1,
+  FATHOM_16_U_R = 2,
+  FATHOM_MILLIONTH = 3,
+  FATHOM_WITHIN_TOLERANCE = 4
+};
+
+enum { FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
+enum { FATHOM_TOUCHING_EITHER = 0, FATHOM_TOUCHING_IS_OVERLAP = 1, FATHOM_TOUCHING_IS_APART = 2 };
+
+/** An implementation's conventions, how wrong it may be, and its answer. fathom_claim_init sets all of it: the conventions and the
+ * tolerance of the members' comments, and the answer that the bodies are apart. */
+typedef struct fathom_claim {
+  size_t size; /**< sizeof(fathom_claim), set by fathom_claim_init */
+
+  int precision; /**< FATHOM_BINARY64; with FATHOM_BINARY32 points are rounded first, and the numbers of shapes are taken as they are */
+  int touching;  /**< FATHOM_TOUCHING_EITHER: what bodies that touch count as */
+  int depth_negative; /**< 0: whether overlapping bodies have depths below 0 */
+  int moves_b;        /**< 0: whether |depth| * direction moves B away, not A */
+  int not_unit;       /**< 0: whether directions need not have length 1 */
+
+  /* What rounding costs is allowed besides, see "the slack" in VERDICTS.md: of correctly rounded numbers, or of numbers off by tol_ulps. */
+  double tol_relative; /**< 1e-3, of the depth. Each of the three is taken as the exact value of its double; none may be negative */
+  double tol_absolute; /**< 1e-6, of the longest side of the bodies' boxes */
+  double tol_ulps;     /**< 0; a whole number up to 1e9 */
+
+  int overlap;
+  int has_depth, has_direction, has_witness_a, has_witness_b;
+  double depth;
+  double direction[3];
+  double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
+} fathom_claim;
+
+/** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond binary64 infinite. Pairs `low`,
+ * `high` are rounded outward: equal if and only if the number is known and a double. */
+typedef struct fathom_judgement {
+  size_t size; /**< sizeof(fathom_judgement), set by fathom_judgement_init */
+
+  int verdict;
+  unsigned findings;                                        /**< everything that is wrong: bit 1u << FATHOM_VERDICT_TOO_DEEP, ... */
+  int accuracy;                                             /**< of a pass with a depth; else FATHOM_NO_CLASS */
+  int status;                                               /**< FATHOM_PENETRATING and so on: the truth */
+  double signed_depth, signed_depth_low, signed_depth_high; /**< the truth, as fathom_answer_signed_depth gives it */
+
+  double error, error_ulps, error_relative, error_u_r; /**< claimed less true depth; of bounds, the least that they allow */
+  double price_low, price_high; /**< where a plane across the claimed direction separates; below 0 where the bodies are apart */
+  double travel;                /**< the shortest way along it after which the interiors are disjoint; NaN of shapes */
+  double inconsistency;         /**< the claimed depth less the price */
+  double overlap_left;          /**< travel less the claimed depth, if that is positive */
+  double witness_a_low, witness_a_high, witness_b_low, witness_b_high; /**< distances from their bodies; 0 inside */
+  double witness_gap; /**< length of (b - a) - translation; without a direction | |b - a| - depth | */
+} fathom_judgement;
+
+FATHOM_API void fathom_claim_init(fathom_claim* claim);
+FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
+
+/** Judges an answer about A and B. `sentence` gets what is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6".
+ * It may be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
+FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
+                            char** sentence);
+
+/** "too-deep"; NULL for a number that is no verdict. */
+FATHOM_API const char* fathom_verdict_name(int verdict);
+/** Whether a verdict is a pass: FATHOM_VERDICT_PASS, or FATHOM_VERDICT_TOUCHING_BY_CONVENTION. */
+FATHOM_API int fathom_verdict_passes(int verdict);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

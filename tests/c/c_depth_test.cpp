@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library for C gives what the C++ interface gives.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "fathom/certificate.hpp"
+#include "fathom/numbers.hpp"
+#include "tests/c/handles.hpp"
+#include "verify/families/families.hpp"
+
+namespace fathom {
+namespace {
+
+using namespace testing;  // handles
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+
+using Triple = std::vector<double>;
+
+Triple direction_of(const AnswerHandle& answer) {
+  Triple xyz(3, nan);
+  EXPECT_EQ(fathom_answer_direction(answer.get(), xyz.data()), FATHOM_OK) << fathom_last_error();
+  return xyz;
+}
+
+Triple translation_of(const AnswerHandle& answer) {
+  Triple xyz(3, nan);
+  EXPECT_EQ(fathom_answer_translation(answer.get(), xyz.data()), FATHOM_OK) << fathom_last_error();
+  return xyz;
+}
+
+struct Rounded {
+  double nearest = 0, low = 0, high = 0;
+};
+Rounded depth_of(const AnswerHandle& answer) {
+  Rounded value;
+  EXPECT_EQ(fathom_answer_signed_depth(answer.get(), &value.nearest, &value.low, &value.high), FATHOM_OK) << fathom_last_error();
+  return value;
+}
+
+// ---- answers ----
+
+TEST(CDepth, PenetratingCubes) {
+  const AnswerHandle answer = answer_about(body_of(cube_at(0)), body_of(cube_at(0.75)));
+  EXPECT_EQ(fathom_answer_status(answer.get()), FATHOM_PENETRATING);
+  const Rounded depth = depth_of(answer);
+  EXPECT_TRUE(depth.nearest == 0.25 && depth.low == 0.25 && depth.high == 0.25);
+  EXPECT_EQ(direction_of(answer), (Triple{-1, 0, 0}));
+  EXPECT_EQ(translation_of(answer), (Triple{-0.25, 0, 0}));
+  Triple a(3), b(3);
+  ASSERT_EQ(fathom_answer_witness(answer.get(), a.data(), b.data()), FATHOM_OK);
+  EXPECT_EQ(b[0] - a[0], -0.25);
+  EXPECT_EQ(exactly(answer, FATHOM_SIGNED_DEPTH), "1/4");
+  EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), "-1 0 0");
+  EXPECT_EQ(exactly(answer, FATHOM_TRANSLATION), "-1/4 0 0");
+  ASSERT_EQ(fathom_answer_optima(answer.get()), 1U);
+  Triple direction(3), translation(3);
+  ASSERT_EQ(fathom_answer_optimum(answer.get(), 0, direction.data(), translation.data()), FATHOM_OK);
+  EXPECT_EQ(direction, direction_of(answer));
+  EXPECT_EQ(translation, translation_of(answer));
+}
+
+TEST(CDepth, TouchingAndDisjointCubes) {
+  const AnswerHandle touching = answer_about(body_of(cube_at(0)), body_of(cube_at(1)));
+  EXPECT_EQ(fathom_answer_status(touching.get()), FATHOM_TOUCHING);
+  EXPECT_EQ(exactly(touching, FATHOM_SIGNED_DEPTH), "0");
+  EXPECT_EQ(translation_of(touching), (Triple{0, 0, 0}));
+  const AnswerHandle apart = answer_about(body_of(cube_at(0)), body_of(cube_at(3)));
+  EXPECT_EQ(fathom_answer_status(apart.get()), FATHOM_DISJOINT);
+  EXPECT_EQ(depth_of(apart).nearest, -2);
+  EXPECT_EQ(translation_of(apart), (Triple{2, 0, 0}));
+  EXPECT_EQ(exactly(apart, FATHOM_WITNESS_A).substr(0, 2), "1 ");
+  EXPECT_EQ(fathom_answer_optima(apart.get()), 0U);
+}
+
+TEST(CDepth, EqualsTheCppInterface) {
+  for (const families::Family& family : families::families()) {
+    const Case made = family.make(1, 6);
+    const auto body = [](const Body& from) {
+      std::vector<std::string> texts;
+      for (const Point& p : from.points)
+        for (const mpq_class& x : {p.x, p.y, p.z}) texts.push_back(exact_text(x));
+      std::vector<const char*> numbers;
+      for (const std::string& text : texts) numbers.push_back(text.c_str());
+      fathom_body* handle = nullptr;
+      EXPECT_EQ(fathom_body_from_numbers(numbers.data(), numbers.size() / 3, &handle), FATHOM_OK) << fathom_last_error();
+      return BodyHandle(handle);
+    };
+    const AnswerHandle answer = answer_about(body(made.a), body(made.b));
+    const Depth expected = penetration_depth(made.a, made.b);
+    EXPECT_EQ(fathom_answer_status(answer.get()), static_cast<int>(expected.status())) << family.name;
+    const Surd value{0, signed_square(expected)};
+    const Rounded depth = depth_of(answer);
+    EXPECT_EQ(depth.nearest, round_binary64(value)) << family.name;
+    EXPECT_EQ(depth.low, round_binary64(value, Rounding::rd)) << family.name;
+    EXPECT_EQ(depth.high, round_binary64(value, Rounding::ru)) << family.name;
+    EXPECT_EQ(fathom_answer_optima(answer.get()), expected.optima().size()) << family.name;
+    const Vector& n = expected.direction();
+    EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str()) << family.name;
+    char* certificate = nullptr;
+    ASSERT_EQ(fathom_answer_certificate(answer.get(), "one", nullptr, &certificate), FATHOM_OK) << fathom_last_error();
+    EXPECT_EQ(taken(certificate), certificate_text(made.a, made.b, expected, "one")) << family.name;
+  }
+}
+
+TEST(CDepth, RoundBodiesAreExact) {
+  const AnswerHandle answer = answer_about(shape_of("sphere:r=1"), shape_of("sphere:r=2,at=1:1:0"));
+  EXPECT_EQ(exactly(answer, FATHOM_SIGNED_DEPTH), "-sqrt(2)+3");
+  EXPECT_EQ(exactly(answer, FATHOM_TRANSLATION), "-sqrt(9/2)+1 -sqrt(9/2)+1 0");
+  const Rounded depth = depth_of(answer);
+  EXPECT_EQ(depth.nearest, round_binary64(Surd{3, -2}));
+  EXPECT_EQ(depth.high, std::nextafter(depth.low, infinity));
+  EXPECT_EQ(fathom_answer_optima(answer.get()), 1U);
+}
+
+TEST(CDepth, CurvedBodiesAreEnclosed) {
+  const BodyHandle cone = shape_of("cone:r=1,h=1"), tilted = shape_of("cylinder:r=1,h=1,at=0.3:0.2:0.9,quaternion=3:1:2:1");
+  const AnswerHandle answer = answer_about(cone, tilted);
+  const Rounded depth = depth_of(answer);
+  EXPECT_LT(depth.low, depth.high);
+  EXPECT_EQ(exactly(answer, FATHOM_SIGNED_DEPTH).front(), '[');
+  double xyz[3] = {7, 7, 7};
+  EXPECT_EQ(fathom_answer_translation(answer.get(), xyz), FATHOM_ABSENT);
+  EXPECT_NE(std::string(fathom_last_error()), "");
+  EXPECT_EQ(xyz[0], 7);
+  EXPECT_EQ(fathom_answer_optima(answer.get()), 0U);
+  fathom_options options;
+  fathom_options_init(&options);
+  options.bits = 100;
+  const AnswerHandle closer = answer_about(cone, tilted, &options);
+  EXPECT_FALSE(std::isnan(depth_of(closer).nearest));
+}
+
+TEST(CDepth, Json) {
+  const AnswerHandle answer = answer_about(body_of(cube_at(0)), shape_of("sphere:r=1"));
+  char* json = nullptr;
+  ASSERT_EQ(fathom_answer_json(answer.get(), "a \"name\"", &json), FATHOM_OK);
+  const std::string text = taken(json);
+  EXPECT_EQ(text.find("{\"schema\":\"fathom/result/2\""), 0U) << text;
+  EXPECT_NE(text.find("\"id\":\"a \\\"name\\\"\""), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(CDepth, ListedOptima) {
+  fathom_options options;
+  fathom_options_init(&options);
+  options.optima = 2;
+  const AnswerHandle answer = answer_about(body_of(cube_at(0)), body_of(cube_at(0)), &options);
+  EXPECT_EQ(fathom_answer_optima(answer.get()), 2U);
+  double xyz[3];
+  EXPECT_EQ(fathom_answer_optimum(answer.get(), 2, xyz, nullptr), FATHOM_BAD_INPUT);
+}
+
+TEST(CDepth, CanBeStopped) {
+  fathom_options options;
+  fathom_options_init(&options);
+  options.stop = [](void* caller) { return ++*static_cast<int*>(caller); };
+  int asked = 0;
+  options.caller = &asked;
+  const BodyHandle a = shape_of("cone:r=1,h=1"), b = shape_of("cylinder:r=1,h=1,at=0.3:0.2:0.9,quaternion=3:1:2:1");
+  fathom_answer* answer = nullptr;
+  EXPECT_EQ(fathom_depth(a.get(), b.get(), &options, &answer), FATHOM_INTERRUPTED);
+  EXPECT_EQ(answer, nullptr);
+  EXPECT_GT(asked, 0);
+}
+
+TEST(CDepth, OneBodyInManyThreads) {
+  const BodyHandle a = shape_of("capsule:r=0.1,h=1"), b = body_of(cube_at(0.1));
+  std::vector<std::string> found(4);
+  std::vector<std::thread> threads;
+  for (std::string& text : found) threads.emplace_back([&] { text = exactly(answer_about(a, b), FATHOM_SIGNED_DEPTH); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(std::set<std::string>(found.begin(), found.end()).size(), 1U);
+  EXPECT_FALSE(found.front().empty());
+}
+
+#ifdef FE_UPWARD
+TEST(CDepth, AnyRoundingMode) {
+  const AnswerHandle in_default_mode = answer_about(body_of(cube_at(0.1)), body_of(cube_at(0.7)));
+  const std::string usual = exactly(in_default_mode, FATHOM_WITNESS_B);
+  const double expected = depth_of(in_default_mode).nearest;
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const std::vector<double> a = cube_at(0.1), b = cube_at(0.7);
+    std::fesetround(mode);
+    const AnswerHandle answer = answer_about(body_of(a), body_of(b));
+    const std::string text = exactly(answer, FATHOM_WITNESS_B);
+    const double depth = depth_of(answer).nearest;
+    const int after = std::fegetround();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(text, usual);
+    EXPECT_EQ(depth, expected);
+    EXPECT_EQ(after, mode);
+  }
+}
+#endif
+
+// ---- certificates ----
+
+TEST(CCheck, Outcomes) {
+  const BodyHandle a = body_of(cube_at(0)), b = body_of(cube_at(0.75)), ball = shape_of("sphere:r=1");
+  char* certificate = nullptr;
+  ASSERT_EQ(fathom_answer_certificate(answer_about(a, b).get(), nullptr, nullptr, &certificate), FATHOM_OK);
+  const std::string text = taken(certificate);
+  const auto outcome = [](const std::string& checked, const fathom_body* first, const fathom_body* second, const std::string& begin) {
+    int result = -1;
+    char* line = nullptr;
+    EXPECT_EQ(fathom_check_certificate(checked.data(), checked.size(), first, second, &result, &line), FATHOM_OK) << fathom_last_error();
+    EXPECT_EQ(taken(line).find(begin), 0U);
+    return result;
+  };
+  EXPECT_EQ(outcome(text, nullptr, nullptr, "s VERIFIED penetrating depth_squared=1/16"), FATHOM_VERIFIED);
+  EXPECT_EQ(outcome(text, a.get(), b.get(), "s VERIFIED "), FATHOM_VERIFIED);
+  EXPECT_EQ(outcome(text, b.get(), a.get(), "s REFUSED "), FATHOM_REFUSED);
+  EXPECT_EQ(outcome("", nullptr, nullptr, "s MALFORMED "), FATHOM_MALFORMED);
+  EXPECT_EQ(outcome(text + text, a.get(), b.get(), "s MALFORMED "), FATHOM_MALFORMED);
+  EXPECT_EQ(outcome(text.substr(0, text.size() / 2), nullptr, nullptr, "s MALFORMED "), FATHOM_MALFORMED);
+  EXPECT_EQ(outcome(std::string(100, '\0'), nullptr, nullptr, "s MALFORMED "), FATHOM_MALFORMED);
+  std::string forged = text;
+  forged.replace(forged.find("1/16"), 4, "1/17");
+  EXPECT_EQ(outcome(forged, nullptr, nullptr, "s REFUSED "), FATHOM_REFUSED);
+  int result = 9;
+  EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), a.get(), nullptr, &result, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), a.get(), ball.get(), &result, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_check_certificate(nullptr, 5, nullptr, nullptr, &result, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), nullptr, nullptr, nullptr, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(result, 9);
+}
+
+}  // namespace
+}  // namespace fathom

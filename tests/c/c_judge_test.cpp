@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The judge for C gives what the C++ interface gives, of points and of shapes, and refuses everything else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
+#include "tests/c/handles.hpp"
+
+namespace fathom {
+namespace {
+
+using namespace testing;  // handles
+
+std::vector<Triple> triples(const std::vector<double>& points) {
+  std::vector<Triple> result;
+  for (std::size_t i = 0; i < points.size(); i += 3) result.push_back({points[i], points[i + 1], points[i + 2]});
+  return result;
+}
+
+class CJudge : public ::testing::Test {
+ protected:
+  CJudge() {
+    fathom_claim_init(&claim);
+    fathom_judgement_init(&judgement);
+  }
+  int run() {
+    char* text = nullptr;
+    const int code = fathom_judge(a.get(), b.get(), &claim, &judgement, &text);
+    EXPECT_EQ(text != nullptr, code == FATHOM_OK);
+    sentence = taken(text);
+    return code;
+  }
+  void claims(double depth, double x, double y, double z) {
+    claim.overlap = claim.has_depth = claim.has_direction = 1;
+    claim.depth = depth;
+    claim.direction[0] = x;
+    claim.direction[1] = y;
+    claim.direction[2] = z;
+  }
+  void expect_refused() {
+    EXPECT_EQ(run(), FATHOM_BAD_INPUT);
+    EXPECT_EQ(judgement.verdict, -1);
+    EXPECT_TRUE(std::isnan(judgement.error));
+    EXPECT_GT(std::strlen(fathom_last_error()), 5U);
+  }
+
+  BodyHandle a = body_of(cube_at(0)), b = body_of(cube_at(0.4));
+  fathom_claim claim;
+  fathom_judgement judgement;
+  std::string sentence;
+};
+
+TEST_F(CJudge, EqualsTheCppInterface) {
+  claims(1.0392, -1, 0, 0);
+  claim.has_witness_a = claim.has_witness_b = 1;
+  const double witness_a[] = {1.25, 0.5, 0.5}, witness_b[] = {0.4, 0.5, 0.5};
+  std::copy_n(witness_a, 3, claim.witness_a);
+  std::copy_n(witness_b, 3, claim.witness_b);
+  ASSERT_EQ(run(), FATHOM_OK);
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = 1.0392;
+  reply.direction = Triple{-1, 0, 0};
+  reply.witness_a = Triple{1.25, 0.5, 0.5};
+  reply.witness_b = Triple{0.4, 0.5, 0.5};
+  const Judgement expected = judge(triples(cube_at(0)), triples(cube_at(0.4)), reply);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_TOO_DEEP | 1U << FATHOM_VERDICT_INCONSISTENT | 1U << FATHOM_VERDICT_WITNESS_OFF);
+  EXPECT_EQ(judgement.accuracy, FATHOM_NO_CLASS);
+  EXPECT_EQ(judgement.status, FATHOM_PENETRATING);
+  EXPECT_EQ(judgement.signed_depth, 0.6);
+  EXPECT_LE(judgement.signed_depth_low, 0.6);
+  EXPECT_GE(judgement.signed_depth_high, 0.6);
+  EXPECT_EQ(judgement.error, expected.error);
+  EXPECT_EQ(judgement.error_ulps, expected.error_ulps);
+  EXPECT_EQ(judgement.error_relative, expected.error_relative);
+  EXPECT_EQ(judgement.error_u_r, expected.error_u_r);
+  EXPECT_EQ(judgement.price_low, judgement.signed_depth_low);
+  EXPECT_EQ(judgement.price_high, judgement.signed_depth_high);
+  EXPECT_EQ(judgement.travel, 0.6);
+  EXPECT_EQ(judgement.inconsistency, expected.inconsistency);
+  EXPECT_TRUE(std::isnan(judgement.overlap_left));
+  EXPECT_EQ(judgement.witness_a_low, 0.25);
+  EXPECT_EQ(judgement.witness_a_high, 0.25);
+  EXPECT_EQ(judgement.witness_b_high, 0);
+  EXPECT_EQ(judgement.witness_gap, expected.witness_gap);
+  EXPECT_EQ(sentence, expected.sentence);
+}
+
+TEST_F(CJudge, Conventions) {
+  claims(-0.6, 1, 0, 0);
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_WRONG_SIGN);
+  claim.depth_negative = claim.moves_b = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.accuracy, FATHOM_CORRECTLY_ROUNDED);
+  claim.direction[0] = 7;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_NOT_A_DIRECTION);
+  claim.not_unit = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  claim.tol_relative = claim.tol_absolute = 0;
+  claim.precision = FATHOM_BINARY32;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);  // within half an ulp
+  claim.depth -= 0x1p-24;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  claim.tol_ulps = 2;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.signed_depth, 1 - static_cast<double>(0.4F));
+}
+
+TEST_F(CJudge, Touching) {
+  b = body_of(cube_at(1));
+  claim.touching = FATHOM_TOUCHING_IS_OVERLAP;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_FALSE_SEPARATION);
+  EXPECT_EQ(judgement.status, FATHOM_TOUCHING);
+  claim.touching = FATHOM_TOUCHING_IS_APART;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOUCHING_BY_CONVENTION);
+  EXPECT_TRUE(fathom_verdict_passes(judgement.verdict));
+}
+
+TEST_F(CJudge, Shapes) {
+  a = shape_of("sphere:r=1");
+  b = shape_of("capsule:r=1,h=1,at=1:1:0");
+  claims(0.5858, -1, -1, 0);
+  claim.not_unit = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.status, FATHOM_PENETRATING);
+  EXPECT_EQ(judgement.signed_depth, round_binary64(Surd{2, -2}));
+  EXPECT_TRUE(std::isnan(judgement.travel));
+  EXPECT_LE(judgement.price_low, judgement.signed_depth);
+  EXPECT_GE(judgement.price_high, judgement.signed_depth);
+  claim.depth = 0.7;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  EXPECT_NE(sentence.find("too deep"), std::string::npos) << sentence;
+  EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK);
+}
+
+TEST_F(CJudge, RefusesWhatIsNoClaim) {
+  const fathom_claim good = claim;
+  const auto with = [&](auto change) {
+    claim = good;
+    change();
+    expect_refused();
+  };
+  with([&] { claim.size = 8; });
+  with([&] { claim.precision = 2; });
+  with([&] { claim.touching = 3; });
+  with([&] { claim.touching = -1; });
+  with([&] { claim.tol_relative = -1; });
+  with([&] { claim.tol_absolute = std::nan(""); });
+  with([&] { claim.tol_ulps = 0.5; });
+  with([&] { claim.tol_ulps = std::numeric_limits<double>::infinity(); });
+  with([&] {
+    b = body_of({1e300, 0, 0});
+    claim.precision = FATHOM_BINARY32;
+  });
+  with([&] { b = nullptr; });
+  EXPECT_EQ(fathom_judge(a.get(), a.get(), nullptr, &judgement, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_judge(a.get(), a.get(), &good, nullptr, nullptr), FATHOM_BAD_INPUT);
+  judgement.size = 0;
+  EXPECT_EQ(fathom_judge(a.get(), a.get(), &good, &judgement, nullptr), FATHOM_BAD_INPUT);
+  fathom_claim_init(nullptr);
+  fathom_judgement_init(nullptr);
+}
+
+TEST(CJudgeNames, AreThoseOfCpp) {
+  for (int i = 0; i <= FATHOM_VERDICT_PASS; ++i) {
+    EXPECT_EQ(fathom_verdict_name(i), name(static_cast<Verdict>(i)));
+    EXPECT_EQ(fathom_verdict_passes(i) != 0, passes(static_cast<Verdict>(i)));
+  }
+  EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_NOT_SEPARATING), "not-separating");
+  EXPECT_EQ(fathom_verdict_name(-1), nullptr);
+  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_PASS + 1), nullptr);
+  EXPECT_FALSE(fathom_verdict_passes(-1));
+}
+
+}  // namespace
+}  // namespace fathom
