@@ -60,8 +60,8 @@ typedef struct fathom_claim {
 
   const double *a; /* x y z x y z ..., finite; stands for the convex hull */
   size_t a_count;  /* of points, at least 1 */
-  const double *b;
-  size_t b_count;
+  const double *b; /* the same of the other body */
+  size_t b_count;  /* of points, at least 1 */
 
   int precision;      /* FATHOM_BINARY64; with FATHOM_BINARY32 the points are rounded first */
   int touching;       /* FATHOM_TOUCHING_EITHER: what bodies that touch count as */
@@ -74,10 +74,10 @@ typedef struct fathom_claim {
   double tol_absolute; /* 1e-6, of the longest side of the bodies' boxes */
   double tol_ulps;     /* 0; a whole number up to 1e9 */
 
-  int overlap;
-  int has_depth, has_direction, has_witness_a, has_witness_b;
-  double depth;
-  double direction[3];
+  int overlap; /* 0: whether the answer is that the bodies overlap */
+  int has_depth, has_direction, has_witness_a, has_witness_b; /* 0: whether it has them */
+  double depth;                      /* of the overlap */
+  double direction[3];               /* in which a body moves apart */
   double witness_a[3], witness_b[3]; /* b - a is the translation that moves A away */
 } fathom_claim;
 
@@ -86,10 +86,10 @@ typedef struct fathom_claim {
 typedef struct fathom_judgement {
   size_t size; /* sizeof(fathom_judgement), set by fathom_judgement_init */
 
-  int verdict;
+  int verdict;       /* FATHOM_PASS, ... */
   unsigned findings; /* everything that is wrong: bit 1u << FATHOM_TOO_DEEP, ... */
   int accuracy;      /* of a pass with a depth; else FATHOM_NO_CLASS */
-  int status;
+  int status;        /* the truth: FATHOM_PENETRATING, ... */
   double true_depth;    /* 0 unless penetrating */
   double true_distance; /* 0 unless disjoint */
 
@@ -101,7 +101,7 @@ typedef struct fathom_judgement {
   double witness_a_distance, witness_b_distance; /* from their bodies; 0 inside */
   double witness_gap;   /* length of (b - a) - translation; without a direction | |b - a| - depth | */
 } fathom_judgement;
-
+/* Sets all members, as the comments on the structures say. */
 void fathom_claim_init(fathom_claim *claim);
 void fathom_judgement_init(fathom_judgement *judgement);
 
