@@ -6,7 +6,7 @@ file     the comment that opens a header describes the file: its output, then it
 names    a comment on a line that declares several members is on each of them, one on the line of an enumeration on that
 run      a comment above a function is on those that follow it too, until a blank line or another comment
 equality a defaulted operator== needs no comment
-C        in a header for C, comments in /* */ are docstrings
+C        in a header for C, comments in /* */ are docstrings, except for headings: /* ---- ... */
 """
 import re
 import sys
@@ -59,7 +59,7 @@ def of_c(lines):
     """Rule "C": each comment as lines that begin with /// or, after code, with ///<."""
     inside = False
     for line in lines:
-        opened = re.match(r"(\s*)/\*", line)
+        opened = re.match(r"(\s*)/\*(?! ----)", line)
         if opened or inside:
             text = re.sub(r"^\s*/?\*+(?!/)", "", line)
             inside = not text.rstrip().endswith("*/")
@@ -72,7 +72,7 @@ def described(lines):
     """Rule "file": the first line names the licence."""
     for i, line in enumerate(lines):
         if not line.startswith("//"):
-            about = [text.lstrip("/") for text in lines[1:i]]
+            about = [text.lstrip("/").replace(" @file", "") for text in lines[1:i]]
             outputs = [k for k, text in enumerate(about) if text.startswith(" Output ")]
             if outputs:
                 start = outputs[0]
