@@ -4,7 +4,7 @@
 
 file     the comment that opens a header describes the file: its output, then its input
 names    a comment on a line that declares several members is on each of them, one on the line of an enumeration on that
-run      a comment above a function is on those that follow it too, until a blank line or another comment
+run      a comment above a function is on those that follow it too, until a blank line or another comment; so with types
 equality a defaulted operator== needs no comment
 C        in a header for C, comments in /* */ are docstrings, except for headings: /* ---- ... */
 """
@@ -14,6 +14,7 @@ import sys
 TRAILING = re.compile(r"\s*///<\s?")
 DECLARATOR = re.compile(r"(.+?)\s(\*?\w+(?:\[\w+\])*(?:\s*=\s*.*|\{.*\})?)")
 NOT_A_RUN = re.compile(r"\s*(?:struct|class|enum|union|template|namespace|using|typedef|public:|private:|requires|friend|#|\})")
+TYPE = re.compile(r"(?:struct|class) .*\{$")
 FUNCTION = re.compile(r"(?:\w|operator\S+)\(")
 ENUMERATION = re.compile(r"\s*enum .*\};\s*///<")
 EQUALITY = re.compile(r"\s*friend bool operator==\(.*\) = default;")
@@ -96,6 +97,7 @@ def written_out(lines):
     """Rules "names", "run" and "equality"."""
     found, i = [], 0
     above, used = [], False  # the docstring above, and whether a declaration has it already
+    of_type = ""  # the docstring of the type whose end comes next
     while i < len(lines):
         line, end = lines[i], i
         code = re.sub(r"\s*//.*", "", line)
@@ -106,8 +108,13 @@ def written_out(lines):
         elif EQUALITY.match(line):
             found.append(f"/** Compares the members. */ {line}")
         elif not code or NOT_A_RUN.match(line) and not ENUMERATION.match(line):
+            if TYPE.match(line):
+                after_type = i > 0 and lines[i - 1] == "};" and not above
+                of_type = of_type if after_type else " ".join(above)
+                found.append(f"/** {of_type} */ {line}" if after_type and of_type else line)
+            else:
+                found.append(line)
             above = []
-            found.append(line)
         else:
             text, function = " ".join(above), FUNCTION.search(code)
             if "///<" in line:

@@ -73,14 +73,14 @@ struct GivenPoint {
   [[nodiscard]] Point exact() const;                       ///< the same point
 };
 
-/// A corner of A, which a face of B is to touch.
+/// A corner of one body, which a face of the other is to touch.
 struct CornerOfA {
   GivenPoint point;  ///< of A
 };
-/// A corner of B, which a face of A is to touch.
 struct CornerOfB {
   GivenPoint point;  ///< of B
 };
+
 /// Edges that cross, seen along the direction of the contact.
 struct CrossingEdges {
   std::array<GivenPoint, 2> a, b;  ///< the ends of the edge of A, and of that of B

@@ -98,6 +98,8 @@ class ApiPages(unittest.TestCase):
             "\n/// One.\nint f();\nint f(int,\n      int);\n\nint g();\n":
                 "\n/// One.\nint f();\n/** One. */ int f(int,\n      int);\n\nint g();\n",
             "\n/// One.\nint f();\nint g();  ///< two\n": "\n/// One.\nint f();\nint g();  ///< two\n",
+            "\n/// One.\nstruct A {\n};\nstruct B {\n};\n\nstruct C {\n};\n":
+                "\n/// One.\nstruct A {\n};\n/** One. */ struct B {\n};\n\nstruct C {\n};\n",
             "\n/// One.\nint a;\nint b;\n": "\n/// One.\nint a;\nint b;\n",
             "\nenum class Kind { a, b };  ///< of a thing\n": "\n/** of a thing */ enum class Kind { a, b };\n",
             "\n  int a, b;\n": "\n  int a, b;\n",
