@@ -51,6 +51,11 @@ class Packaging(unittest.TestCase):
         depends = next(binary for binary in stanzas(read("debian/control")) if binary.get("Package") == "libfathom-dev")["Depends"]
         self.assertEqual([name for name in required if f"lib{name}-dev" not in depends], [])
 
+    def test_manual_page_of_the_checker_names_its_options(self):
+        shown = set(re.findall(r"\\-\\-(\w+)", read("debian/fathom-check.1")))
+        sources = "".join(path.read_text() for path in (ROOT / "verify/check").glob("command_line.*"))
+        self.assertEqual(shown - {"help"}, set(re.findall(r'"(?:  )?--(\w+)', sources)) - {"help", "version"})
+
     def test_copyright_names_files_that_are_there(self):
         for stanza in stanzas(read("debian/copyright")):
             for pattern in stanza.get("Files", "").split():
