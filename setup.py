@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """pip install --no-build-isolation .    builds the Python module by CMake, in build/python. It needs what fathom needs (cmake/packages.txt,
-depth and build), and Debian's pybind11-dev, python3-dev and python3-numpy."""
+depth and build), and Debian's pybind11-dev, python3-dev and python3-numpy.
+FATHOM_BUILD=FOLDER takes the module from a build folder that has been configured, as the Debian package does."""
+import os
 import pathlib
 import re
 import shutil
@@ -11,14 +13,16 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = pathlib.Path(__file__).resolve().parent
-BUILD = ROOT / "build" / "python"
+CONFIGURED = os.environ.get("FATHOM_BUILD")
+BUILD = pathlib.Path(CONFIGURED or ROOT / "build" / "python")
 
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext):
-        subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DFATHOM_TESTS=OFF", "-DFATHOM_PYTHON=ON",
-                        f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+        if not CONFIGURED:
+            subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                            "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DFATHOM_TESTS=OFF", "-DFATHOM_PYTHON=ON",
+                            f"-DPython_EXECUTABLE={sys.executable}"], check=True)
         subprocess.run(["cmake", "--build", BUILD, "--target", "fathom_python", "-j", "2"], check=True)
         [built] = (BUILD / "python" / "fathom").glob("_fathom.*.so")
         target = pathlib.Path(self.get_ext_fullpath(ext.name))

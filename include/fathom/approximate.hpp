@@ -59,8 +59,8 @@ struct NoUnitBall : std::invalid_argument {
 struct UnitBall {
   std::vector<Vector> vertices;          ///< extreme points only
   std::vector<std::uint32_t> input_ids;  ///< of each vertex; of equal input points the lowest. Ascending.
-  mpz_class denominator = 1;
-  bool symmetric = false;  ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
+  mpz_class denominator = 1;             ///< of the coordinates of the vertices, > 0
+  bool symmetric = false;                ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
 };
 
 /// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and std::invalid_argument if there are no points.
@@ -111,7 +111,7 @@ struct ApproxPenetration {
 
 /// The depth within the factor 1 + delta.
 struct ApproxDepth : SeparationOr<ApproxPenetration> {
-  mpq_class delta;
+  mpq_class delta;  ///< as it was asked for
 
   /// These three are 0 unless penetrating.
   [[nodiscard]] mpq_class squared() const { return penetration() ? penetration()->squared : mpq_class(0); }
@@ -145,11 +145,11 @@ class BodyPair;
 /// threads may ask one object at once.
 class Hierarchies {
  public:
-  Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);
-  Hierarchies(Hierarchies&&) noexcept;
-  Hierarchies& operator=(Hierarchies&&) noexcept;
+  Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);  ///< throws as penetration_depth does
+  Hierarchies(Hierarchies&&) noexcept;             ///< the other one may only be assigned to, or destroyed
+  Hierarchies& operator=(Hierarchies&&) noexcept;  ///< in the same way
   ~Hierarchies();
-
+  /// As the function of the same name.
   [[nodiscard]] DirectionalDepth directional_depth(const Point& direction, Monitor* monitor = nullptr) const;
   [[nodiscard]] MetricResult metric_depth(const UnitBall& ball, Monitor* monitor = nullptr) const;
   [[nodiscard]] ApproxDepth approx_depth(const mpq_class& delta, Monitor* monitor = nullptr) const;

@@ -24,10 +24,10 @@ struct NamedBody;
 /// become exact ones when these are first asked for, once, whoever asks; copies share them.
 class GivenPoints {
  public:
-  using value_type = Point;
-  using const_iterator = const Point*;
-  using iterator = const_iterator;
-
+  using value_type = Point;             ///< of the exact points
+  using const_iterator = const Point*;  ///< of the exact points
+  using iterator = const_iterator;      ///< of the exact points
+  /// No points, or the exact ones that are given.
   GivenPoints() = default;
   GivenPoints(std::vector<Point> points) : exact_(std::move(points)) {}  // NOLINT(google-explicit-constructor): it is one of the forms
   GivenPoints(std::initializer_list<Point> points) : exact_(points) {}
@@ -41,7 +41,7 @@ class GivenPoints {
   /// The exact points. May be called from many threads at once.
   [[nodiscard]] const std::vector<Point>& exact() const;
   operator const std::vector<Point>&() const { return exact(); }  // NOLINT(google-explicit-constructor): it stands for them
-
+  /// These are as of a const std::vector<Point>.
   [[nodiscard]] std::size_t size() const { return given_ ? binary64().size() : exact_.size(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] const Point* data() const { return exact().data(); }
@@ -53,8 +53,8 @@ class GivenPoints {
 
   /// The exact points, to be changed: from now on they are the form.
   std::vector<Point>& edit();
-  void reserve(std::size_t count) { edit().reserve(count); }
-  void push_back(Point point) { edit().push_back(std::move(point)); }
+  void reserve(std::size_t count) { edit().reserve(count); }           ///< as of std::vector, after edit()
+  void push_back(Point point) { edit().push_back(std::move(point)); }  ///< as of std::vector, after edit()
 
   /// Equal points, whatever the forms.
   friend bool operator==(const GivenPoints& p, const GivenPoints& q);
@@ -74,7 +74,7 @@ struct MeshFaces {
 
 /// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
 struct Body {
-  GivenPoints points;
+  GivenPoints points;                         ///< the polytope is their convex hull
   std::optional<Shape> shape = std::nullopt;  ///< then there are no points
   /// The words that the body was read from, if it was given by the name of a shape: what fathom certify hands on. Whoever changes the points
   /// or the shape takes them away.

@@ -29,9 +29,9 @@ enum class ClaimKind { depth, bounds, touching, disjoint };
 
 /// Self-contained: it holds the points. With h(n) = max_b <n,b> - min_a <n,a> and P = B (+) (-A):
 struct Certificate {
-  std::string id;           ///< of the case; may be empty
-  std::vector<Point> a, b;  ///< all points of the bodies
-  ClaimKind claim = ClaimKind::disjoint;
+  std::string id;                            ///< of the case; may be empty
+  std::vector<Point> a, b;                   ///< all points of the bodies
+  ClaimKind claim = ClaimKind::disjoint;     ///< what is proved
   mpq_class low, high;                       ///< depth and bounds
   std::vector<Vector> directions;            ///< depth: optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
                                              ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.
@@ -64,7 +64,7 @@ std::string certificate_text(const Body& a, const Body& b, const Depth& answer, 
 
 /// Proves that a cone is the set of all optimal directions of bodies that touch: each of its facets is that of a difference.
 struct ConeProof {
-  OptimalCone cone;
+  OptimalCone cone;                                                  ///< of all optimal directions
   std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;  ///< indices of a point a of A and a point b of B, for b - a
 };
 
@@ -79,17 +79,17 @@ struct ShapeCertificate {
   /// As simple as they can be. Each core is one hull of points or a half-space, unless the claim is signed_bounds: then a sum of terms, or a
   /// half-space.
   Shape a, b;
-  ShapeClaim claim = ShapeClaim::depth;
-  mpq_class low, high;
-  std::vector<Vector> directions;    ///< optimal ones of the cores; signed_bounds: one that shows the upper bound
-  bool complete = false;             ///< depth of points: the directions are all optimal ones
-  std::vector<mpq_class> heights_a;  ///< signed_bounds: for each term of A, at least its support in the direction -n; likewise B, n
-  std::vector<mpq_class> heights_b;
+  ShapeClaim claim = ShapeClaim::depth;      ///< what is proved
+  mpq_class low, high;                       ///< of the claim
+  std::vector<Vector> directions;            ///< optimal ones of the cores; signed_bounds: one that shows the upper bound
+  bool complete = false;                     ///< depth of points: the directions are all optimal ones
+  std::vector<mpq_class> heights_a;          ///< signed_bounds: for each term of A, at least its support in the direction -n; likewise B, n
+  std::vector<mpq_class> heights_b;          ///< the same of B
   std::vector<InnerPoint> inner_a, inner_b;  ///< signed_bounds: points of the cores
   /// depth and signed_bounds: inside the P of the cores, and around O; its indices are those of points, or of inner points. Or empty.
   InnerPolytope inner;
-  std::vector<Weight> weights_a,
-      weights_b;                  ///< else, unless a core is a half-space: convex weights of points whose distance is that of the cores
+  std::vector<Weight> weights_a,  ///< else, unless a core is a half-space: convex weights of points of A
+      weights_b;                  ///< of points of B: the distance of the two is that of the cores
   std::optional<ConeProof> cone;  ///< touching, of points: all optimal directions
 };
 

@@ -18,29 +18,29 @@ enum class Predicate {
   order_at_infinity,  ///< the same, at the chart's left end
   count
 };
-
+/// In the order of Predicate.
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Predicate::count)> predicate_names{
     "side_of_equator", "x_order", "side_of_arc", "order_on_vertical", "order_at_infinity"};
 
 /// Calls of one predicate, by how far they went: filter, exact numbers, symbolic perturbation.
 struct TierCounts {
-  std::uint64_t calls = 0;
+  std::uint64_t calls = 0;  ///< all of them
   std::uint64_t exact = 0;  ///< of these, the filter was unsure
   std::uint64_t zero = 0;   ///< of these, the exact sign was zero: the input is degenerate, and the perturbation decided
   /// How many zeros each monomial in the infinitesimals decided. monomial_name of fathom/study.hpp reads the keys.
   std::map<std::uint64_t, std::uint64_t> decided;
 };
 
-using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
+using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;  ///< in the order of Predicate
 
 /// Counters of one run; those of stages that did not run are 0. A crossing of arcs is an edge-edge facet of P before coplanar ones merge.
 struct Counters {
-  std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;
-  std::uint64_t scans = 0;          ///< linear scans of the position test
-  std::uint64_t expansions = 0;     ///< points that an expanding polytope took; of bounds, those that are its corners in the end
-  std::uint64_t inner_facets = 0;   ///< facets that it had in the end
-  std::uint64_t support_calls = 0;  ///< how often bounds of shapes asked for the support of P
-  std::uint64_t vertex_facet_pairs = 0;
+  std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;  ///< of the hulls
+  std::uint64_t scans = 0;               ///< linear scans of the position test
+  std::uint64_t expansions = 0;          ///< points that an expanding polytope took; of bounds, those that are its corners in the end
+  std::uint64_t inner_facets = 0;        ///< facets that it had in the end
+  std::uint64_t support_calls = 0;       ///< how often bounds of shapes asked for the support of P
+  std::uint64_t vertex_facet_pairs = 0;  ///< found
   std::uint64_t canonical_pairs = 0, sum_a = 0, sum_b = 0;  ///< number of (A_i, B_i), sum |A_i|, sum |B_i|
   std::uint64_t crossings = 0;                              ///< sum |A_i| |B_i|
   std::uint64_t pairs_evaluated = 0;                        ///< pairs of lines whose distance was looked at
@@ -59,7 +59,7 @@ struct Counters {
   std::uint64_t seed = 0;                                   ///< of the closest lines' random order
   std::uint64_t rays = 0;                                   ///< shot through P
   std::uint64_t facets_visited = 0;                         ///< facets of P that a walk near O went through
-  PredicateCounts predicates{};
+  PredicateCounts predicates{};                             ///< calls of each
 };
 
 }  // namespace fathom

@@ -45,8 +45,8 @@ enum class ContactKind {
 /// The faces of the bodies in one direction n, that of A in direction -n and that of B in direction n, as ascending 0-based indices of the
 /// input points that span them: extreme points only, of equal points the lowest index.
 struct Contact {
-  ContactKind kind;
-  std::vector<std::uint32_t> a, b;
+  ContactKind kind;                 ///< of which kind the two faces are
+  std::vector<std::uint32_t> a, b;  ///< the input points that span the face of A, that of B
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 
@@ -54,7 +54,7 @@ struct Contact {
 struct Optimum {
   Vector direction;   ///< primitive outward normal n of a nearest facet of P
   mpq_class support;  ///< h(n) > 0, in lowest terms
-  Contact contact;
+  Contact contact;    ///< the faces in that direction
 
   /// (h(n) / <n,n>) n, computed when asked for.
   [[nodiscard]] Point translation() const;
@@ -63,27 +63,27 @@ struct Optimum {
 
 /// A point of A and a point of B.
 struct Witness {
-  Point a, b;
+  Point a, b;  ///< of A, of B
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
 /// A point in the form in which it was given.
 struct GivenPoint {
-  std::variant<std::array<double, 3>, Point> coordinates;
-  [[nodiscard]] Point exact() const;
+  std::variant<std::array<double, 3>, Point> coordinates;  ///< as they were given
+  [[nodiscard]] Point exact() const;                       ///< the same point
 };
 
 /// A corner of one body, which a face of the other is to touch.
 struct CornerOfA {
-  GivenPoint point;
+  GivenPoint point;  ///< of A
 };
 struct CornerOfB {
-  GivenPoint point;
+  GivenPoint point;  ///< of B
 };
 
 /// Edges that cross, seen along the direction of the contact.
 struct CrossingEdges {
-  std::array<GivenPoint, 2> a, b;
+  std::array<GivenPoint, 2> a, b;  ///< the ends of the edge of A, and of that of B
 };
 
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary of P. Each corner is a corner of at least
@@ -127,9 +127,9 @@ struct Distance {
 
 /// A plane between bodies that do not penetrate: rays and approximations return nothing else about them.
 struct Separation {
-  Vector normal;  ///< primitive n with h(n) = 0 if the bodies touch, h(n) < 0 if they are disjoint
-  bool touching = false;
-  [[nodiscard]] Status status() const { return touching ? Status::touching : Status::disjoint; }
+  Vector normal;          ///< primitive n with h(n) = 0 if the bodies touch, h(n) < 0 if they are disjoint
+  bool touching = false;  ///< whether the bodies touch; else they are disjoint
+  [[nodiscard]] Status status() const { return touching ? Status::touching : Status::disjoint; }  ///< never penetrating
 };
 
 /// How a depth is found. All methods give the same answer; only Penetration::inner, Depth::method, the numbers of extreme points and the
@@ -153,8 +153,8 @@ class Workspace {
  public:
   Workspace();
   ~Workspace();
-  Workspace(Workspace&&) noexcept;
-  Workspace& operator=(Workspace&&) noexcept;
+  Workspace(Workspace&&) noexcept;             ///< the other one may only be assigned to, or destroyed
+  Workspace& operator=(Workspace&&) noexcept;  ///< in the same way
 
   struct Parts;
   std::unique_ptr<Parts> parts;  ///< not for users
@@ -162,7 +162,7 @@ class Workspace {
 
 /// How to compute a depth. The answer does not depend on it.
 struct Options {
-  Method method = Method::automatic;
+  Method method = Method::automatic;  ///< how the depth is found
   /// Method automatic: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
   /// twice the number of all points, but at most 20,000. Exhausting this budget costs about one exact run.
   std::optional<std::size_t> expansion_budget = std::nullopt;
@@ -189,22 +189,22 @@ struct BodyFacts {
 /// An answer about two bodies: if they do not penetrate, it is a plane between them.
 template <class Penetrating>
 struct SeparationOr : BodyFacts {
-  std::variant<Penetrating, Separation> outcome;
+  std::variant<Penetrating, Separation> outcome;  ///< what is known, by status
 
-  [[nodiscard]] const Penetrating* penetration() const { return std::get_if<Penetrating>(&outcome); }  ///< null unless penetrating
-  [[nodiscard]] const Separation* separation() const { return std::get_if<Separation>(&outcome); }     ///< null if penetrating
-  [[nodiscard]] Status status() const { return separation() ? separation()->status() : Status::penetrating; }
+  [[nodiscard]] const Penetrating* penetration() const { return std::get_if<Penetrating>(&outcome); }          ///< null unless penetrating
+  [[nodiscard]] const Separation* separation() const { return std::get_if<Separation>(&outcome); }             ///< null if penetrating
+  [[nodiscard]] Status status() const { return separation() ? separation()->status() : Status::penetrating; }  ///< of the bodies
 };
 
 /// The answer about two bodies: `outcome` holds what the status has.
 struct Depth : BodyFacts {
-  std::variant<Penetration, Touch, Distance> outcome;
+  std::variant<Penetration, Touch, Distance> outcome;  ///< in the order of Status
   /// The method that gave the answer, never automatic. The certificate method cannot decide bodies that do not penetrate: this is exact
   /// then. nullopt if shallow_depth gave the answer.
   std::optional<Method> method;
-  Counters counters;
+  Counters counters;  ///< what the run did
 
-  [[nodiscard]] Status status() const { return static_cast<Status>(outcome.index()); }
+  [[nodiscard]] Status status() const { return static_cast<Status>(outcome.index()); }                 ///< of the bodies
   [[nodiscard]] const Penetration* penetration() const { return std::get_if<Penetration>(&outcome); }  ///< null unless penetrating
   [[nodiscard]] const Touch* touch() const { return std::get_if<Touch>(&outcome); }                    ///< null unless touching
   [[nodiscard]] const Distance* distance() const { return std::get_if<Distance>(&outcome); }           ///< null unless disjoint

@@ -19,8 +19,8 @@ namespace fathom {
 
 /// Two bodies about which a question is asked, with a name.
 struct Case {
-  std::string id;
-  Body a, b;
+  std::string id;  ///< its name; may be empty
+  Body a, b;       ///< with their poses applied
 };
 
 /// Malformed, missing or unreadable input. what() is one complete sentence for the user:
@@ -28,8 +28,8 @@ struct Case {
 class InputError : public std::runtime_error {
  public:
   InputError(std::string file, std::size_t line, const std::string& message);  ///< line 0: no line
-  [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] const std::string& file() const { return file_; }              ///< as the message names it
+  [[nodiscard]] std::size_t line() const { return line_; }                     ///< 0: no line
 
  private:
   std::string file_;
@@ -67,22 +67,22 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 /// What may be a slip in a case that can be read: a field that is not read and looks like one that is ("poze"), or a pose that is no rotation
 /// and translation. One sentence for the user.
 struct CaseNote {
-  enum Kind { field, pose };
-  Kind kind;
-  std::string text;
+  enum Kind { field, pose };  ///< what the note is about
+  Kind kind;                  ///< of the two
+  std::string text;           ///< the sentence
 };
 
 /// One case of a stream, or the reason why it cannot be read.
 struct CaseItem {
-  std::size_t line = 1;  ///< where it begins
-  std::string id;        ///< its id, else its line number as text; also of a bad case, if it could be read
-  std::variant<Case, InputError> outcome;
-  std::vector<CaseNote> notes = {};
+  std::size_t line = 1;                    ///< where it begins
+  std::string id;                          ///< its id, else its line number as text; also of a bad case, if it could be read
+  std::variant<Case, InputError> outcome;  ///< the case, or why there is none
+  std::vector<CaseNote> notes = {};        ///< of a case that could be read
 
-  // value() throws std::bad_variant_access unless ok(), and error() if ok().
+  /// Which of the two it is.
   [[nodiscard]] bool ok() const { return std::holds_alternative<Case>(outcome); }
-  [[nodiscard]] const Case& value() const { return std::get<Case>(outcome); }
-  [[nodiscard]] const InputError& error() const { return std::get<InputError>(outcome); }
+  [[nodiscard]] const Case& value() const { return std::get<Case>(outcome); }              ///< throws std::bad_variant_access unless ok()
+  [[nodiscard]] const InputError& error() const { return std::get<InputError>(outcome); }  ///< throws it if ok()
 };
 
 /// Reads the case in `text`, which begins on line `line` of the input called `name`. Throws nothing on bad input.
@@ -100,8 +100,8 @@ class CaseStream {
  public:
   /// Reads `input`, which must outlive the stream; `name` is for messages.
   CaseStream(std::istream& input, std::string name, CaseLayout layout = CaseLayout::lines);
-  CaseStream(CaseStream&&) noexcept;
-  CaseStream& operator=(CaseStream&&) noexcept;
+  CaseStream(CaseStream&&) noexcept;             ///< the other one may only be assigned to, or destroyed
+  CaseStream& operator=(CaseStream&&) noexcept;  ///< in the same way
   ~CaseStream();
 
   /// Opens a file; "-" is `standard_input`, named "<stdin>". A .json file is a document, unless more follows its first value.
@@ -111,7 +111,7 @@ class CaseStream {
   /// Returns the next case, or nullopt at the end. A case of more than 256 MiB is a bad one. Throws std::bad_alloc if memory runs out:
   /// the case, which begins on line case_line(), is skipped then, and the stream can go on.
   std::optional<CaseItem> next();
-  [[nodiscard]] std::size_t case_line() const;
+  [[nodiscard]] std::size_t case_line() const;  ///< where the latest case begins
 
  private:
   class Reader;

@@ -30,12 +30,12 @@ constexpr std::string_view name(Precision precision) { return precision == Preci
 /// What an implementation declares of itself. Judging never guesses these.
 struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
-  enum class Sign { positive, negative };
-  enum class Body { a, b };
-  Touching touching = Touching::either;
-  Sign depth = Sign::positive;  ///< of the depth of bodies that overlap
-  Body moves = Body::a;         ///< the body that |depth| * direction moves apart
-  bool unit = true;             ///< whether directions are promised to have length 1
+  enum class Sign { positive, negative };             ///< of a depth
+  enum class Body { a, b };                           ///< which of the two
+  Touching touching = Touching::either;               ///< of bodies that touch
+  Sign depth = Sign::positive;                        ///< of the depth of bodies that overlap
+  Body moves = Body::a;                               ///< the body that |depth| * direction moves apart
+  bool unit = true;                                   ///< whether directions are promised to have length 1
 };
 
 /// x, y, z.
@@ -43,10 +43,10 @@ using Triple = std::array<double, 3>;
 
 /// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32 numbers are given as their equal doubles.
 struct Reply {
-  bool overlap = false;
+  bool overlap = false;  ///< whether the bodies overlap, or penetrate
   // Read only if overlap:
-  std::optional<double> depth;
-  std::optional<Triple> direction;
+  std::optional<double> depth;                 ///< of the overlap
+  std::optional<Triple> direction;             ///< in which a body moves apart
   std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation that moves A apart
 };
 
@@ -54,9 +54,9 @@ struct Reply {
 /// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Negative values count as 0.
 /// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
 struct Tolerance {
-  mpq_class relative{1, 1000};
-  mpq_class absolute{1, 1'000'000};
-  unsigned long ulps = 0;
+  mpq_class relative{1, 1000};       ///< of the depth
+  mpq_class absolute{1, 1'000'000};  ///< of the extent
+  unsigned long ulps = 0;            ///< of the depth
 };
 
 // ---- the verdict ----
@@ -105,15 +105,15 @@ std::string_view name(Accuracy accuracy);
 
 /// low <= value <= high: a length, rounded outward; equal only if it is known and a double. Infinite beyond binary64.
 struct Between {
-  double low, high;
+  double low, high;  ///< the bounds
   friend bool operator==(const Between&, const Between&) = default;
 };
 
 /// What is right and wrong about one answer, with the truth beside it.
 struct Judgement {
-  Verdict verdict = Verdict::garbage;
-  std::vector<Verdict> findings;     ///< everything that is wrong with the answer, in order of rank
-  std::optional<Accuracy> accuracy;  ///< of a pass with a depth
+  Verdict verdict = Verdict::garbage;  ///< the first of the findings, or a pass
+  std::vector<Verdict> findings;       ///< everything that is wrong with the answer, in order of rank
+  std::optional<Accuracy> accuracy;    ///< of a pass with a depth
 
   std::optional<Status> status = Status::disjoint;  ///< the truth; nullopt if the bounds of shapes leave it open
   mpq_class depth_squared;                          ///< the truth about polytopes; 0 unless penetrating
@@ -130,11 +130,11 @@ struct Judgement {
   std::optional<double> inconsistency;      ///< the claimed depth less the price
   std::optional<double> overlap_left;       ///< travel less the claimed depth, if that is positive
   // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead out of it.
-  std::optional<Between> price, witness_a_distance, witness_b_distance;
+  std::optional<Between> price, witness_a_distance, witness_b_distance;  ///< lengths
   // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of (b - a) - translation, rounded;
   // if no direction is claimed, | |b - a| - depth |.
-  std::optional<mpq_class> witness_a_squared, witness_b_squared;
-  std::optional<double> witness_gap;
+  std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
+  std::optional<double> witness_gap;                              ///< 0 if they fit
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };
@@ -148,8 +148,8 @@ Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, cons
 
 /// Two bodies as the implementation saw them, and the exact answer.
 struct Truth {
-  GivenPoints a, b;
-  Depth depth;
+  GivenPoints a, b;  ///< the points that it saw
+  Depth depth;       ///< the exact answer
 };
 
 /// Returns the points rounded to nearest, which is what an implementation of this precision sees, in binary64; nullopt if a coordinate
@@ -167,8 +167,8 @@ Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conve
 
 /// Two shapes as the implementation saw them, and what is known of the answer.
 struct ShapeTruth {
-  Shape a, b;
-  SignedDepth depth;
+  Shape a, b;         ///< the shapes that it saw
+  SignedDepth depth;  ///< exact, or bounds
 };
 
 /// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.

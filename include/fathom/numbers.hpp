@@ -24,8 +24,8 @@ enum class Decimals {
 /// A number in lowest terms, or a phrase for the user: "expected a number, found '1/0': the denominator is zero".
 /// The phrase is short printable ASCII for any token.
 struct ParsedNumber {
-  std::optional<mpq_class> value;
-  std::string error;  ///< empty if there is a value
+  std::optional<mpq_class> value;  ///< nullopt if the token is no number
+  std::string error;               ///< empty if there is a value
 };
 
 /// Limits, so that a few bytes of hostile input cannot ask for unbounded memory.
@@ -71,7 +71,7 @@ std::string hex_text(double value);
 /// The number rational + signed root of `root`, where the signed root of x is sqrt(x), or -sqrt(-x) for x < 0. Both in lowest terms. One
 /// number may have several such forms, {3, 0} and {1, 4}: `compare` tells whether two are equal.
 struct Surd {
-  mpq_class rational, root;
+  mpq_class rational, root;  ///< root: the number under the root
 };
 
 /// Returns -1, 0 or 1: the exact sign, found by squaring.
@@ -91,11 +91,11 @@ float round_binary32(const Surd& value, Rounding mode = Rounding::rn);
 /// zeros. Otherwise neighbours among the decimals of that many significant digits, so that low < value < high.
 /// Plain ("0.01234") where that is short, else with an exponent ("1.234e-50"); parse_number reads both, within its limits.
 struct Enclosure {
-  std::string low, high;
+  std::string low, high;  ///< the two decimals
   friend bool operator==(const Enclosure&, const Enclosure&) = default;
 };
 
-inline constexpr std::size_t most_root_digits = 1'000'000;
+inline constexpr std::size_t most_root_digits = 1'000'000;  ///< that are computed
 
 /// Encloses the value by decimals of `digits` significant digits, 1 <= digits <= most_root_digits. MPFR finds the digits, exact squaring
 /// proves both ends. Throws std::invalid_argument for other digits.

@@ -10,14 +10,14 @@ namespace fathom {
 
 /// A position with exact rational coordinates, each in lowest terms: what takes points throws std::invalid_argument at others.
 struct Point {
-  mpq_class x, y, z;
+  mpq_class x, y, z;  ///< the coordinates
   friend bool operator==(const Point&, const Point&) = default;
 };
 
 /// Three components of any ring.
 template <class NT>
 struct Vec3 {
-  NT x, y, z;
+  NT x, y, z;  ///< the components
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 

@@ -20,21 +20,21 @@ namespace fathom {
 /// The points center + sum of y_i axes[i], for y with |y| <= 1: a point without axes, a disc with two, a ball with three. The axes need not be
 /// orthogonal, nor independent: an atom may be flat.
 struct Atom {
-  Point center;
+  Point center;             ///< of the point, disc or ball
   std::vector<Point> axes;  ///< none, two or three
   friend bool operator==(const Atom&, const Atom&) = default;
 };
 
 /// The convex hull of its atoms, of which there is at least one.
 struct Term {
-  std::vector<Atom> atoms;
+  std::vector<Atom> atoms;  ///< at least one
   friend bool operator==(const Term&, const Term&) = default;
 };
 
 /// The points x with <normal,x> <= offset. The normal is not zero.
 struct HalfSpace {
-  Point normal;
-  mpq_class offset;
+  Point normal;      ///< outward; not 0
+  mpq_class offset;  ///< <normal,x> on the plane
   friend bool operator==(const HalfSpace&, const HalfSpace&) = default;
 };
 
@@ -50,9 +50,9 @@ struct Shape {
 // Each is centred at O and lies along the axis named, unless its points are given. All lengths must be > 0, except for a margin, which may be
 // 0, and all numbers in lowest terms: std::invalid_argument is thrown otherwise, with a sentence that says what is wrong.
 
-enum class Axis { x, y, z };
+enum class Axis { x, y, z };  ///< of the frame
 
-Shape sphere(const mpq_class& radius);
+Shape sphere(const mpq_class& radius);  ///< the ball around O
 /// The points at most `radius` away from the segment between -half_length and half_length on the axis: the caps come on top.
 Shape capsule(const mpq_class& radius, const mpq_class& half_length, Axis axis = Axis::z);
 /// The convex hull of two balls: one around -half_length on the axis, of radius `low`, and one around half_length, of radius `high`.
@@ -69,7 +69,7 @@ Shape frustum(const mpq_class& low, const mpq_class& high, const mpq_class& half
 Shape ellipsoid(const Point& radii);
 /// The convex hull of one point or more.
 Shape hull(std::span<const Point> vertices);
-Shape triangle(const Point& p, const Point& q, const Point& r);
+Shape triangle(const Point& p, const Point& q, const Point& r);  ///< its convex hull, flat
 /// The points x with <normal,x> <= offset; the normal is not 0.
 Shape halfspace(const Point& normal, const mpq_class& offset);
 
@@ -90,7 +90,7 @@ using Pose = std::array<std::array<mpq_class, 4>, 3>;
 
 /// A rotation v -> q v q^-1. It need not be a unit quaternion.
 struct Quaternion {
-  mpq_class w, x, y, z;
+  mpq_class w, x, y, z;  ///< w: the real part
   friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 

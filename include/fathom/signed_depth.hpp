@@ -28,22 +28,22 @@ namespace fathom {
 
 /// The vector alpha normal + beta normal/|normal|.
 struct AlongNormal {
-  Vector normal;
-  mpq_class alpha, beta;
+  Vector normal;          ///< primitive
+  mpq_class alpha, beta;  ///< beta: a length
   friend bool operator==(const AlongNormal&, const AlongNormal&) = default;
 };
 
 /// The point core + distance normal/|normal|: the core's point `core`, moved outward to the surface of the body.
 struct RoundedPoint {
-  Point core;
-  Vector normal;
-  mpq_class distance;
+  Point core;          ///< a point of the core
+  Vector normal;       ///< of the answer's direction
+  mpq_class distance;  ///< B: the radius; A: minus it
   friend bool operator==(const RoundedPoint&, const RoundedPoint&) = default;
 };
 
 /// A point of A and a point of B.
 struct RoundedWitness {
-  RoundedPoint a, b;
+  RoundedPoint a, b;  ///< of A, of B
   friend bool operator==(const RoundedWitness&, const RoundedWitness&) = default;
 };
 
@@ -55,7 +55,7 @@ enum class Lineality { none, line, plane, all };
 /// All optimal directions of cores that touch, {u : h(u) = 0}: the sums of a vector of the lineality and of multiples >= 0 of rays. In
 /// canonical form: two cones are equal if and only if their members are.
 struct OptimalCone {
-  Lineality lineality = Lineality::none;
+  Lineality lineality = Lineality::none;  ///< the linear space in it
   Vector axis;  ///< primitive: of a line its direction, of a plane its normal, the lexicographically greater of the two; else 0
   std::vector<Vector> rays;  ///< the extreme rays orthogonal to the lineality: primitive, sorted lexicographically
   /// One of them: the first ray. Without rays the lexicographically least of some: axis and -axis of a line; primitive vectors along the cross
@@ -95,14 +95,14 @@ struct Bracket {
 
 /// low <= value <= high, low < high.
 struct Bounds {
-  mpq_class low, high;
+  mpq_class low, high;  ///< rational
   friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
 /// `value` is the answer, exact or enclosed; `core` says how it follows from the cores.
 struct SignedDepth {
-  std::variant<Surd, Bounds> value;
-  mpq_class radius_a, radius_b;
+  std::variant<Surd, Bounds> value;                 ///< see exact() and bounds()
+  mpq_class radius_a, radius_b;                     ///< of the two shapes
   std::variant<Depth, PlaneSupport, Bracket> core;  ///< of two polytopes; of a half-space and a polytope; of other shapes
   std::optional<OptimalCone> cone;                  ///< if the cores are polytopes, or a half-space and a polytope, and touch
   std::optional<Contact> touching{};                ///< if the cores are polytopes and touch: see contact()

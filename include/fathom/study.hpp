@@ -43,7 +43,7 @@ enum class Coincidence {
   ties,                   ///< the contacts of all optima, if there is more than one
   count
 };
-
+/// In the order of Coincidence.
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(Coincidence::count)> coincidence_names{
     "parallel_edges",        "parallel_edges_of_a",
     "parallel_edges_of_b",   "coincident_normals",
@@ -59,31 +59,31 @@ using Feature = std::vector<std::uint32_t>;
 
 /// The features that take part in one coincidence: one, or two of one body or of both.
 struct Involved {
-  std::vector<Feature> a, b;
+  std::vector<Feature> a, b;  ///< those of A, those of B
   friend bool operator==(const Involved&, const Involved&) = default;
 };
 
 /// All coincidences of one kind.
 struct Coincidences {
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;       ///< how many there are, listed or not
   std::vector<Involved> listed;  ///< the first of them, as many as were asked for
 };
 
 /// How large a body's convex hull is.
 struct BodySize {
-  int rank = 0;  ///< dimension of the body: 0 a point, 1 a segment, 2 flat, 3
-  std::uint64_t vertices = 0, edges = 0, facets = 0;
+  int rank = 0;                                       ///< dimension of the body: 0 a point, 1 a segment, 2 flat, 3
+  std::uint64_t vertices = 0, edges = 0, facets = 0;  ///< of the hull
 };
 
 /// What is degenerate about two bodies, and their depth.
 struct Study {
-  Depth depth;
-  BodySize a, b;
+  Depth depth;    ///< as penetration_depth finds it
+  BodySize a, b;  ///< of the two bodies
   /// Of the exact method's run. If the bodies do not penetrate, of its topological part alone: charts, vertex-facet pairs, canonical
   /// subsets.
   PredicateCounts predicates{};
-  std::array<Coincidences, static_cast<std::size_t>(Coincidence::count)> coincidences;
-
+  std::array<Coincidences, static_cast<std::size_t>(Coincidence::count)> coincidences;  ///< in the order of Coincidence
+  /// Those of one kind.
   [[nodiscard]] const Coincidences& operator[](Coincidence kind) const { return coincidences[static_cast<std::size_t>(kind)]; }
 };
 
@@ -134,7 +134,7 @@ enum class ShapeCoincidence {
   touching_features,  ///< these features, whatever they are
   count
 };
-
+/// In the order of ShapeCoincidence.
 inline constexpr std::array<std::string_view, static_cast<std::size_t>(ShapeCoincidence::count)> shape_coincidence_names{
     "equal_bodies",        "concentric",         "centre_on_axis",    "coaxial",           "parallel_axes",          "orthogonal_axes",
     "intersecting_axes",   "equal_radii",        "parallel_faces",    "coplanar_faces",    "generators_along_faces", "supporting_faces",
@@ -152,32 +152,32 @@ struct ShapeFeature {
 
 /// One feature of each body.
 struct ShapeInvolved {
-  ShapeFeature a, b;
+  ShapeFeature a, b;  ///< that of A, that of B
 };
 
 /// All coincidences of one kind.
 struct ShapeCoincidences {
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;            ///< how many there are, listed or not
   std::vector<ShapeInvolved> listed;  ///< the first of them, as many as were asked for
 };
 
 /// What a shape is made of, as it was given.
 struct ShapeSize {
-  bool half_space = false;
-  std::uint64_t terms = 0, points = 0, discs = 0, balls = 0;
-  mpq_class radius;
+  bool half_space = false;                                    ///< then there are no terms
+  std::uint64_t terms = 0, points = 0, discs = 0, balls = 0;  ///< in the core
+  mpq_class radius;                                           ///< around the core
 };
 
 /// What coincides of two shapes, and their signed depth.
 struct ShapeStudy {
-  SignedDepth depth;
-  ShapeSize a, b;
-  std::array<ShapeCoincidences, static_cast<std::size_t>(ShapeCoincidence::count)> coincidences;
+  SignedDepth depth;                                                                              ///< as signed_depth finds it
+  ShapeSize a, b;                                                                                 ///< of the two shapes
+  std::array<ShapeCoincidences, static_cast<std::size_t>(ShapeCoincidence::count)> coincidences;  ///< in the order of ShapeCoincidence
   /// The features that face each other in an optimal direction: of cores that touch, in one inside the cone of all. nullopt if the depth is
   /// not known exactly.
   std::optional<ShapeInvolved> contact;
   std::optional<Study> cores;  ///< of the cores without radii, if both are polytopes
-
+  /// Those of one kind.
   [[nodiscard]] const ShapeCoincidences& operator[](ShapeCoincidence kind) const { return coincidences[static_cast<std::size_t>(kind)]; }
 };
 

@@ -53,4 +53,11 @@ run_well(${CMAKE_COMMAND} -E env DESTDIR=${WORK}/staged ${CMAKE_COMMAND} --insta
 if(NOT output MATCHES "no work to do" OR NOT EXISTS ${WORK}/staged/opt/fathom/bin/fathom-check)
   message(FATAL_ERROR "the staged installation said\n${output}")
 endif()
+
+# Law: the target `uninstall` leaves nothing of it.
+run_well(${CMAKE_COMMAND} -E env DESTDIR=${WORK}/staged ${CMAKE_COMMAND} --build ${BUILD} --target uninstall)
+file(GLOB_RECURSE left ${WORK}/staged/*)
+if(left)
+  message(FATAL_ERROR "these are left: ${left}")
+endif()
 file(REMOVE_RECURSE ${WORK} ${BUILD})

@@ -57,6 +57,15 @@ if(NOT output STREQUAL "every kernel agrees\n")
   message(FATAL_ERROR "the consumer with CGAL printed '${output}'")
 endif()
 
+# Law: pkg-config says what the C++ libraries need.
+find_program(PKG_CONFIG pkg-config REQUIRED)
+file(GLOB_RECURSE pc "${prefix}/fathom.pc")
+cmake_path(GET pc PARENT_PATH pc)
+run(${CMAKE_COMMAND} -E env "PKG_CONFIG_PATH=${pc}" ${PKG_CONFIG} --cflags --libs fathom)
+separate_arguments(found UNIX_COMMAND "${FLAGS} ${output}")
+run(${CXX} -std=c++20 "${examples}/depth.cpp" -o ${WORK}/depth_by_pkg_config ${found})
+run(${CMAKE_COMMAND} -D PROGRAM=${WORK}/depth_by_pkg_config -D "SOURCE=${examples}/depth.cpp" -P "${examples}/run.cmake")
+
 run("${prefix}/bin/fathom" --version)
 if(NOT output MATCHES "^fathom [0-9]")
   message(FATAL_ERROR "the installed fathom printed '${output}'")

@@ -13,8 +13,8 @@ enum class Outcome { verified = 0, refused = 1, malformed = 2 };
 
 /// The judgement on one certificate. It starts from "no".
 struct Verdict {
-  Outcome outcome = Outcome::refused;
-  std::string id;  ///< as written in the certificate, percent-escaped; empty if it has none
+  Outcome outcome = Outcome::refused;  ///< what the checker decided
+  std::string id;                      ///< as written in the certificate, percent-escaped; empty if it has none
 
   // If verified:
   std::string status;             ///< "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open
@@ -27,8 +27,8 @@ struct Verdict {
 
   // If not:
   std::size_t line = 0;  ///< where, from 1
-  std::string reason;
-
+  std::string reason;    ///< a phrase for people
+  /// Whether the certificate is a proof.
   [[nodiscard]] bool accepted() const noexcept { return outcome == Outcome::verified; }
 };
 

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Removes the files that MANIFEST lists, below DESTDIR if that is set, and then the folders of fathom's own that are empty: `fathom`, and
+# those inside one. All else stays: other files, and folders that are shared, as bin.
+# [DESTDIR=...] cmake -D MANIFEST=build/release/install_manifest.txt -P uninstall.cmake
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "${MANIFEST} is not there: nothing has been installed from this build folder")
+endif()
+file(STRINGS "${MANIFEST}" files ENCODING UTF-8)
+set(folders "")
+set(gone 0)
+foreach(file IN LISTS files)
+  set(path "$ENV{DESTDIR}${file}")
+  if(EXISTS "${path}" OR IS_SYMLINK "${path}")
+    file(REMOVE "${path}")
+    if(EXISTS "${path}" OR IS_SYMLINK "${path}")
+      message(FATAL_ERROR "${path} cannot be removed")
+    endif()
+  else()
+    math(EXPR gone "${gone} + 1")
+  endif()
+  cmake_path(GET file PARENT_PATH folder)
+  while(folder MATCHES "/fathom(/|$)")
+    list(APPEND folders "${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+endforeach()
+
+# The inner ones first: they come last in the order of names.
+list(REMOVE_DUPLICATES folders)
+list(SORT folders ORDER DESCENDING)
+foreach(folder IN LISTS folders)
+  set(path "$ENV{DESTDIR}${folder}")
+  file(GLOB inside LIST_DIRECTORIES true "${path}/*" "${path}/.*")
+  if(IS_DIRECTORY "${path}" AND NOT inside)
+    file(REMOVE_RECURSE "${path}")
+  endif()
+endforeach()
+
+list(LENGTH files count)
+math(EXPR removed "${count} - ${gone}")
+message(STATUS "removed ${removed} files; ${gone} were not there")

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be said of the Debian packages without building them: versions agree, what the build needs is asked for, the scripts are bash."""
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+NOT_FOR_PACKAGES = {"g++", "ccache", "python3-pytest", "python3-pip", "python3-venv"}  # the first is essential to builds
+
+
+def read(path):
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+def stanzas(text):
+    """Each stanza of a Debian control file: the fields, with continuation lines."""
+    for stanza in re.split(r"\n\n+", text.strip()):
+        yield {name: value.strip() for name, value in re.findall(r"^(\S+?):((?:.*)(?:\n[ \t].*)*)", stanza, re.MULTILINE)}
+
+
+def packages_txt(*sections):
+    found, section = set(), ""
+    for line in read("cmake/packages.txt").splitlines():
+        if line.startswith("["):
+            section = line[1:-1]
+        elif line and not line.startswith("#") and section in sections:
+            found.add(line)
+    return found
+
+
+class Packaging(unittest.TestCase):
+    def test_versions(self):
+        version = re.search(r"project\(fathom VERSION (\S+)", read("CMakeLists.txt"))[1]
+        self.assertEqual(re.match(r"fathom \(([^)]+)\)", read("debian/changelog"))[1], version)
+        self.assertIn('re.search(r"project\\(fathom VERSION', read("setup.py"))  # Python's is taken from there
+
+    def test_build_dependencies(self):
+        source = next(stanzas(read("debian/control")))
+        asked = {re.match(r"[^\s(]+", word.strip())[0] for word in source["Build-Depends"].split(",") if word.strip()}
+        self.assertEqual(asked - {"debhelper-compat", "dh-python"}, packages_txt("depth", "build", "subjects", "python") - NOT_FOR_PACKAGES)
+
+    def test_every_package_says_what_is_in_it(self):
+        _, *binaries = stanzas(read("debian/control"))
+        self.assertEqual({binary["Package"] for binary in binaries}, {path.stem for path in (ROOT / "debian").glob("*.install")})
+
+    def test_development_package_depends_on_what_pkg_config_requires(self):
+        required = re.search(r"^Requires: (.*)$", read("cmake/fathom.pc.in"), re.MULTILINE)[1].replace("gmpxx", "gmp").split()
+        depends = next(binary for binary in stanzas(read("debian/control")) if binary.get("Package") == "libfathom-dev")["Depends"]
+        self.assertEqual([name for name in required if f"lib{name}-dev" not in depends], [])
+
+    def test_manual_page_of_the_checker_names_its_options(self):
+        shown = set(re.findall(r"\\-\\-(\w+)", read("debian/fathom-check.1")))
+        sources = "".join(path.read_text() for path in (ROOT / "verify/check").glob("command_line.*"))
+        self.assertEqual(shown - {"help"}, set(re.findall(r'"(?:  )?--(\w+)', sources)) - {"help", "version"})
+
+    def test_copyright_names_files_that_are_there(self):
+        for stanza in stanzas(read("debian/copyright")):
+            for pattern in stanza.get("Files", "").split():
+                self.assertTrue(list(ROOT.glob(pattern)), pattern)
+
+    def test_scripts_are_bash(self):
+        scripts = sorted((ROOT / "packaging").glob("*.sh"))
+        self.assertTrue(scripts)
+        for script in scripts:
+            subprocess.run(["bash", "-n", script], check=True)
+            self.assertTrue(os.access(script, os.X_OK), script)
+            usage = subprocess.run([script], capture_output=True, text=True)
+            self.assertEqual((usage.returncode, usage.stderr.split()[:2]), (2, ["usage:", script.name]))
+
+
+if __name__ == "__main__":
+    unittest.main()
