@@ -57,7 +57,9 @@ TEST(CDepth, PenetratingCubes) {
   EXPECT_EQ(translation_of(answer), (Triple{-0.25, 0, 0}));
   Triple a(3), b(3);
   ASSERT_EQ(fathom_answer_witness(answer.get(), a.data(), b.data()), FATHOM_OK);
-  EXPECT_EQ(b[0] - a[0], -0.25);
+  EXPECT_TRUE(a[0] == 1 && b[0] == 0.75);
+  EXPECT_EQ(exactly(answer, FATHOM_WITNESS_A).substr(0, 2), "1 ");
+  EXPECT_EQ(exactly(answer, FATHOM_WITNESS_B).substr(0, 4), "3/4 ");
   EXPECT_EQ(exactly(answer, FATHOM_SIGNED_DEPTH), "1/4");
   EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), "-1 0 0");
   EXPECT_EQ(exactly(answer, FATHOM_TRANSLATION), "-1/4 0 0");
