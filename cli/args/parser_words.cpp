@@ -27,17 +27,20 @@ std::vector<std::string> choices_of(CLI::Option& option) {
   }
 }
 
+/// The first option that is unknown, as it was typed, or "".
+std::string unknown_option(const CLI::App& app) {
+  for (const std::string& word : app.remaining(true))
+    if (word.starts_with('-') && word != "--") return word.substr(0, word.find('='));
+  return "";
+}
+
 /// What may be meant by an option that is unknown, or "".
 std::string suggestion(CLI::App& app, CLI::App* asked) {
   std::vector<std::string> names;
   for (const OptionHelp& option : options_of(asked ? *asked : app)) names.insert(names.end(), option.names.begin(), option.names.end());
-  for (const std::string& word : app.remaining(true)) {
-    const std::string typed = word.substr(0, word.find('='));
-    if (!typed.starts_with('-') || typed == "--") continue;
-    if (std::ranges::find(names, typed) != names.end()) return fmt::format("; {} stands behind the command", typed);
-    return did_you_mean(typed, names);
-  }
-  return "";
+  const std::string typed = unknown_option(app);
+  if (std::ranges::find(names, typed) != names.end()) return fmt::format("; {} stands behind the command", typed);
+  return typed.empty() ? "" : did_you_mean(typed, names);
 }
 
 }  // namespace
@@ -71,6 +74,8 @@ std::vector<OptionHelp> options_of(CLI::App& app) {
 std::string sentence(const CLI::ParseError& error, CLI::App& app, CLI::App* asked) {
   const std::string text = kernels::printable(error.what(), longest_sentence);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return text + suggestion(app, asked);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && !unknown_option(app).empty())  // misspelt, perhaps
+    return fmt::format("{}, and {} is not expected{}", text, kernels::shown(unknown_option(app)), suggestion(app, asked));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   return text.substr(0, text.find(':')) + ": expected one value, once";
 }

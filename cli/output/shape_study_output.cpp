@@ -115,7 +115,8 @@ Json coincidences_object(const ShapeStudy& study) {
 }  // namespace
 
 std::string study_block(const ShapeStudy& study, bool all) {
-  Lines lines{status_text(study.depth), "A  " + body_text(study.a), "B  " + body_text(study.b)};
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + body_text(study.a), body_column),
+              fitted("B  " + body_text(study.b), body_column)};
   if (study.contact) lines.push_back(fitted("contact  " + involved_text(*study.contact), 9));
   lines.emplace_back();
   add_coincidences(lines, study, all);

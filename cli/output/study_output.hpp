@@ -11,6 +11,9 @@
 
 namespace fathom::cli {
 
+/// Where the further lines of a body begin: below what follows "A  ".
+inline constexpr std::size_t body_column = 3;
+
 /// Several lines, without the last newline. `all`: with every coincidence that the study lists.
 std::string study_block(const Study& study, bool all);
 

@@ -113,7 +113,8 @@ std::string spoken(std::string_view name) {
 }
 
 std::string study_block(const Study& study, bool all) {
-  Lines lines{status_text(study.depth), "A  " + body_text(study.a), "B  " + body_text(study.b), ""};
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + body_text(study.a), body_column),
+              fitted("B  " + body_text(study.b), body_column), ""};
   add_predicates(lines, study.predicates);
   lines.emplace_back();
   add_coincidences(lines, study, all);

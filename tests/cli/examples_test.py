@@ -67,7 +67,7 @@ class Examples(CliTest):
         self.environment["COLUMNS"] = "40"
         text = subprocess.run([EXECUTABLE, "depth", "--help"], env=self.environment, capture_output=True, check=True).stdout.decode()
         broken = re.findall(r"^  (fathom .* \\\n(?:      .* \\\n)*      .*)$", text, re.MULTILINE)
-        self.assertIn("fathom depth \\\n      --pose-b 'xyz=0,0,1.5 rpy=0,0,45deg' \\\n      a.off b.off", broken)
+        self.assertIn("fathom depth --pose-b \\\n      'xyz=0,0,1.5 rpy=0,0,45deg' \\\n      a.off b.off", broken)
         for line in broken:
             done = subprocess.run(["bash", "-c", line], cwd=self.place, env=self.environment, capture_output=True)
             self.assertEqual(done.returncode, 0, line)
