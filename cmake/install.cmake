@@ -15,6 +15,7 @@ install(TARGETS fathom_check EXPORT fathom FILE_SET HEADERS DESTINATION ${CMAKE_
 install(TARGETS fathom_library fathom_kernels fathom_reference fathom_study fathom_judge EXPORT fathom)
 install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
 install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
+install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden)
 install(FILES verify/check/FORMAT.md verify/judge/VERDICTS.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE)
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})

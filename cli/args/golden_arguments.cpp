@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "cli/args/examples_first.hpp"
+#include "cli/args/export_arguments.hpp"
 #include "cli/args/golden_help.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
@@ -87,8 +88,12 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
   add_jobs(app, request);
 }
 
-void add_verify_options(CLI::App& app, GoldenRequest& request) {
+void add_folder(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>("folder", [&request](const std::string& path) { request.folder = path; });
+}
+
+void add_verify_options(CLI::App& app, GoldenRequest& request) {
+  add_folder(app, request);
   add_second_method(app, request.methods,
                     "compute every record again by exact (AGHRS's pipeline) or naive (the hull\nof all vertex differences) too, and "
                     "compare every field; may be repeated");
@@ -112,20 +117,26 @@ GoldenArguments refusal(const std::string& sentence, const std::string& command 
 
 GoldenArguments parse_golden(const std::vector<std::string>& words) {
   GoldenRequest request;
-  CLI::App app("Golden test data: make a release, or prove one.", "fathom golden");
-  app.formatter(std::make_shared<ExamplesFirst>(golden_examples, "fathom golden generate|verify [OPTIONS]"));
+  CLI::App app("Golden test data: make a release, prove one, or export some of it.", "fathom golden");
+  app.formatter(std::make_shared<ExamplesFirst>(golden_examples, "fathom golden generate|verify|export [OPTIONS]"));
   app.get_help_ptr()->description("this text");
   app.footer(std::string(golden_footer));
   app.require_subcommand(0, 1);
   CLI::App& generate = add_command(app, "generate", "Make a release, or go on with one.", generate_examples,
                                    "fathom golden generate --level LEVEL --out DIR [OPTIONS]");
   CLI::App& verify = add_command(app, "verify", "Prove a release, or refuse it.", verify_examples, "fathom golden verify DIR [OPTIONS]");
+  CLI::App& exporting = add_command(app, "export", "Write some of a release as one file for other tests.", export_examples,
+                                    "fathom golden export --format FORMAT DIR [OPTIONS]");
   add_generate_options(generate, request);
   add_verify_options(verify, request);
+  add_folder(exporting, request);
+  add_export_options(exporting, request.exported);
 
-  const auto asked = [&]() -> CLI::App* { return generate.parsed() ? &generate : verify.parsed() ? &verify : nullptr; };
-  if (!words.empty() && words[0] != "generate" && words[0] != "verify" && !words[0].starts_with('-'))
-    return refusal(fmt::format("unknown task {} of golden (expected generate, verify)", kernels::shown(words[0])));
+  const auto asked = [&]() -> CLI::App* {
+    return generate.parsed() ? &generate : verify.parsed() ? &verify : exporting.parsed() ? &exporting : nullptr;
+  };
+  if (!words.empty() && words[0] != "generate" && words[0] != "verify" && words[0] != "export" && !words[0].starts_with('-'))
+    return refusal(fmt::format("unknown task {} of golden (expected generate, verify, export)", kernels::shown(words[0])));
   if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
@@ -134,10 +145,13 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   } catch (const CLI::ParseError& error) {
     return refusal(sentence(error), asked() ? asked()->get_name() : "");
   }
-  if (!asked()) return refusal("golden expects a task: generate, verify");
-  if (request.folder.empty()) return refusal(generate.parsed() ? "--out expects a folder" : "verify expects a folder", asked()->get_name());
+  if (!asked()) return refusal("golden expects a task: generate, verify, export");
+  if (request.folder.empty())
+    return refusal(generate.parsed() ? "--out expects a folder" : asked()->get_name() + " expects a folder", asked()->get_name());
   if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
-  request.what = generate.parsed() ? GoldenRequest::What::generate : GoldenRequest::What::verify;
+  request.what = generate.parsed() ? GoldenRequest::What::generate
+                 : verify.parsed() ? GoldenRequest::What::verify
+                                   : GoldenRequest::What::exporting;
   return {request, "", fine};
 }
 

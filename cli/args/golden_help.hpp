@@ -10,7 +10,9 @@ inline constexpr std::string_view golden_examples =
     "Examples\n"
     "  fathom golden generate --level L0 --out data\n"
     "                                           cases with their exact answers, rounded answers and proofs, in the folder data\n"
-    "  fathom golden verify data                proves every value in it, or says what is wrong\n";
+    "  fathom golden verify data                proves every value in it, or says what is wrong\n"
+    "  fathom golden export --format c --count 50 data > golden_cases.h\n"
+    "                                           fifty of its cases, for the tests of another project\n";
 
 inline constexpr std::string_view generate_examples =
     "Examples\n"
@@ -34,6 +36,13 @@ inline constexpr std::string_view verify_examples =
     "                                           by two methods; agreement.json in data then says so\n"
     "  zstd -dc data/*.cert.zst | fathom check -\n"
     "                                           the certificates alone, by the independent checker\n";
+
+inline constexpr std::string_view export_examples =
+    "Examples\n"
+    "  fathom golden export --format c --exclude flat,huge --max-points 8 --count 50 data > golden_cases.h\n"
+    "                                           C89 arrays, and a function that accepts answers or not\n"
+    "  fathom golden export --format json --exclude disjoint,touching data > golden_cases.json\n"
+    "                                           all bodies that overlap, for whoever reads JSON\n";
 
 inline constexpr std::string_view golden_footer =
     "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV and a C++ include file\n"
