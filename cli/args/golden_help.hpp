@@ -45,8 +45,8 @@ inline constexpr std::string_view export_examples =
     "                                           all bodies that overlap, for whoever reads JSON\n";
 
 inline constexpr std::string_view golden_footer =
-    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV and a C++ include file\n"
-    "too. Its NOTES.md explains every field. The data is in the public domain (CC0-1.0).\n"
+    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV too.\n"
+    "Its NOTES.md explains every field. The data is in the public domain (CC0-1.0).\n"
     "Exit codes: 0 fine, or verified; 1 refused; 2 usage, or a folder that holds something else or cannot be read; 3 internal error,\n"
     "or files cannot be written; 130 interrupted.\n";
 
