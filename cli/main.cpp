@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line of `fathom`, and of `fathom-depth`: parses the arguments, runs the command, and turns errors into one sentence and an
 // exit code.
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 #include "cli/args/arguments.hpp"
+#include "cli/args/help.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/exec_program.hpp"
 #include "cli/io/guarded.hpp"
@@ -18,8 +21,7 @@ namespace {
 
 using namespace fathom::cli;
 
-/// Commands with a command line of their own.
-bool parses_itself(std::string_view command) { return command == "check" || command == "golden"; }
+bool parses_itself(std::string_view command) { return std::ranges::find(parsed_elsewhere, command) != std::end(parsed_elsewhere); }
 
 constexpr const char* mpi_program = "fathom-mpi";
 

@@ -54,7 +54,7 @@ void add_delta(CLI::App& app, Request& request, const std::string& meaning) {
 
 void add_approx_options(CLI::App& app, Request& request) {
   add_delta(app, request,
-            fmt::format("the translation may be longer than the depth by a factor of 1 + DELTA; {} unless given.\n"
+            fmt::format("the translation may be longer than the depth by a factor of 1 + DELTA; {} unless given. "
                         "About 4 / DELTA rays are shot",
                         usual_delta));
   add_json(app, request, "fathom/result/2");

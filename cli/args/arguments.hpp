@@ -4,7 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/args/help_page.hpp"
 #include "cli/args/request.hpp"
 #include "cli/io/exit_code.hpp"
 
@@ -17,6 +19,9 @@ struct Arguments {
   std::string text;
   ExitCode code = fine;
 };
+
+/// The pages of help: of fathom, and of the commands whose arguments are parsed here.
+std::vector<HelpPage> help_pages();
 
 /// Never throws, whatever the user typed.
 Arguments parse_arguments(int argc, const char* const* argv);

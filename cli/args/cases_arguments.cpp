@@ -41,9 +41,9 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
         Text{"--from", "the meshes A and B as one case, vertices as read"}})
     app.add_flag(flag, meaning);
   app.add_flag("--shapes", cases.shapes,
-               "after --list, --catalogue, --family all: those of round and curved\nbodies, not those of polytopes");
+               "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes");
   app.add_option("--from-fcl", cases.fcl,
-                 "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input):\n"
+                 "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): "
                  "boxes and Convex with their poses; the placed points are rounded once to binary64")
       ->type_name("FILE");
 }

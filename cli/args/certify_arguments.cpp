@@ -72,10 +72,10 @@ void add_path(CLI::App& app, const char* name, std::string& path, const char* me
 void add_subject(CLI::App& app, CertifyRequest& certify) {
   add_path(app, "--subject", certify.subject, "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command", "COMMAND");
   add_path(app, "--adapter", certify.adapter,
-           "a library by the name that --list-adapters shows; its settings may\nfollow: libccd-epa,epa_tolerance=1e-12", "NAME");
-  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line;\n- for standard input");
+           "a library by the name that --list-adapters shows; its settings may follow: libccd-epa,epa_tolerance=1e-12", "NAME");
+  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line; - for standard input");
   add_path(app, "--claims", certify.claims,
-           "judge what others have published about pairs of bodies, without a\nsubject: one JSON object a line; - for standard input");
+           "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for standard input");
   app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
   app.add_option_function<std::string>(
          "--jobs", [&certify](const std::string& text) { certify.jobs = threads_of(text); },
@@ -110,7 +110,7 @@ void add_reports(CLI::App& app, Request& request) {
   app.add_flag("--resume", certify.resume, "go on with the report that is there: what it holds is not run again");
   app.add_flag("--json", request.json, "the same lines on standard output, instead of the table");
   app.add_flag("--metamorphic{all}", certify.metamorphic,
-               fmt::format("each case also under these symmetries: {},\nwhich is all that are meant without a list",
+               fmt::format("each case also under these symmetries: {}, which is all that are meant without a list",
                            fmt::join(all_variants(), ",")))
       ->type_name("[=LIST]");
   add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails");
@@ -130,10 +130,9 @@ void add_certify_options(CLI::App& app, Request& request) {
   add_tolerance(app, "--tol-rel", certify.tolerance.relative, "a depth may be wrong by Q times itself; 1/1000 unless given,");
   add_tolerance(app, "--tol-abs", certify.tolerance.absolute, "or by Q times the longest side of the bodies; 1/1000000 unless given,");
   add_count(app, "--tol-ulps", certify.tolerance.ulps, "or by N units in the last place; 0 unless given: the largest of the three");
-  add_second_method(
-      app, certify.methods,
-      "find every truth again by exact (AGHRS's pipeline) or naive (the hull of\nall vertex differences), and compare it, and "
-      "every judgement, field by\nfield; may be repeated");
+  add_second_method(app, certify.methods,
+                    "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare it, and "
+                    "every judgement, field by field; may be repeated");
   add_reports(app, request);
 }
 

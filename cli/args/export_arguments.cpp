@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/args/parser_words.hpp"
 #include "kernels/near_miss.hpp"
 #include "kernels/printable.hpp"
 
@@ -60,7 +61,7 @@ void add_export_options(CLI::App& app, golden::ExportRequest& request) {
   app.add_option_function<std::string>(
          "--format", [&request](const std::string& text) { request.format = *golden::find_export_format(text); },
          "c (C89 and C++), rust, json or csv")
-      ->check(CLI::Validator(check_export_format, "", ""))
+      ->check(one_of({"c", "csv", "json", "rust"}, check_export_format))
       ->type_name("FORMAT")
       ->required();
   app.add_option_function<std::string>(

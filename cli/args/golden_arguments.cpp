@@ -2,17 +2,20 @@
 #include "cli/args/golden_arguments.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <tuple>
 
-#include "cli/args/examples_first.hpp"
+#include "cli/args/did_you_mean.hpp"
 #include "cli/args/export_arguments.hpp"
 #include "cli/args/golden_help.hpp"
+#include "cli/args/parser_words.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
+#include "cli/io/terminal.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -65,7 +68,7 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
          "L0, L1, L2 or L3, of polytopes: hundreds of records, about ten thousand,\nover a hundred thousand, about ten million; P0 or P1, "
          "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it")
-      ->check(check_level)
+      ->check(one_of({"L0", "L1", "L2", "L3", "P0", "P1"}, check_level))
       ->type_name("LEVEL")
       ->required();
   app.add_option_function<std::string>(
@@ -101,13 +104,45 @@ void add_verify_options(CLI::App& app, GoldenRequest& request) {
   add_jobs(app, request);
 }
 
-CLI::App& add_command(CLI::App& app, std::string name, std::string description, std::string_view examples, std::string_view synopsis) {
-  CLI::App& command = *app.add_subcommand(std::move(name), std::move(description));
-  command.formatter(std::make_shared<ExamplesFirst>(examples, synopsis));
-  command.footer(std::string(golden_footer));
-  command.get_help_ptr()->description("this text");
-  return command;
+/// The words about `fathom golden` or, if it is one of the tasks, about that.
+const CommandHelp& help_of(const std::string& task) {
+  const std::string name = task == "fathom golden" ? "golden" : "golden " + task;
+  return *std::ranges::find(golden_table, name, &CommandHelp::name);
 }
+
+/// The parser of the words, with the request that it fills in.
+struct GoldenParser {
+  GoldenRequest request;
+  CLI::App app{"", "fathom golden"};
+  CLI::App *generate, *verify, *exporting;
+
+  GoldenParser() {
+    app.get_help_ptr()->description("this text");
+    app.require_subcommand(0, 1);
+    generate = add_task("generate");
+    verify = add_task("verify");
+    exporting = add_task("export");
+    add_generate_options(*generate, request);
+    add_verify_options(*verify, request);
+    add_folder(*exporting, request);
+    add_export_options(*exporting, request.exported);
+  }
+
+  CLI::App* add_task(const std::string& name) {
+    CLI::App* const task = app.add_subcommand(name, "");
+    task->get_help_ptr()->description("this text");
+    return task;
+  }
+  [[nodiscard]] CLI::App* asked() const {
+    const std::vector<CLI::App*> parsed = app.get_subcommands();
+    return parsed.empty() ? nullptr : parsed.front();
+  }
+  HelpPage page_of(CLI::App& task) {
+    std::vector<CommandHelp> tasks;
+    if (&task == &app) tasks.assign(std::begin(golden_table) + 1, std::end(golden_table));
+    return {help_of(task.get_name()), options_of(task), tasks};
+  }
+};
 
 GoldenArguments refusal(const std::string& sentence, const std::string& command = "") {
   return {std::nullopt, fmt::format("{}\nTry: fathom golden {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
@@ -115,43 +150,36 @@ GoldenArguments refusal(const std::string& sentence, const std::string& command 
 
 }  // namespace
 
-GoldenArguments parse_golden(const std::vector<std::string>& words) {
-  GoldenRequest request;
-  CLI::App app("Golden test data: make a release, prove one, or export some of it.", "fathom golden");
-  app.formatter(std::make_shared<ExamplesFirst>(golden_examples, "fathom golden generate|verify|export [OPTIONS]"));
-  app.get_help_ptr()->description("this text");
-  app.footer(std::string(golden_footer));
-  app.require_subcommand(0, 1);
-  CLI::App& generate = add_command(app, "generate", "Make a release, or go on with one.", generate_examples,
-                                   "fathom golden generate --level LEVEL --out DIR [OPTIONS]");
-  CLI::App& verify = add_command(app, "verify", "Prove a release, or refuse it.", verify_examples, "fathom golden verify DIR [OPTIONS]");
-  CLI::App& exporting = add_command(app, "export", "Write some of a release as one file for other tests.", export_examples,
-                                    "fathom golden export --format FORMAT DIR [OPTIONS]");
-  add_generate_options(generate, request);
-  add_verify_options(verify, request);
-  add_folder(exporting, request);
-  add_export_options(exporting, request.exported);
+std::vector<HelpPage> golden_pages() {
+  GoldenParser parser;
+  std::vector<HelpPage> pages = {parser.page_of(parser.app)};
+  for (CLI::App* const task : parser.app.get_subcommands({})) pages.push_back(parser.page_of(*task));
+  return pages;
+}
 
-  const auto asked = [&]() -> CLI::App* {
-    return generate.parsed() ? &generate : verify.parsed() ? &verify : exporting.parsed() ? &exporting : nullptr;
-  };
-  if (!words.empty() && words[0] != "generate" && words[0] != "verify" && words[0] != "export" && !words[0].starts_with('-'))
-    return refusal(fmt::format("unknown task {} of golden (expected generate, verify, export)", kernels::shown(words[0])));
+GoldenArguments parse_golden(const std::vector<std::string>& words) {
+  GoldenParser parser;
+  GoldenRequest& request = parser.request;
+  std::vector<std::string> tasks;
+  for (const CLI::App* const task : parser.app.get_subcommands({})) tasks.push_back(task->get_name());
+  if (!words.empty() && std::ranges::find(tasks, words[0]) == tasks.end() && !words[0].starts_with('-'))
+    return refusal(fmt::format("unknown task {} of golden (expected {}){}", kernels::shown(words[0]), fmt::join(tasks, ", "),
+                               did_you_mean(words[0], tasks)));
   if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    parser.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
-    return {std::nullopt, (asked() ? asked() : &app)->help(), fine};
+    return {std::nullopt, help_text(parser.page_of(parser.asked() ? *parser.asked() : parser.app), help_columns(STDOUT_FILENO)), fine};
   } catch (const CLI::ParseError& error) {
-    return refusal(sentence(error), asked() ? asked()->get_name() : "");
+    return refusal(sentence(error, parser.app, parser.asked()), parser.asked() ? parser.asked()->get_name() : "");
   }
-  if (!asked()) return refusal("golden expects a task: generate, verify, export");
-  if (request.folder.empty())
-    return refusal(generate.parsed() ? "--out expects a folder" : asked()->get_name() + " expects a folder", asked()->get_name());
+  if (!parser.asked()) return refusal(fmt::format("golden expects a task: {}", fmt::join(tasks, ", ")));
+  const std::string task = parser.asked()->get_name();
+  if (request.folder.empty()) return refusal(parser.generate->parsed() ? "--out expects a folder" : task + " expects a folder", task);
   if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
-  request.what = generate.parsed() ? GoldenRequest::What::generate
-                 : verify.parsed() ? GoldenRequest::What::verify
-                                   : GoldenRequest::What::exporting;
+  request.what = parser.generate->parsed() ? GoldenRequest::What::generate
+                 : parser.verify->parsed() ? GoldenRequest::What::verify
+                                           : GoldenRequest::What::exporting;
   return {request, "", fine};
 }
 

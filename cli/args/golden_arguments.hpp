@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/args/help_page.hpp"
 #include "cli/io/exit_code.hpp"
 #include "fathom/depth.hpp"
 #include "verify/golden/export/export.hpp"
@@ -34,6 +35,9 @@ struct GoldenArguments {
   std::string text;
   ExitCode code = fine;
 };
+
+/// The pages of help: of the command, then of its tasks.
+std::vector<HelpPage> golden_pages();
 
 /// Never throws, whatever the user typed.
 GoldenArguments parse_golden(const std::vector<std::string>& words);

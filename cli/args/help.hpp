@@ -1,137 +1,200 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of --help. Examples come first.
+// The words of --help, of the man pages and of completion: the table of commands. The options come from the parser. Every example is run by
+// a test, on the files in examples/data.
 #pragma once
 
-#include <string>
+#include <array>
+#include <iterator>
 #include <string_view>
+
+#include "cli/args/golden_help.hpp"
+#include "cli/args/help_page.hpp"
 
 namespace fathom::cli {
 
-inline constexpr std::string_view general_examples =
-    "Examples\n"
-    "  fathom depth a.off b.stl                 how deep do two bodies overlap? exactly, with the shortest way out\n"
-    "  fathom depth --json a.obj b.ply          the same as one JSON object, with every exact field\n"
-    "  fathom depth --json cases.jsonl          many pairs: one case per line in, one result per line out\n"
-    "  program | fathom depth --json -          the same as a filter: no answer waits for the next case\n"
-    "  fathom width a.off                       the exact width of one body\n"
-    "  fathom approx --delta 1/100 a.off b.stl  a way out at most 1/100 longer than the shortest\n"
-    "  fathom ray --direction 0,0,1 a.off b.stl how far must A move that way?\n"
-    "  fathom metric --ball q.off a.off b.stl   depth in a polyhedral norm or gauge with the unit ball q.off\n"
-    "  fathom study a.off b.stl                 what is degenerate about two bodies, by name and in counts\n"
-    "  fathom cases --family near_ties          test cases by name, as input for the others\n"
-    "  fathom certify --adapter libccd-epa cases.jsonl\n"
-    "                                           where is a library wrong, and by how much?\n"
-    "  fathom check proof.cert                  is this certificate a proof? by a checker that shares nothing with the rest\n"
-    "  fathom golden verify DIR                 is this golden data true, to the last value?\n"
-    "  fathom depth --help                      every option of a command\n";
+inline constexpr Example general_examples[] = {
+    {"fathom depth a.off b.stl", "how deep do two bodies overlap? exactly, with the shortest way out"},
+    {"fathom depth --json a.obj b.ply", "the same as one JSON object, with every exact field"},
+    {"fathom depth --json cases.jsonl", "many pairs: one case per line in, one result per line out"},
+    {"cat cases.jsonl | fathom depth --json -", "the same as a filter: no answer waits for the next case"},
+    {"fathom width a.off", "the exact width of one body"},
+    {"fathom approx --delta 1/100 a.off b.stl", "a way out at most 1/100 longer than the shortest"},
+    {"fathom ray --direction 0,0,1 a.off b.stl", "how far must A move that way?"},
+    {"fathom metric --ball q.off a.off b.stl", "depth in a polyhedral norm or gauge with the unit ball q.off"},
+    {"fathom study a.off b.stl", "what is degenerate about two bodies, by name and in counts"},
+    {"fathom cases --family near_ties", "test cases by name, as input for the others"},
+    {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
+    {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},
+    {"fathom golden verify data", "is this golden data true, to the last value?"},
+    {"fathom depth --help", "every option of a command; so does fathom help depth"},
+};
 
-inline constexpr std::string_view depth_examples =
-    "Examples\n"
-    "  fathom depth a.off b.stl                 exact depth, direction, translation, contact, ties\n"
-    "  fathom depth --digits 50 a.off b.stl     with the depth enclosed to 50 digits\n"
-    "  fathom depth --exact a.off b.stl         fractions and integers in full, where else decimals stand\n"
-    "  fathom depth --json --counters a.off b.off\n"
-    "                                           one JSON object, with what the run did\n"
-    "  fathom depth --json --optima 10 a.off b.off\n"
-    "                                           with ten of the ties listed, and all of them counted\n"
-    "  fathom depth --pose-b 'xyz=0,0,1.5 rpy=0,0,45deg' a.off b.off\n"
-    "                                           B turned by 45 degrees about z, then moved\n"
-    "  fathom depth --exact-decimals a.obj b.obj\n"
-    "                                           0.1 means 1/10, not the nearest binary64\n"
-    "  fathom depth --certificate proof.cert a.off b.off\n"
-    "                                           with a proof that others can check\n"
-    "  fathom depth --method naive a.off b.off  the slow independent twin\n"
-    "  fathom depth --method shallow a.off b.off\n"
-    "                                           the same answer, sooner for large bodies that overlap a little\n"
-    "  fathom depth cases.jsonl                 a stream: one line per case\n"
-    "  fathom depth --certificate proofs cases.jsonl\n"
-    "                                           and one file for each case in the folder proofs\n"
-    "  program | fathom depth --json -          the same from standard input\n";
+inline constexpr Example depth_examples[] = {
+    {"fathom depth a.off b.stl", "exact depth, direction, translation, contact, ties"},
+    {"fathom depth --digits 50 a.off b.stl", "with the depth enclosed to 50 digits"},
+    {"fathom depth --exact a.off b.stl", "fractions and integers in full, where else decimals stand"},
+    {"fathom depth --json --counters a.off b.off", "one JSON object, with what the run did"},
+    {"fathom depth --json --optima 10 a.off b.off", "with ten of the ties listed, and all of them counted"},
+    {"fathom depth --pose-b 'xyz=0,0,1.5 rpy=0,0,45deg' a.off b.off", "B turned by 45 degrees about z, then moved"},
+    {"fathom depth --exact-decimals a.obj b.obj", "0.1 means 1/10, not the nearest binary64"},
+    {"fathom depth --certificate proof.cert a.off b.off", "with a proof that others can check"},
+    {"fathom depth --method naive a.off b.off", "the slow independent twin"},
+    {"fathom depth --method shallow a.off b.off", "the same answer, sooner for large bodies that overlap a little"},
+    {"fathom depth cases.jsonl", "a stream: one line per case"},
+    {"fathom depth --certificate proofs cases.jsonl", "and one file for each case in the folder proofs"},
+    {"cat cases.jsonl | fathom depth --json -", "the same from standard input"},
+};
 
-inline constexpr std::string_view width_examples =
-    "Examples\n"
-    "  fathom width a.off                       the least distance of two parallel planes with the body between them\n"
-    "  fathom width --json a.stl                one JSON object\n"
-    "  fathom width --delta 1/100 a.off         within a factor of 1 + 1/100, by rays\n"
-    "  fathom width --json cases.jsonl          for a stream: the width of body a of each case\n"
-    "  program | fathom width --json -          the same from standard input\n";
+inline constexpr Example width_examples[] = {
+    {"fathom width a.off", "the least distance of two parallel planes with the body between them"},
+    {"fathom width --json a.stl", "one JSON object"},
+    {"fathom width --delta 1/100 a.off", "within a factor of 1 + 1/100, by rays"},
+    {"fathom width --json cases.jsonl", "for a stream: the width of body a of each case"},
+    {"cat cases.jsonl | fathom width --json -", "the same from standard input"},
+};
 
-inline constexpr std::string_view approx_examples =
-    "Examples\n"
-    "  fathom approx --delta 1/100 a.off b.stl  a separating translation, exact, at most 1 + 1/100 times as long as the depth\n"
-    "  fathom approx --delta 0.5 --json a.off b.stl\n"
-    "                                           one JSON object, with a lower bound of the depth; 0.5 means 1/2\n"
-    "  fathom approx cases.jsonl                a stream: one line per case\n";
+inline constexpr Example approx_examples[] = {
+    {"fathom approx --delta 1/100 a.off b.stl", "a separating translation, exact, at most 1 + 1/100 times as long as the depth"},
+    {"fathom approx --delta 0.5 --json a.off b.stl", "one JSON object, with a lower bound of the depth; 0.5 means 1/2"},
+    {"fathom approx cases.jsonl", "a stream: one line per case"},
+};
 
-inline constexpr std::string_view ray_examples =
-    "Examples\n"
-    "  fathom ray --direction 0,0,1 a.off b.stl how far up must A move until the interiors are disjoint? exactly\n"
-    "  fathom ray --direction=-1/3,0,0.1 --json a.off b.stl\n"
-    "                                           one JSON object, with the facet that stops A; 0.1 means 1/10\n"
-    "  program | fathom ray --direction 1,0,0 - the same direction for every case of a stream\n";
+inline constexpr Example ray_examples[] = {
+    {"fathom ray --direction 0,0,1 a.off b.stl", "how far up must A move until the interiors are disjoint? exactly"},
+    {"fathom ray --direction=-1/3,0,0.1 --json a.off b.stl", "one JSON object, with the facet that stops A; 0.1 means 1/10"},
+    {"cat cases.jsonl | fathom ray --direction 1,0,0 -", "the same direction for every case of a stream"},
+};
 
-inline constexpr std::string_view metric_examples =
-    "Examples\n"
-    "  fathom metric --ball q.off a.off b.stl   the depth where lengths are measured with the unit ball q.off, exactly\n"
-    "  fathom metric --ball q.off --json a.off b.stl\n"
-    "                                           one JSON object, with every vertex of the ball that decides\n"
-    "  fathom metric --ball q.off cases.jsonl   a stream: one line per case\n";
+inline constexpr Example metric_examples[] = {
+    {"fathom metric --ball q.off a.off b.stl", "the depth where lengths are measured with the unit ball q.off, exactly"},
+    {"fathom metric --ball q.off --json a.off b.stl", "one JSON object, with every vertex of the ball that decides"},
+    {"fathom metric --ball q.off cases.jsonl", "a stream: one line per case"},
+};
 
-inline constexpr std::string_view study_examples =
-    "Examples\n"
-    "  fathom study a.off b.stl                 parallel edges, coincident normals, ties, zeros of the predicates: two tables\n"
-    "  fathom study --all a.off b.stl           with the features of every coincidence\n"
-    "  fathom study --json a.off b.stl          one JSON object\n"
-    "  fathom study --csv cases.jsonl           a stream: a header, then one row of counts per case\n"
-    "  program | fathom study --json -          the same from standard input, as JSON\n";
+inline constexpr Example study_examples[] = {
+    {"fathom study a.off b.stl", "parallel edges, coincident normals, ties, zeros of the predicates: two tables"},
+    {"fathom study --all a.off b.stl", "with the features of every coincidence"},
+    {"fathom study --json a.off b.stl", "one JSON object"},
+    {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
+    {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
+};
 
-inline constexpr std::string_view cases_examples =
-    "Examples\n"
-    "  fathom cases --list                      the families, with a line on each\n"
-    "  fathom cases --family near_ties --count 100 --seed 7\n"
-    "                                           one case per line, schema fathom/case/1; the same on every machine\n"
-    "  fathom cases --family random_sphere --count 10 --size 50 | fathom depth -\n"
-    "                                           generated and answered\n"
-    "  fathom cases --catalogue                 all named degenerate pairs\n"
-    "  fathom cases --family all --shapes --count 50 | fathom depth -\n"
-    "                                           round and curved bodies, of every family in turn\n"
-    "  fathom cases --from a.obj b.obj --pose-b \"0 -1 0 1/2; 1 0 0 0; 0 0 1 0\"\n"
-    "                                           two meshes as one case; B turned and moved\n"
-    "  fathom cases --from-fcl error.log | fathom depth -\n"
-    "                                           the pairs that FCL printed when it threw\n";
+inline constexpr Example cases_examples[] = {
+    {"fathom cases --list", "the families, with a line on each"},
+    {"fathom cases --family near_ties --count 100 --seed 7", "one case per line, schema fathom/case/1; the same on every machine"},
+    {"fathom cases --family random_sphere --count 10 --size 50 | fathom depth -", "generated and answered"},
+    {"fathom cases --catalogue", "all named degenerate pairs"},
+    {"fathom cases --family all --shapes --count 50 | fathom depth -", "round and curved bodies, of every family in turn"},
+    {"fathom cases --from a.obj b.obj --pose-b '0 -1 0 1/2; 1 0 0 0; 0 0 1 0'", "two meshes as one case; B turned and moved"},
+    {"fathom cases --from-fcl error.log | fathom depth -", "the pairs that FCL printed when it threw"},
+};
 
-inline constexpr std::string_view certify_examples =
-    "Examples\n"
-    "  fathom certify --list-adapters           the libraries for which a subject is built\n"
-    "  fathom certify --adapter libccd-epa tests/data/real_cases.jsonl\n"
-    "                                           every case through libccd's EPA; a table of verdicts\n"
-    "  fathom certify --subject ./mine --report verdicts.jsonl cases.jsonl\n"
-    "                                           your own program, by the protocol of verify/PROTOCOL.md\n"
-    "  fathom certify --subject ./mine --report verdicts.jsonl --resume cases.jsonl\n"
-    "                                           goes on where a run was cut short\n"
-    "  fathom certify --replay replies.jsonl cases.jsonl\n"
-    "                                           answers that were recorded elsewhere\n"
-    "  fathom cases --family near_ties --count 500 | fathom certify --adapter bullet-epa --metamorphic -\n"
-    "                                           each case also swapped, moved, reordered and scaled\n"
-    "  fathom certify --method exact --adapter bullet-epa --shrink small cases.jsonl\n"
-    "                                           each truth found twice, by methods that share nothing; any difference is kept\n"
-    "  fathom certify --subject ./mine --expect-fail known.txt --junit junit.xml cases.jsonl\n"
-    "                                           in continuous integration: strict about known failures\n"
-    "  fathom certify --adapter libccd-epa --shrink small --html page.html cases.jsonl\n"
-    "                                           the smallest case of each verdict, and a page to look at\n";
+inline constexpr Example certify_examples[] = {
+    {"fathom certify --list-adapters", "the libraries for which a subject is built"},
+    {"fathom certify --adapter libccd-epa cases.jsonl", "every case through libccd's EPA; a table of verdicts"},
+    {"fathom certify --subject ./mine --report verdicts.jsonl cases.jsonl", "your own program, by the protocol of verify/PROTOCOL.md"},
+    {"fathom certify --subject ./mine --report verdicts.jsonl --resume cases.jsonl", "goes on where a run was cut short"},
+    {"fathom certify --replay replies.jsonl cases.jsonl", "answers that were recorded elsewhere"},
+    {"fathom cases --family near_ties --count 50 | fathom certify --adapter bullet-epa --metamorphic -",
+     "each case also swapped, moved, reordered and scaled"},
+    {"fathom certify --method exact --adapter bullet-epa --shrink small cases.jsonl",
+     "each truth found twice, by methods that share nothing; any difference is kept"},
+    {"fathom certify --subject ./mine --expect-fail known.txt --junit junit.xml cases.jsonl",
+     "in continuous integration: strict about known failures"},
+    {"fathom certify --adapter libccd-epa --shrink small --html page.html cases.jsonl",
+     "the smallest case of each verdict, and a page to look at"},
+};
 
-inline constexpr std::string_view footer =
-    "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.\n"
-    "Results go to standard output, everything else to standard error.\n"
-    "Exit codes: 0 fine; 1 a verdict failed; 2 usage or bad input (in a stream the other cases are still answered); 3 internal error, out "
-    "of\n"
-    "memory, or output that cannot be written; 4 incomplete; 130 interrupted.\n";
+inline constexpr Example check_examples[] = {
+    {"fathom check proof.cert", "s VERIFIED, or the reason why it is no proof"},
+    {"fathom check --case case.json proof.cert", "is it about these bodies?"},
+    {"fathom depth --json --embed-certificate cases.jsonl | fathom check --results -", "every answer with its proof, checked"},
+    {"cat proof.cert | fathom check --echo -", "with the bodies and the claim as they were read"},
+};
 
-inline std::string footer_text() { return std::string(footer); }
+inline constexpr Example help_examples[] = {
+    {"fathom help", "what fathom --help prints"},
+    {"fathom help depth", "what fathom depth --help prints"},
+    {"fathom help golden verify", "help for a task of a command"},
+};
 
-/// The commands, in the order of the general help.
-inline constexpr std::string_view commands[] = {"depth", "width", "approx",  "ray",   "metric",
-                                                "study", "cases", "certify", "check", "golden"};
+inline constexpr Example man_examples[] = {
+    {"fathom man depth | man -l -", "the page of a command, to be read"},
+    {"fathom man > fathom.1", "the page of fathom itself, as roff"},
+    {"fathom man --all man1", "every page, as a file of the folder man1: what packages install"},
+};
+
+inline constexpr Example completion_examples[] = {
+    {"eval \"$(fathom completion bash)\"", "in this shell, or in ~/.bashrc"},
+    {"fathom completion zsh > _fathom", "for a folder of zsh's fpath"},
+    {"fathom completion fish > fathom.fish", "for ~/.config/fish/completions"},
+};
+
+inline constexpr ExitMeaning fine_exit = {0, "fine"};
+inline constexpr ExitMeaning usage_exit = {2, "usage or bad input (in a stream the other cases are still answered)"};
+inline constexpr ExitMeaning fault_exit = {3, "internal error, out of memory, or output that cannot be written"};
+inline constexpr ExitMeaning interrupted_exit = {130, "interrupted"};
+
+inline constexpr ExitMeaning usual_exits[] = {fine_exit, usage_exit, fault_exit, interrupted_exit};
+inline constexpr ExitMeaning all_exits[] = {
+    fine_exit, {1, "a verdict failed, a certificate was refused"}, usage_exit, fault_exit, {4, "incomplete"}, interrupted_exit};
+inline constexpr ExitMeaning certify_exits[] = {
+    fine_exit,  {1, "a verdict failed, or the run differs from the list of known failures"}, usage_exit,
+    fault_exit, {4, "incomplete: the subject could not be started, or cases have no reply"}, interrupted_exit};
+inline constexpr ExitMeaning check_exits[] = {
+    {0, "all were accepted, and there was one"},
+    {1, "some were refused"},
+    {2, "some were malformed, cut off or unreadable, or the input was empty, or usage"},
+    {3, "internal error, or output that cannot be written; the largest counts"},
+};
+
+inline constexpr std::string_view usual_notes[] = {
+    "Meshes: OFF, OBJ, PLY, STL, or plain lines \"x y z\"; convex hulls are taken. Streams: JSON Lines, schema fathom/case/1.",
+    "Results go to standard output, everything else to standard error.",
+};
+inline constexpr std::string_view check_notes[] = {
+    "Checks certificates of how deep two convex bodies lie in each other, exactly; - is standard input. FORMAT.md says what they look like "
+    "and what acceptance proves. One line per certificate: s VERIFIED, s REFUSED or s MALFORMED.",
+};
+
+inline constexpr CommandHelp general_help = {
+    "", "Exact penetration depth of two convex polytopes.", "fathom COMMAND [OPTIONS] INPUT...", general_examples, all_exits, usual_notes};
+
+/// In the order of the general help: first the commands that `Command` lists.
+inline constexpr CommandHelp command_table[] = {
+    {"depth", "Exact penetration depth of two bodies.", "fathom depth [OPTIONS] A B | CASES.jsonl | -", depth_examples, usual_exits,
+     usual_notes},
+    {"width", "Exact width of one body.", "fathom width [OPTIONS] A | CASES.jsonl | -", width_examples, usual_exits, usual_notes},
+    {"approx", "Depth of two bodies within a factor.", "fathom approx [--delta DELTA] [OPTIONS] A B | CASES.jsonl | -", approx_examples,
+     usual_exits, usual_notes},
+    {"ray", "Exact depth of two bodies in one direction.", "fathom ray --direction X,Y,Z [OPTIONS] A B | CASES.jsonl | -", ray_examples,
+     usual_exits, usual_notes},
+    {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -", metric_examples,
+     usual_exits, usual_notes},
+    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | -", study_examples, usual_exits,
+     usual_notes},
+    {"cases", "Test cases by name, or from two meshes.",
+     "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE", cases_examples, usual_exits,
+     usual_notes},
+    {"certify", "Where another implementation is wrong, case by case.",
+     "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -", certify_examples, certify_exits,
+     usual_notes},
+    {"check", "Check certificates, independently.", "fathom check [OPTIONS] FILE...", check_examples, check_exits, check_notes},
+    golden_table[0],
+    {"help", "Help for a command.", "fathom help [COMMAND]", help_examples, usual_exits},
+    {"man", "The manual page of a command, for man.", "fathom man [COMMAND] | --all DIR", man_examples, usual_exits},
+    {"completion", "Completion of commands and options for a shell.", "fathom completion bash|zsh|fish", completion_examples, usual_exits},
+};
+
+/// The names of the commands.
+inline constexpr auto commands = [] {
+  std::array<std::string_view, std::size(command_table)> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = command_table[i].name;
+  return names;
+}();
+
+/// Commands with command lines of their own.
+inline constexpr std::string_view parsed_elsewhere[] = {"check", "golden", "help", "man", "completion"};
 
 /// Commands that this version does not have yet, so that the message says so instead of calling them unknown.
 inline constexpr std::string_view absent_commands[] = {"explain"};

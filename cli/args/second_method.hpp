@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/args/parser_words.hpp"
 #include "kernels/printable.hpp"
 #include "reference/solve/disagreement.hpp"
 
@@ -24,7 +25,7 @@ inline void add_second_method(CLI::App& app, std::vector<Method>& methods, const
     if (std::find(methods.begin(), methods.end(), method) == methods.end()) methods.push_back(method);
   };
   app.add_option_function<std::string>("--method", take, meaning)
-      ->check(CLI::Validator(check, "", ""))
+      ->check(one_of({"exact", "naive"}, check))
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->trigger_on_parse()
       ->type_name("NAME");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace fathom::cli {
 namespace {
@@ -27,10 +28,16 @@ std::string quoted(const std::string& word) {
   return result + '\'';
 }
 
-std::string command_line(int argc, const char* const* argv) {
-  std::string result = "fathom";
-  for (int i = 1; i < argc; ++i) result += ' ' + (is_plain(argv[i]) ? std::string(argv[i]) : quoted(argv[i]));
+std::string shell_line(std::span<const std::string> words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : " ") + (is_plain(word) ? word : quoted(word));
   return result;
+}
+
+std::string command_line(int argc, const char* const* argv) {
+  std::vector<std::string> words = {"fathom"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  return shell_line(words);
 }
 
 }  // namespace fathom::cli

@@ -27,7 +27,7 @@ class CertifyCases {
   /// The place, for messages, of the case that was read last, or that did not fit into the memory.
   [[nodiscard]] std::string place() const;
   [[nodiscard]] const std::set<std::string>& ids() const { return ids_; }
-  /// The number of lines of a regular file; nullopt for other inputs.
+  /// About how many there are in a regular file; nullopt for other inputs. See cases_in.
   [[nodiscard]] std::optional<std::size_t> expected() const { return expected_; }
 
  private:

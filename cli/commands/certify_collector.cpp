@@ -48,8 +48,10 @@ void Collector::take(const Case& original, const Case& seen, const harness::Outc
   }
   summary_.add(outcome);
   outcomes_.push_back(outcome);
-  if (outcome.variant.empty()) ++cases_;
-  if (!known) ++run_;
+  if (outcome.variant.empty()) {
+    ++cases_;
+    if (known) ++cases_before_;
+  }
   if (fails(outcome.verdict)) {
     const CertifyRequest& certify = request_.certify;
     const bool needed = !certify.html.empty() || !certify.certificates.empty() || !certify.shrink.empty();
@@ -73,18 +75,7 @@ void Collector::take(const harness::Unattributed& unattributed, bool known) {
 }
 
 void Collector::show_progress() {
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  const double rate = seconds > 0 ? static_cast<double>(run_) / seconds : 0;
-  std::string text = expected_ ? fmt::format("{} of {} cases", cases_, *expected_) : fmt::format("{} cases", cases_);
-  text += fmt::format(", {:.3g}/s", rate);
-  double share = -1;
-  if (expected_ && *expected_ > 0) {
-    share = static_cast<double>(cases_) / static_cast<double>(*expected_);
-    const double left = static_cast<double>(*expected_ - std::min(cases_, *expected_));
-    if (rate > 0) text += fmt::format(", {:.0f} s left", left / rate * static_cast<double>(outcomes_.size()) / static_cast<double>(cases_));
-  }
-  text += fmt::format(", {} failed, worst error {:.3g};", summary_.failures(), worst_);
-  progress_.report(text, share);
+  progress_.count({cases_, expected_, cases_before_}, fmt::format("{} failed, worst error {:.3g}", summary_.failures(), worst_));
 }
 
 void Collector::tell(const std::string& kind, const std::string& sentence) {
@@ -95,6 +86,7 @@ void Collector::tell(const std::string& kind, const std::string& sentence) {
 
 void Collector::close() {
   progress_.clear();
+  progress_.end_count();
   for (const auto& [kind, count] : told_)
     if (count > most_told) talk(fmt::format("{}: {} more like these", kind, count - most_told));
 }

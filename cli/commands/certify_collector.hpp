@@ -2,7 +2,6 @@
 // Collects what a run of `fathom certify` finds: writes journal, standard output and progress, and keeps what the final reports need.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -50,7 +49,6 @@ class Collector {
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   void show_progress();
 
   const Request& request_;
@@ -61,9 +59,8 @@ class Collector {
   std::vector<FailedCase> failed_;
   harness::Summary summary_;
   std::map<std::string, std::size_t> told_;
-  std::size_t cases_ = 0, run_ = 0;
-  double worst_ = 0;  ///< relative error
-  Clock::time_point begin_ = Clock::now();
+  std::size_t cases_ = 0, cases_before_ = 0;  ///< of these: known from an earlier run
+  double worst_ = 0;                          ///< relative error
   Progress progress_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/shrink.hpp"
@@ -46,7 +47,7 @@ void report(const Request& request, const harness::SubjectInfo& info, const Shru
   const std::string sentence = fmt::format("{}: {} points are left; {} of {} tries made it smaller; {}", title, points_of(shrunk.pair),
                                            shrunk.kept, shrunk.tried, fmt::join(files, ", "));
   if (request.json) return talk(sentence);
-  print('\n' + sentence);
+  print('\n' + fitted(sentence));
   std::string text = harness::case_line(shrunk.pair);
   text += '\n' + harness::snippet(info, shrunk.pair, shrunk.outcome);
   text.erase(text.find_last_not_of('\n') + 1);

@@ -11,7 +11,7 @@
 
 namespace fathom::cli {
 
-/// Runs the command of the request, or the one of this name, `check` or `golden`, with the words behind it. The two programs differ here:
+/// Runs the command of the request, or the one of this name, which parses the words behind it itself. The two programs differ here:
 /// every_command.cpp belongs to fathom, depth_alone.cpp to fathom-depth.
 ExitCode run_command(const Request& request);
 ExitCode run_command(std::string_view name, const std::vector<std::string>& words);
@@ -31,5 +31,8 @@ ExitCode run_check(std::vector<std::string> words);
 
 /// Takes the words behind "golden".
 ExitCode run_golden(const std::vector<std::string>& words);
+
+/// `help`, `man` and `completion`, with the words behind them.
+ExitCode run_help(std::string_view name, const std::vector<std::string>& words);
 
 }  // namespace fathom::cli

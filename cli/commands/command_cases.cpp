@@ -13,6 +13,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/near_miss.hpp"
@@ -111,7 +112,7 @@ template <class Families>
 ExitCode print_list(const Families& all) {
   std::size_t column = 0;
   for (const auto& family : all) column = std::max(column, family.name.size());
-  for (const auto& family : all) print(fmt::format("{:<{}}  {}", family.name, column, family.description));
+  for (const auto& family : all) print(fitted(fmt::format("{:<{}}  {}", family.name, column, family.description), column + 2));
   return fine;
 }
 

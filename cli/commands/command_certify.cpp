@@ -23,6 +23,7 @@
 #include "cli/commands/command_claims.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/replay.hpp"
@@ -40,7 +41,8 @@ ExitCode list_adapters() {
   std::size_t column = 0;
   for (const Adapter& adapter : adapters()) column = std::max(column, adapter.name.size());
   for (const Adapter& adapter : adapters())
-    print(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, program_of(adapter).empty() ? "; not built" : ""));
+    print(fitted(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, program_of(adapter).empty() ? "; not built" : ""),
+                 column + 2));
   return fine;
 }
 
@@ -224,9 +226,11 @@ class Certify {
   }
 
   void print_table() {
-    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_));
+    const std::size_t width = seen_columns(STDOUT_FILENO);
+    std::string table = width == unlimited ? found_->summary().table(info(), found_->outcomes(), where_to_look(certify_))
+                                           : found_->summary().table(info(), found_->outcomes(), where_to_look(certify_), width);
     if (!table.empty() && table.back() == '\n') table.pop_back();
-    print(table);
+    print(fitted(table));
   }
 
   ExitCode cut_short(const std::string& why) {

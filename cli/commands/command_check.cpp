@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom check [--proved] [--threads N] CERTIFICATES...   hands over to the independent checkers, which have a parser and a command line of
 // their own.
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -10,12 +12,17 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/args/did_you_mean.hpp"
+#include "cli/args/help_page.hpp"
 #include "cli/args/threads.hpp"
+#include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/exec_program.hpp"
 #include "cli/commands/proved_checker.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
+#include "kernels/printable.hpp"
 #include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"
 
@@ -73,26 +80,39 @@ std::optional<unsigned> take_threads(std::vector<std::string>& words) {
   return threads;
 }
 
-constexpr const char* more_help =
-    "\n"
-    "As a command of fathom also:\n"
-    "  --threads N      how many certificates are checked at once; as many as there are cores unless given. The output is the\n"
-    "                   same with any number\n"
-    "  --proved         by the checker that was extracted from the Coq proof: alone, or with the options above after this one";
+/// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to refuse.
+void refuse_misspelt(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const OptionHelp& option : check_page().options) names.insert(names.end(), option.names.begin(), option.names.end());
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    if (words[i] == "--case" || words[i] == "--results") ++i;  // a file may have any name
+    else if (words[i].starts_with("--") && std::find(names.begin(), names.end(), words[i]) == names.end())
+      if (const std::string meant = did_you_mean(words[i], names); !meant.empty())
+        throw UsageFault("unknown option " + kernels::shown(words[i]) + meant);
+  }
+}
 
 ExitCode check(std::vector<std::string> words) {
+  const auto asks_for_help = [&words] {
+    const auto files = std::find(words.begin(), words.end(), "--");
+    return std::any_of(words.begin(), files, [](const std::string& word) { return word == "--help" || word == "-h"; });
+  };
+  if (asks_for_help()) {
+    print(help_text(check_page(), help_columns(STDOUT_FILENO)));
+    return fine;
+  }
   const std::optional<unsigned> threads = take_threads(words);
+  refuse_misspelt(words);
   const auto files = std::find(words.begin(), words.end(), "--");
   const auto has = [&](const char* option) { return std::find(words.begin(), files, option) != files; };
   const auto proved = std::find(words.begin(), files, "--proved");
   if (proved == files) {
     Threads workers(threads.value_or(usual_threads()));
     const int code = fathom_check::command_line(words, "fathom check", nullptr, &workers);
-    if (code == fine && (has("--help") || has("-h"))) print(more_help);
     return std::cout ? static_cast<ExitCode>(code) : internal_error;  // fathom-check, which has no code for internal errors, returns 2
   }
   if (threads) throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");
-  const bool compares = has("--case") || has("--results") || has("--echo") || has("--help"), width = has("--width");
+  const bool compares = has("--case") || has("--results") || has("--echo"), width = has("--width");
   words.erase(proved);
   return compares ? compare_and_prove(words, width) : become_proved(words);
 }

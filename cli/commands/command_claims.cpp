@@ -12,6 +12,7 @@
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
 #include "cli/output/claim_output.hpp"
 #include "fathom/certificate.hpp"
 #include "reference/files/shape_names.hpp"
@@ -69,7 +70,7 @@ ExitCode judge_claims(const Request& request) {
     const PublishedClaim& published = std::get<PublishedClaim>(claim);
     const JudgedClaim judged = claims::judge_claim(published);
     proofs.write(published, judged);
-    print(request.json ? claim_json(published, judged) : claim_text(published, judged));
+    print(request.json ? claim_json(published, judged) : fitted(claim_text(published, judged), 4));
     ++counts[claims::verdict_name(judged.finding())];
     ++judged_claims;
     if (judged.finding() == Finding::wrong) code = std::max(code, judged_wrong);

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/io/golden_progress.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/release/generate.hpp"
 
@@ -25,10 +25,10 @@ constexpr ExitCode refused = static_cast<ExitCode>(1);
 
 /// Makes the missing shards of the request's part. Returns their number, and that of the release.
 std::pair<std::size_t, std::size_t> make_shards(const GoldenRequest& request) {
-  GoldenProgress progress("cases");
+  Progress progress;
   StopOnInterrupt interrupt;
   golden::GenerateOptions options{request.level, request.seed, request.folder, request.jobs, &interrupt, {}};
-  options.report = [&](const golden::Done& done) { progress.report(done.recipes, done.of, done.shard); };
+  options.report = [&](const golden::Done& done) { progress.count({done.recipes, done.of}, done.shard); };
   const golden::Generation generation(options);
   const std::vector<std::size_t> wanted = in_part(generation.unfinished(), request);
   generation.make(wanted);
@@ -67,10 +67,10 @@ ExitCode verify_golden(const GoldenRequest& request,
   const Working working;
   golden::Verified verified;
   {
-    GoldenProgress progress("records");
+    Progress progress("records");
     StopOnInterrupt interrupt;
     golden::VerifyOptions options{request.methods, request.jobs, &interrupt, {}, std::move(elsewhere)};
-    options.report = [&](std::size_t records, std::size_t of) { progress.report(records, of, "verify"); };
+    options.report = [&](std::size_t records, std::size_t of) { progress.count({records, of}); };
     verified = golden::verify(request.folder, options);
   }
   for (const golden::Refusal& refusal : verified.refusals)

@@ -19,7 +19,8 @@ ExitCode run_command(const Request& request) {
 }
 
 ExitCode run_command(std::string_view name, const std::vector<std::string>& words) {
-  return name == "check" ? run_check(words) : run_golden(words);
+  if (name == "check") return run_check(words);
+  return name == "golden" ? run_golden(words) : run_help(name, words);
 }
 
 }  // namespace fathom::cli

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/io/case_input.hpp"
+#include "cli/io/cases_in.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
@@ -107,7 +108,9 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
 class Stream {
  public:
   Stream(const std::string& input, const StreamWork& work)
-      : work_(work), input_(input, [this] { return failed_ || interrupt_requested(); }), texts_(input_.texts()) {}
+      : work_(work), input_(input, [this] { return failed_ || interrupt_requested(); }), texts_(input_.texts()) {
+    if (progress_.is_seen()) all_ = cases_in(input);
+  }
 
   /// Null at the end.
   std::shared_ptr<Passage> next();
@@ -133,6 +136,7 @@ class Stream {
   files::UnreadCases texts_;
   Progress progress_;
   std::size_t read_ = 0, failures_ = 0, perhaps_inner_ = 0;
+  std::optional<std::size_t> all_;  // about so many cases
   std::atomic<std::size_t> delivered_ = 0;
   std::array<std::size_t, later_notes.size()> cases_with_{};  // notes of a kind
   ExitCode code_ = fine;
@@ -152,7 +156,7 @@ class Stream::CaseMonitor : public StopOnInterrupt {
   bool has_the_bar() {
     if (has_it_ || stream_.delivered_ != number_) return has_it_;
     stream_.progress_.about(fmt::format("line {}", line_));
-    stream_.progress_.report("", -1);
+    stream_.progress_.count({number_, stream_.all_});
     return has_it_ = true;
   }
 
@@ -239,7 +243,7 @@ void Stream::deliver(Passage& passage) try {
     progress_.answered();
     print(passage.reply.text);
   }
-  ++delivered_;
+  progress_.count({++delivered_, all_});
   passage.working.reset();
   if (interrupt_requested()) throw Interrupted();
 } catch (...) {

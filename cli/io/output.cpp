@@ -11,7 +11,14 @@
 #include <cstring>
 #include <string>
 
+#include "cli/io/terminal.hpp"
+
 namespace fathom::cli {
+namespace {
+
+constexpr std::size_t behind_first = 2;  // spaces before the further lines of a sentence
+
+}  // namespace
 
 void hold_standard_streams() {
   // From the lowest: open() takes the lowest number that is free.
@@ -51,6 +58,7 @@ void talk(std::string_view text) {
     line += without_controls(text.substr(begin, end - begin)) + '\n';
     begin = end + 1;
   }
+  line = folded(line, seen_columns(STDERR_FILENO), behind_first);
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bar on standard error, for work over a second and only on a terminal, in one line of it. It also carries Ctrl-C into a computation.
+// One line on standard error, for work over a second and only on a terminal: how many of how many are done, how long the rest will take, and
+// what is being worked on. It never scrolls, and is wiped at the end. It also carries Ctrl-C into a computation.
 #pragma once
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -13,20 +16,37 @@
 
 namespace fathom::cli {
 
+/// How much of many things is done.
+struct ProgressCount {
+  std::size_t done = 0;
+  std::optional<std::size_t> of;  ///< if it is known
+  std::size_t before = 0;         ///< of those done: by an earlier run
+};
+
+/// "40 s", "3 min 20 s", "2 h 5 min".
+std::string duration_text(double seconds);
+
 class Progress : public StopOnInterrupt {
  public:
-  Progress();
+  /// `units`: what is counted.
+  explicit Progress(std::string units = "cases");
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Names what the next reports are about: "line 12". Does not restart the clock.
+  /// Whether anything is ever shown.
+  [[nodiscard]] bool is_seen() const { return painter_.joinable(); }
+  /// Names what the next reports are about: "line 12". Restarts its clock, not that of the run.
   void about(std::string what);
-  /// A share below 0 is unknown, and has no bar.
+  /// The stage of what is being worked on. A share below 0 is unknown, and has no bar.
   void report(std::string_view stage, double share) override;
-  /// Takes the bar off the screen until the next report, so that other text can be printed.
+  /// From now on the bar is about the whole run. `more`: what else there is to say of it.
+  void count(const ProgressCount& count, std::string more = "");
+  /// From now on the line is about what is being worked on again.
+  void end_count();
+  /// Takes the line off the screen until the next report or count, so that other text can be printed.
   void clear();
-  /// The same before text for standard output: if that is not a terminal the bar stays, or many short cases would show none.
+  /// The same before text for standard output: if that is not a terminal the line stays, or many short cases would show none.
   void answered();
 
  private:
@@ -34,14 +54,17 @@ class Progress : public StopOnInterrupt {
   void keep_drawing();
   void draw();
   void erase();
+  [[nodiscard]] std::string counted_text(double seconds) const;
+  [[nodiscard]] std::string stage_text() const;
 
-  Clock::time_point begin_ = Clock::now();
-  std::string what_, stage_;
-  double share_ = 0;
+  Clock::time_point begin_ = Clock::now(), begin_of_case_ = begin_;
+  std::string units_, what_, stage_, more_;
+  double share_ = -1;
+  std::optional<ProgressCount> count_;
   bool answers_are_seen_ = true, active_ = false, drawn_ = false, stop_ = false;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::thread painter_;  // a stage may take long without a report; the clock on the bar shows that it lives
+  std::thread painter_;  // a stage may take long without a report; the clock on the line shows that it lives
 };
 
 }  // namespace fathom::cli

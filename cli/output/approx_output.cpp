@@ -63,7 +63,7 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
   parts.push_back(direction_label(depth) + " " + way_text(depth.direction(), request.exact));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);
-  return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
+  return case_line(id, parts);
 }
 
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {

@@ -83,7 +83,7 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
   }
   if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
   if (const std::string flat = flat_text(result); !flat.empty()) parts.push_back("flat " + flat);
-  return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
+  return case_line(id, parts);
 }
 
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {

@@ -42,7 +42,7 @@ std::string ray_line(const std::string& id, const DirectionalDepth& depth, const
   parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), request.exact));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
-  return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
+  return case_line(id, parts);
 }
 
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request) {

@@ -222,7 +222,7 @@ std::string shape_line(const ShapeAnswer& answer, const Request& request) {
   std::vector<std::string> parts;
   if (!has_one_body(request)) parts.emplace_back(status_name(answer.depth));
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
-  return fmt::format("{}: {}", safe_id(answer.id), fmt::join(parts, "; "));
+  return case_line(answer.id, parts);
 }
 
 }  // namespace fathom::cli

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/io/terminal.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_result.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom::cli {
@@ -61,18 +63,21 @@ std::string present_text(const ShapeStudy& study) {
 
 void add_coincidences(Lines& lines, const ShapeStudy& study, bool all) {
   Lines absent;
-  lines.push_back(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"));
+  constexpr std::size_t column = 32, none_column = 6;
+  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
   for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
     if (count == 0) {
       absent.push_back(spoken(shape_coincidence_names[i]));
       continue;
     }
-    lines.push_back(fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count,
-                                listed.empty() ? "" : "  " + involved_text(listed.front())));
-    for (std::size_t k = 1; all && k < listed.size(); ++k) lines.push_back(fmt::format("{:32}{}", "", involved_text(listed[k])));
+    lines.push_back(fitted(
+        fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count, listed.empty() ? "" : "  " + involved_text(listed.front())),
+        column));
+    for (std::size_t k = 1; all && k < listed.size(); ++k)
+      lines.push_back(fitted(fmt::format("{:{}}{}", "", column, involved_text(listed[k])), column));
   }
-  if (!absent.empty()) lines.push_back(fmt::format("none: {}", fmt::join(absent, ", ")));
+  if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
 }
 
 // ---- JSON ----
@@ -110,7 +115,7 @@ Json coincidences_object(const ShapeStudy& study) {
 
 std::string study_block(const ShapeStudy& study, bool all) {
   Lines lines{status_text(study.depth), "A  " + body_text(study.a), "B  " + body_text(study.b)};
-  if (study.contact) lines.push_back("contact  " + involved_text(*study.contact));
+  if (study.contact) lines.push_back(fitted("contact  " + involved_text(*study.contact), 9));
   lines.emplace_back();
   add_coincidences(lines, study, all);
   if (study.cores) {
@@ -122,7 +127,9 @@ std::string study_block(const ShapeStudy& study, bool all) {
 
 std::string study_line(const std::string& id, const ShapeStudy& study) {
   const std::string present = present_text(study);
-  return fmt::format("{}: {}{}", safe_id(id), status_text(study.depth), present.empty() ? "" : "; " + present);
+  std::vector<std::string> parts{status_text(study.depth)};
+  if (!present.empty()) parts.push_back(present);
+  return case_line(id, parts);
 }
 
 std::string study_json(const std::string& id, const ShapeStudy& study) {

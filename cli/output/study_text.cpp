@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/io/terminal.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
-#include "cli/output/text_result.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom::cli {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t most_monomials = 6;
 constexpr std::size_t most_indices = 12;
 constexpr std::size_t longest_exact = 40;
+constexpr std::size_t decided_column = 52, features_column = 32, none_column = 6;
 
 using Lines = std::vector<std::string>;
 
@@ -52,11 +54,12 @@ std::string decided_text(const TierCounts& tiers) {
 
 void add_predicates(Lines& lines, const PredicateCounts& counts) {
   bool any = false;
-  lines.push_back(fmt::format("{:<18}{:>12}{:>10}{:>10}  {}", "predicate", "calls", "exact", "zero", "decided by"));
+  lines.push_back(fitted(fmt::format("{:<18}{:>12}{:>10}{:>10}  {}", "predicate", "calls", "exact", "zero", "decided by"), decided_column));
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counts[i];
-    lines.push_back(
-        fmt::format("{:<18}{:>12}{:>10}{:>10}{}", spoken(predicate_names[i]), tiers.calls, tiers.exact, tiers.zero, decided_text(tiers)));
+    lines.push_back(fitted(
+        fmt::format("{:<18}{:>12}{:>10}{:>10}{}", spoken(predicate_names[i]), tiers.calls, tiers.exact, tiers.zero, decided_text(tiers)),
+        decided_column));
     any = any || tiers.zero > 0;
   }
   if (any) lines.emplace_back("Eij are the infinitesimals that move -A; a, b, c tilt the chart's frame");
@@ -81,19 +84,22 @@ std::string involved_text(const Involved& involved) {
 void add_coincidences(Lines& lines, const Study& study, bool all) {
   Lines absent;
   lines.push_back(
-      fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "points of the features" : "points of the first's features"));
+      fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "points of the features" : "points of the first's features"),
+             features_column));
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
     if (count == 0) {
       absent.push_back(spoken(coincidence_names[i]));
       continue;
     }
-    lines.push_back(
-        fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count, listed.empty() ? "" : "  " + involved_text(listed.front())));
+    lines.push_back(fitted(
+        fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count, listed.empty() ? "" : "  " + involved_text(listed.front())),
+        features_column));
     if (!all) continue;
-    for (std::size_t k = 1; k < listed.size(); ++k) lines.push_back(fmt::format("{:32}{}", "", involved_text(listed[k])));
+    for (std::size_t k = 1; k < listed.size(); ++k)
+      lines.push_back(fitted(fmt::format("{:{}}{}", "", features_column, involved_text(listed[k])), features_column));
   }
-  if (!absent.empty()) lines.push_back(fmt::format("none: {}", fmt::join(absent, ", ")));
+  if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
 }
 
 }  // namespace
@@ -123,7 +129,7 @@ std::string study_line(const std::string& id, const Study& study) {
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
     if (study.coincidences[i].count > 0) parts.push_back(fmt::format("{} {}", spoken(coincidence_names[i]), study.coincidences[i].count));
   }
-  return fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; "));
+  return case_line(id, parts);
 }
 
 }  // namespace fathom::cli

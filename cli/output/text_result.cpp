@@ -113,7 +113,7 @@ std::string text_line(const Answer& answer, const Request& request) {
   std::vector<Row> rows;
   if (request.counters) add_counters(rows, depth.counters);
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
-  return fmt::format("{}: {}", safe_id(answer.id), fmt::join(parts, "; "));
+  return case_line(answer.id, parts);
 }
 
 std::string safe_id(const std::string& id) {

@@ -6,14 +6,17 @@
 
 #include <algorithm>
 
+#include "cli/io/terminal.hpp"
 #include "cli/output/coordinates.hpp"
+#include "cli/output/text_result.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom::cli {
 namespace {
 
 constexpr std::size_t most_indices = 12;
-constexpr std::size_t short_pair = 54;  // characters of two points that share a line of 80
+constexpr std::size_t behind_first = 4;  // spaces before the further lines of a case
+constexpr std::size_t short_pair = 54;   // characters of two points that share a line of 80
 
 /// Indices of the points that span a face; the first few of a large one.
 std::string indices_text(const std::vector<std::uint32_t>& indices) {
@@ -30,8 +33,12 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
   for (const Row& row : rows) column = std::max(column, row.first.size());
   std::vector<std::string> lines;
   if (!heading.empty()) lines.push_back(heading);
-  for (const auto& [label, text] : rows) lines.push_back(fmt::format("{:<{}}  {}", label, column, text));
+  for (const auto& [label, text] : rows) lines.push_back(fitted(fmt::format("{:<{}}  {}", label, column, text), column + 2));
   return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string case_line(const std::string& id, const std::vector<std::string>& parts) {
+  return fitted(fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; ")), behind_first);
 }
 
 std::string contact_text(const Contact& contact, bool same_body) {

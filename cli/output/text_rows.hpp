@@ -18,8 +18,12 @@ using Row = std::pair<std::string, std::string>;
 /// What the command computes: "depth" or "width".
 std::string quantity(const Request& request);
 
-/// Returns the heading, if there is one, and the rows with their texts in one column; without the last newline.
+/// Returns the heading, if there is one, and the rows with their texts in one column; without the last newline. On a terminal the rows are
+/// broken at its width.
 std::string aligned(const std::string& heading, const std::vector<Row>& rows);
+
+/// Returns the line for a case of a stream, "id: first; second", broken on a terminal as above.
+std::string case_line(const std::string& id, const std::vector<std::string>& parts);
 
 /// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);

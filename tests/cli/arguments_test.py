@@ -6,6 +6,7 @@ from harness import DATA, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json", "--help")
+COMMANDS = "depth, width, approx, ray, metric, study, cases, certify, check, golden, help, man, completion"
 
 
 class Help(CliTest):
@@ -13,6 +14,7 @@ class Help(CliTest):
         for arguments in (["--help"], ["-h"]):
             out = self.answer(*arguments)
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
+            out = " ".join(out.split())
             for word in ("depth", "width", "approx", "ray", "metric", "study", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
                          "130 interrupted"):
                 self.assertIn(word, out)
@@ -27,7 +29,16 @@ class Help(CliTest):
         self.assertEqual(self.run_cli("depth", "--help")[2], "")
 
     def test_version(self):
-        self.assertEqual(self.answer("--version"), f"fathom {VERSION}\n")
+        for option in ("--version", "-V"):
+            self.assertEqual(self.answer(option), f"fathom {VERSION}\n")
+
+    def test_help_as_a_command(self):
+        self.assertEqual(self.answer("help"), self.answer("--help"))
+        for command in COMMANDS.split(", "):
+            for words in ([command, "--help"], [command, "-h"]):
+                self.assertEqual(self.answer(*words), self.answer("help", command))
+        self.assertEqual(self.answer("help", "golden", "verify"), self.answer("golden", "verify", "--help"))
+        self.assertIn(f"unknown command 'nonsense' (expected {COMMANDS})\n", self.refused("help", "nonsense"))
 
 
 class Misuse(CliTest):
@@ -38,10 +49,32 @@ class Misuse(CliTest):
         self.assertIn("expected a command", self.refused("--"))
 
     def test_unknown_words(self):
-        self.assertIn("unknown command 'dept' (expected depth, width, approx, ray, metric, study, cases, certify, check, golden)",
-                      self.refused("dept", A, B))
+        self.assertIn(f"unknown command 'dept' (expected {COMMANDS})", self.refused("dept", A, B))
         self.assertIn("--frobnicate", self.refused("depth", "--frobnicate", A, B))
         self.assertIn("--json", self.refused("--json", "depth", A, B))
+
+    def test_misspelt_words(self):
+        for words, meant in ((["dept", A, B], "depth"), (["certfiy"], "certify"), (["golden", "verfy", "x"], "verify"), (["comp"], "completion"),
+                             (["depth", "--metod", "exact", A, B], "--method"), (["depth", "--metod=exact", A, B], "--method"),
+                             (["depth", "--cert", "x", A, B], "--certificate"), (["width", "--jsno", A], "--json"), (["--versoin"], "--version"),
+                             (["golden", "generate", "--levle", "L0", "--out", "x"], "--level"), (["depth", "--method", "exat", A, B], "exact"),
+                             (["study", "--counters", A, B], None), (["xyzzy"], None), (["depth", "--frobnicate", A, B], None),
+                             (["depth", "--method", "fast", A, B], None), (["depth", "--method", "", A, B], None)):
+            with self.subTest(words=words):
+                err = self.refused(*words)
+                if meant:
+                    self.assertIn(f"; did you mean '{meant}'?\n", err)
+                else:
+                    self.assertNotIn("did you mean", err)
+        self.assertIn("not expected: --json; --json stands behind the command\n", self.refused("--json", "depth", A, B))
+
+    def test_inputs_without_a_command(self):
+        self.file("a b.obj", "v 0 0 0\n")
+        for words, line in (([A, B], f"depth {A} {B}"), (["a.obj", "b.stl"], "depth a.obj b.stl"), (["--json", A, B], f"depth --json {A} {B}"),
+                            ([A], f"width {A}"), (["cases.jsonl"], "depth cases.jsonl"), (["-"], "depth -"),
+                            (["sphere:r=1", A], f"depth sphere:r=1 {A}"), (["a b.obj", "it's.off"], "depth 'a b.obj' 'it'\\''s.off'")):
+            self.assertIn(f"; did you mean: fathom {line}\n", self.refused(*words))
+        self.assertIn("expected a command, found the input", self.refused(A, B))
 
     def test_what_comes_later_is_refused_by_name(self):
         for command in ("explain",):

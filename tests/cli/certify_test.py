@@ -377,7 +377,7 @@ class Usage(CertifyTest):
                        "--metamorphic", "--expect-fail", "--max-errors", "--junit", "--html", "--certificates", "--shrink", "--list-adapters"):
             self.assertIn(option, out)
         self.assertLess(out.index("Examples"), out.index("Usage"))
-        self.assertLessEqual(max(map(len, out.splitlines())), 140)
+        self.assertLessEqual(max(map(len, out.splitlines())), 120)
 
 
 if __name__ == "__main__":

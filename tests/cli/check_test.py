@@ -33,7 +33,9 @@ class Check(CliTest):
         code, out, err = self.run_cli("check")
         self.assertEqual((code, out), (2, ""))
         self.assertTrue(err.startswith("fathom check: expected certificates"), err)
-        self.assertTrue(self.answer("check", "--help").startswith("Usage: fathom check "))
+        self.assertTrue(self.answer("check", "--help").startswith("Examples\n  fathom check "))
+        self.assertIn("fathom check: unknown option '--bogus'", self.run_cli("check", "--bogus", CUBES)[2])
+        self.assertIn("unknown option '--resluts'; did you mean '--results'?", self.refused("check", "--resluts", CUBES))
 
     def test_output_that_cannot_be_written(self):
         """By fathom's table of exit codes; the program by itself has its own."""

@@ -41,13 +41,13 @@ class DepthAlone(CliTest):
         self.assertEqual(len(folders["depth"]), 12)
 
     def test_same_words(self):
-        for arguments in (("depth", "--help"), ("--help",), ("--version",), (), ("depth",), ("depth", "--method", "x", CUBE, CUBE),
+        for arguments in (("depth", "--help"), ("--help",), ("--version",), ("-V",), (), ("depth",), ("dept", CUBE), (CUBE, CUBE), ("depth", "--metod", CUBE, CUBE), ("depth", "--method", "x", CUBE, CUBE),
                           ("depth", "no-such.off", CUBE), ("explain",)):
             with self.subTest(arguments=arguments):
                 self.expect_same(*arguments)
 
     def test_other_commands_are_refused(self):
-        for arguments in (("width", CUBE), ("check", CUBE), ("golden", "verify", "."), ("cases", "--list")):
+        for arguments in (("width", CUBE), ("check", CUBE), ("golden", "verify", "."), ("cases", "--list"), ("help",), ("man", "depth")):
             with self.subTest(arguments=arguments):
                 code, out, err = said(DEPTH_ALONE, *arguments)
                 self.assertEqual((code, out), (2, b""))

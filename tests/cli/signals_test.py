@@ -142,9 +142,9 @@ class Bar(CliTest):
     def test_long_work_on_a_terminal(self):
         """Shown, and wiped before the last words; whether the stage can be interrupted or not."""
         path = self.file("long.jsonl", LONG)
-        code, out, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"% hull of all differences")
+        code, out, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"hull of all differences ")
         self.assertEqual((code, out), (130, b""))
-        self.assertRegex(seen, rb"\r\x1b\[Kline 1 \[\.{30}\]   0% hull of all differences \d+ s")
+        self.assertRegex(seen, rb"\r\x1b\[K\[\.+\]   0% 0 of 1 cases; line 1: hull of all differences 0%, \d+ s\r")
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 
         a, b = self.file("a.xyz", on_sphere(80000, 1)), self.file("b.xyz", on_sphere(80000, 2))
@@ -155,14 +155,14 @@ class Bar(CliTest):
     def test_fits_the_terminal(self):
         path = self.file("long.jsonl", LONG)
         for columns in (20, 40, 60):
-            code, _, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"line 1", columns=columns)
+            code, _, seen = run_on_terminal("depth", "--method", "naive", path, stop_at=b"0 of 1", columns=columns)
             self.assertEqual(code, 130)
             lines = seen.replace(b"fathom: interrupted\r\n", b"").split(b"\r\x1b[K")
             self.assertGreater(max(map(len, lines)), columns // 2, lines)
             self.assertLess(max(map(len, lines)), columns, lines)
 
     def test_short_cases_into_a_file(self):
-        """The line at hand is shown, and stays from case to case; it is wiped at the end."""
+        """The number of cases is shown, and stays from case to case; it is wiped at the end."""
         ours, theirs = pty.openpty()
         with subprocess.Popen([EXECUTABLE, "depth", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=theirs) as process:
             os.close(theirs)
@@ -179,7 +179,7 @@ class Bar(CliTest):
             try:
                 while True:
                     seen += os.read(ours, 4096)
-                    if seen.count(b"line ") >= 3:
+                    if seen.count(b" cases") >= 3:
                         enough.set()
             except OSError:  # the other side is closed
                 enough.set()
@@ -189,7 +189,16 @@ class Bar(CliTest):
         shown = seen.split(b"\r\x1b[K")
         self.assertEqual((shown[0], shown[-1]), (b"", b""), seen)
         for line in shown[1:-1]:
-            self.assertRegex(line, rb"^line \d+ .*\d+ s$", "not wiped between cases")
+            self.assertRegex(line, rb"^\d+ cases, [\d.e+]+/s, \d+ s$", "not wiped between cases")
+
+    def test_counts_cases_and_says_time_left(self):
+        """Of a file it is known how many there are, also where a case takes several lines. The last one takes long, and is named."""
+        several_lines = json.dumps(json.loads(GOOD), indent=1) + "\n"
+        path = self.file("cases.jsonl", GOOD + several_lines + GOOD + LONG)
+        code, out, seen = run_on_terminal("depth", "--threads", "1", "--method", "naive", path, stop_at=b"hull of all differences ", columns=160)
+        self.assertEqual((code, out.count(b"\n")), (130, 3))
+        self.assertRegex(seen, rb"\[#+\.+\]  75% 3 of 4 cases, [\d.]+/s, [\d hmins]+ left; line \d+: hull of all differences 0%, \d+ s")
+        self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])
 
 
 if __name__ == "__main__":

@@ -17,21 +17,30 @@ namespace {
 
 constexpr int usage_error = 2;
 
-constexpr std::string_view help =
+// In lines of 80 columns.
+constexpr std::string_view about =
     " [OPTIONS] FILE...\n"
-    "Checks certificates of how deep two convex bodies lie in each other, exactly; - is standard input. The format and what\n"
-    "acceptance proves: FORMAT.md.\n"
-    "\n"
-    "  --case CASES     also refuse a certificate whose points are not those of your case (JSON, schema fathom/case/1;\n"
-    "                   of several cases, the one with the certificate's id)\n"
-    "  --width          also refuse a certificate whose b is not a again: its depth is the width of a; --case then compares a alone\n"
-    "  --results FILE   JSON Lines, each with a certificate in its field \"certificate\"\n"
-    "  --echo           print the bodies and the claim as they were read, in lines that begin with c\n"
-    "  --help           this text\n"
+    "Checks certificates of how deep two convex bodies lie in each other, exactly;\n"
+    "- is standard input. The format and what acceptance proves: FORMAT.md.\n"
+    "\n";
+constexpr std::string_view answers =
     "\n"
     "One line per certificate: s VERIFIED, s REFUSED or s MALFORMED.\n"
-    "Exit codes: 0 all were accepted, and there was one; 1 some were refused; 2 some were malformed, cut off or unreadable, or the\n"
-    "input was empty, or usage. The largest counts.\n";
+    "Exit codes: 0 all were accepted, and there was one; 1 some were refused; 2 some\n"
+    "were malformed, cut off or unreadable, or the input was empty, or usage. The\n"
+    "largest counts.\n";
+
+std::string help() {
+  constexpr std::size_t column = 20;
+  std::string text(about);
+  for (const OptionText& option : option_texts) {
+    std::string line = "  " + std::string(option.name) + (option.value.empty() ? "" : " ") + std::string(option.value);
+    line.resize(column, ' ');
+    for (const char c : option.meaning) line += c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, c);
+    text += line + '\n';
+  }
+  return text += answers;
+}
 
 // GMP would abort where memory ends; the answer "not accepted" is due instead.
 [[noreturn]] void out_of_memory() {
@@ -100,7 +109,7 @@ int run_words(const std::vector<std::string>& words, const std::string& program,
   request.options.workers = workers;
   if (request.understood) return run(request.options, std::cin, std::cout, std::cerr);
   if (request.sentence.empty()) {
-    std::cout << "Usage: " << program << help << std::flush;
+    std::cout << "Usage: " << program << help() << std::flush;
     return std::cout ? 0 : usage_error;
   }
   std::cerr << program << ": " << request.sentence << "\nTry: " << program << " --help\n";

@@ -16,7 +16,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t widest = 140;
+constexpr std::size_t narrowest = 40;
+constexpr std::size_t enough_for_errors = 70;  // columns, for all errors in one block
 constexpr std::size_t gap = 2;
 constexpr std::size_t label_width = 13, verdict_width = 20;
 constexpr std::size_t most_named = 5;   // failing cases of a verdict
@@ -66,7 +67,7 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
 using Group = std::vector<Column>;
 
 /// As many blocks, one below the other, as the width needs; the first column leads each.
-void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& groups) {
+void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& groups, std::size_t widest) {
   std::vector<const Column*> block{&first};
   std::size_t width = first.width();
   for (const Group& group : groups) {
@@ -84,7 +85,7 @@ void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& gro
   add_block(lines, block);
 }
 
-void add_table(Lines& lines, const Tally& tally) {
+void add_table(Lines& lines, const Tally& tally, std::size_t widest) {
   std::vector<Tally::Line> rows = tally.lines();
   rows.push_back({"all", tally.all()});
   const auto column = [&](Lines head, const auto& cell) {
@@ -104,16 +105,17 @@ void add_table(Lines& lines, const Tally& tally) {
     if ((tally.all().*errors).empty()) return;
     const auto worst = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).worst()); };
     const auto median = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).median()); };
+    if (widest < enough_for_errors && !groups.back().empty()) groups.emplace_back();
     groups.back().push_back(column({"worst", unit}, worst));
     groups.back().push_back(column({"median", unit}, median));
   };
   add_errors("relative", &TallyRow::relative);
   add_errors("in uR", &TallyRow::u_r);
-  add_blocks(lines, labels, groups);
+  add_blocks(lines, labels, groups, widest);
 }
 
 /// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own is cut.
-void add_entries(Lines& lines, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
+void add_entries(Lines& lines, std::size_t widest, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
   std::string line = fmt::format("{:<{}}", label, indent);
   bool any = false;
   for (const std::string& entry : entries) {
@@ -130,7 +132,7 @@ void add_entries(Lines& lines, const std::string& label, const Lines& entries, s
 }
 
 /// "too-deep          a::7; a::2; 12 more" for each verdict.
-void add_failures(Lines& lines, std::span<const Outcome> outcomes) {
+void add_failures(Lines& lines, std::span<const Outcome> outcomes, std::size_t widest) {
   const auto worst = worst_failures(outcomes);
   if (worst.empty()) return;
   lines.emplace_back("failing cases, the worst of each verdict first");
@@ -141,26 +143,27 @@ void add_failures(Lines& lines, std::span<const Outcome> outcomes) {
       entries.push_back(ascii(shown_id(outcomes[i].id, outcomes[i].variant), longest_id));
     }
     if (indices.size() > most_named) entries.push_back(fmt::format("{} more", indices.size() - most_named));
-    add_entries(lines, fmt::format("  {}", name(verdict)), entries, verdict_width);
+    add_entries(lines, widest, fmt::format("  {}", name(verdict)), entries, verdict_width);
   }
 }
 
 }  // namespace
 
-std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where) const {
+std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where, std::size_t columns) const {
+  const std::size_t widest = std::max(columns, narrowest);
   Lines lines{ascii(title(subject), widest)};
-  add_entries(lines, "conventions", {conventions_text(subject.conventions)});
-  add_entries(lines, "settings", settings_text(subject));
+  add_entries(lines, widest, "conventions", {conventions_text(subject.conventions)});
+  add_entries(lines, widest, "settings", settings_text(subject));
   lines.emplace_back();
-  add_table(lines, tally_);
+  add_table(lines, tally_, widest);
   lines.emplace_back();
-  add_failures(lines, outcomes);
-  if (failures() > 0) add_entries(lines, "see", where);
-  add_entries(lines, "passes", accuracy_entries(tally_.all()));
-  add_entries(lines, "judged", coverage_entries(tally_.all().judged));
+  add_failures(lines, outcomes, widest);
+  if (failures() > 0) add_entries(lines, widest, "see", where);
+  add_entries(lines, widest, "passes", accuracy_entries(tally_.all()));
+  add_entries(lines, widest, "judged", coverage_entries(tally_.all().judged));
   Lines things;
   for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
-  add_entries(lines, "unattributed", things);
+  add_entries(lines, widest, "unattributed", things);
   lines.push_back(totals_text(total(), passes(), failures(), unattributed()));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

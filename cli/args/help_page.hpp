@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page of help: what --help, `fathom help`, the man pages and the completion of shells are made of.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fathom::cli {
+
+/// A line for a shell, and what it is good for.
+struct Example {
+  std::string_view line, meaning;
+};
+
+struct ExitMeaning {
+  int code;
+  std::string_view meaning;
+};
+
+/// What is written by hand about a command.
+struct CommandHelp {
+  std::string_view name;  ///< the words behind "fathom": "depth", "golden verify"; empty for fathom itself
+  std::string_view summary, synopsis;
+  std::span<const Example> examples;
+  std::span<const ExitMeaning> exits;
+  std::span<const std::string_view> notes = {};  ///< paragraphs
+};
+
+/// An option.
+struct OptionHelp {
+  std::vector<std::string> names;         ///< "-h", "--help"
+  std::string value;                      ///< "NAME"; in brackets if it may be missing; empty if there is none
+  std::string meaning;                    ///< white space is no more than that
+  std::vector<std::string> choices = {};  ///< the values, if they are few
+};
+
+/// A page: what is written by hand, with the options of the parser.
+struct HelpPage {
+  CommandHelp command;
+  std::vector<OptionHelp> options;
+  std::vector<CommandHelp> commands = {};  ///< those one level down
+};
+
+/// "fathom depth".
+std::string full_name(const CommandHelp& command);
+
+/// The last word of the name: "depth", "verify".
+inline std::string_view last_word(const CommandHelp& command) { return command.name.substr(command.name.rfind(' ') + 1); }
+
+/// "-m, --method NAME"; "--metamorphic[=LIST]".
+std::string option_title(const OptionHelp& option);
+
+/// Returns the page in lines of at most `columns` characters, examples first, without the last newline.
+std::string help_text(const HelpPage& page, std::size_t columns);
+
+}  // namespace fathom::cli

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "cli/args/approx_arguments.hpp"
+#include "cli/args/cases_arguments.hpp"
+#include "cli/args/certify_arguments.hpp"
+#include "cli/args/help.hpp"
+#include "cli/args/parser_words.hpp"
+#include "cli/args/threads.hpp"
+#include "fathom/numbers.hpp"
+#include "fathom/signed_depth.hpp"
+#include "kernels/printable.hpp"
+
+namespace fathom::cli {
+namespace {
+
+std::string check_digits(const std::string& value) {
+  const bool number = !value.empty() && value.size() < 8 && value.find_first_not_of("0123456789") == std::string::npos;
+  if (number && value != std::string(value.size(), '0') && std::stoul(value) <= most_root_digits) return "";
+  return fmt::format("expected an integer from 1 to {}, found {}", most_root_digits, kernels::shown(value));
+}
+
+std::optional<std::uint64_t> seed_of(const std::string& value) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), seed);
+  return error == std::errc() && end == value.data() + value.size() ? std::optional(seed) : std::nullopt;
+}
+
+std::string check_bits(const std::string& value) {
+  const std::optional<std::uint64_t> bits = seed_of(value);
+  return bits && *bits > 0 && *bits <= most_bound_bits
+             ? ""
+             : fmt::format("expected an integer from 1 to {}, found {}", most_bound_bits, kernels::shown(value));
+}
+
+std::string check_optima(const std::string& value) {
+  const std::optional<std::uint64_t> number = seed_of(value);
+  return number && *number > 0 ? "" : fmt::format("expected an integer from 1 on, found {}", kernels::shown(value));
+}
+
+std::string check_seed(const std::string& value) {
+  if (seed_of(value)) return "";
+  return fmt::format("expected an integer from 0 to 2^64 - 1, found {}", kernels::shown(value));
+}
+
+void add_input(CLI::App& app, Request& request, const char* place) {
+  app.add_option_function<std::string>(place, [&request](const std::string& path) { request.inputs.push_back(path); });
+}
+
+void add_inputs(CLI::App& app, Request& request, Texts& texts) {
+  // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
+  for (const char* place : {"first", "second"}) add_input(app, request, place);
+  app.add_flag("--exact-decimals", texts.exact_decimals, "decimals in text meshes are exact, instead of the nearest binary64");
+}
+
+void add_poses(CLI::App& app, Request& request, bool of_one) {
+  app.add_option(
+         of_one ? "--pose-a,--pose" : "--pose-a", request.pose_a,
+         "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or "
+         "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these")
+      ->type_name("POSE");
+  if (!of_one) app.add_option("--pose-b", request.pose_b, "the same for B")->type_name("POSE");
+}
+
+void add_exact(CLI::App& app, Request& request) {
+  app.add_flag("--exact", request.exact,
+               "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals stand");
+}
+
+/// The inputs of a command that answers two meshes, or a stream.
+void add_questions(CLI::App& app, Request& request, Texts& texts, bool of_one = false) {
+  add_inputs(app, request, texts);
+  add_poses(app, request, of_one);
+  app.add_flag("--require-convex", request.require_convex,
+               "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so");
+  app.add_option_function<std::string>(
+         "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
+         "cases of a stream that are answered at once; as many as there are cores unless given. The output is the same with any number")
+      ->check(check_threads)
+      ->type_name("N");
+}
+
+void add_study_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
+  app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
+  app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
+}
+
+void add_schema(CLI::App& app, Request& request, Texts& texts) {
+  app.add_option_function<std::string>(
+         "--schema",
+         [&](const std::string& text) {
+           texts.schema = text;
+           request.schema = text == "1" ? 1 : newest_result_schema;
+         },
+         "the version of the schema of JSON results: 2, or 1 for programs that read that one, without the fields that came later")
+      ->check(one_of({"1", "2"}))
+      ->type_name("VERSION");
+}
+
+void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
+  app.add_option("--method", texts.method,
+                 "how: auto, exact, certificate (an expanding polytope; exact where that takes too many points), shallow (the part of B - "
+                 "A near O: for "
+                 "bodies that overlap a little), or naive (the hull of all vertex differences). auto is certificate; the result names the "
+                 "one that ran")
+      ->check(one_of({"auto", "exact", "certificate", "shallow", "naive"}))
+      ->type_name("NAME");
+  app.add_option("--closest-lines", texts.closest_lines,
+                 "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
+      ->check(one_of({"cutting", "sampled", "naive"}))
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); },
+         "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
+      ->check(check_seed)
+      ->type_name("N");
+  app.add_option(
+         "--digits", request.digits,
+         "add an enclosure of the depth to N significant digits. Of curved bodies, bounds so near are looked for, unless --bits says "
+         "how near")
+      ->check(check_digits)
+      ->type_name("N");
+  app.add_option("--bits", request.bits,
+                 "how near the bounds of curved bodies are to be: within 2^-K of the value, or of the bodies' extent; 40 unless given, at "
+                 "most 1000")
+      ->check(check_bits)
+      ->type_name("K");
+  add_questions(app, request, texts, of_one);
+  app.add_option("--certificate", request.certificate,
+                 "write the proof of the answer to FILE; for a stream: a directory, one file for each case")
+      ->type_name("FILE");
+  app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
+  app.add_flag("--counters", request.counters, "add what the run did, in counts");
+  add_exact(app, request);
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
+  add_schema(app, request, texts);
+}
+
+void add_optima(CLI::App& app, Request& request) {
+  app.add_option_function<std::string>(
+         "--optima", [&request](const std::string& text) { request.optima = *seed_of(text); },
+         "count all ties, and list the first N; without it all are listed")
+      ->check(check_optima)
+      ->type_name("N");
+}
+
+/// The command of this name in the table.
+CLI::App& add_command(CLI::App& app, std::string_view name) {
+  const auto help =
+      std::find_if(std::begin(command_table), std::end(command_table), [name](const CommandHelp& c) { return c.name == name; });
+  CLI::App& command = *app.add_subcommand(std::string(name), std::string(help->summary));
+  command.get_help_ptr()->description("this text");
+  return command;
+}
+
+/// The commands that answer by rays: approx, ray, metric.
+std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts& texts) {
+  CLI::App& approx = add_command(app, "approx");
+  CLI::App& ray = add_command(app, "ray");
+  CLI::App& metric = add_command(app, "metric");
+  add_approx_options(approx, request);
+  add_schema(approx, request, texts);
+  add_ray_options(ray, request);
+  add_metric_options(metric, request);
+  for (CLI::App* command : {&approx, &ray, &metric}) {
+    add_questions(*command, request, texts);
+    add_exact(*command, request);
+  }
+  for (CLI::App* command : {&approx, &ray}) {
+    command->add_option("--digits", request.digits, "add an enclosure of the length to N significant digits")
+        ->check(check_digits)
+        ->type_name("N");
+  }
+  return {&approx, &ray, &metric};
+}
+
+}  // namespace
+
+Parser::Parser() {
+  app.get_help_ptr()->description("this text");
+  app.set_version_flag("-V,--version", "fathom " FATHOM_VERSION, "the version");
+  app.require_subcommand(0, 1);  // so that a file may be called "width"
+  CLI::App &depth = add_command(app, "depth"), &width = add_command(app, "width");
+  add_options(depth, request, texts, false);
+  add_optima(depth, request);
+  add_options(width, request, texts, true);
+  add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
+  const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
+  CLI::App& study = add_command(app, "study");
+  add_study_options(study, request, texts);
+  CLI::App &cases = add_command(app, "cases"), &certify = add_command(app, "certify");
+  add_certify_options(certify, request);
+  add_input(certify, request, "first");
+  add_cases_options(cases, request.cases);
+  add_inputs(cases, request, texts);
+  add_poses(cases, request, false);
+  commands = {&depth, &width, approx, ray, metric, &study, &cases, &certify};
+}
+
+CLI::App* Parser::asked() const {
+  const auto found = std::ranges::find_if(commands, [](const CLI::App* command) { return command->parsed(); });
+  return found == commands.end() ? nullptr : *found;
+}
+
+}  // namespace fathom::cli

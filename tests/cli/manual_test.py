@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Manual pages and completion say what help says, and man and the shells take them."""
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from harness import CliTest
+from pages import page_names, section
+
+
+def options(page):
+    """The names of the options of a page of help."""
+    titles = [line for line in section(page, "Options") if line.startswith("  -")]
+    return [name for title in titles for name in re.findall(r"(?:^|\s)(--?[A-Za-z][\w-]*)", title.strip().split("  ")[0])]
+
+
+class Manual(CliTest):
+    def test_pages(self):
+        folder = self.folder / "man1"
+        self.assertEqual(self.answer("man", "--all", folder), "")
+        commands = [name for name in page_names(self) if " " not in name]
+        self.assertEqual({path.name for path in folder.iterdir()},
+                         {f"fathom-{name}.1" if name else "fathom.1" for name in commands})
+        for name in commands:
+            page = (folder / (f"fathom-{name}.1" if name else "fathom.1")).read_text()
+            self.assertEqual(self.answer("man", *name.split()), page)
+            for option in options(self.answer("help", *name.split())):
+                self.assertIn("\\fB" + option.replace("-", "\\-") + "\\fR", page)
+        self.assertIn("\\fB\\-\\-shard\\fR", (folder / "fathom-golden.1").read_text(), "those of its tasks too")
+
+    @unittest.skipUnless(shutil.which("groff") and shutil.which("man"), "needs man and groff")
+    def test_no_warnings(self):
+        self.answer("man", "--all", self.folder)
+        for path in sorted(self.folder.glob("*.1")):
+            done = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", path], capture_output=True, check=True,
+                                  env={"PATH": "/usr/bin:/bin", "LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANPAGER": "cat"})
+            self.assertEqual(done.stderr, b"", path)
+            text = subprocess.run(["groff", "-ww", "-man", "-Tascii", path], capture_output=True, check=True)
+            self.assertEqual(text.stderr, b"", path)
+            self.assertIn(b"EXIT STATUS", done.stdout)
+
+    def test_misuse(self):
+        self.assertIn("unknown command 'dept' (expected depth, ", self.refused("man", "dept"))
+        self.assertIn("did you mean 'depth'?", self.refused("man", "dept"))
+        self.assertIn("did you mean 'golden verify'?", self.refused("help", "golden", "verfy"))
+        self.assertIn("--all expects a folder", self.refused("man", "--all"))
+        self.assertIn("completion expects a shell: bash, zsh, fish; found nothing", self.refused("completion"))
+        self.assertIn("did you mean 'fish'?", self.refused("completion", "fsh"))
+        taken = self.file("taken", "")
+        self.assertIn("cannot be written", self.refused("man", "--all", taken, code=3))
+
+
+class Bash(CliTest):
+    def completed(self, line, cursor_behind_space=False):
+        """What bash offers for the last word of a line."""
+        words = line.split() + [""] * line.endswith(" ")
+        words = [part for word in words for part in (re.split("(=)", word) if word.startswith("--") else [word])]
+        if words[-1] == "" and words[-2:-1] == ["="]:
+            words.pop()  # bash leaves the = as the word under the cursor
+        script = 'eval "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _fathom; printf "%s\\n" "${COMPREPLY[@]}"'
+        done = subprocess.run(["bash", "-c", script, "bash", self.answer("completion", "bash"), *words], cwd=self.folder, capture_output=True)
+        self.assertEqual(done.stderr, b"")
+        return done.stdout.decode().split()
+
+    def test_words(self):
+        commands = [name for name in page_names(self) if name and " " not in name]
+        self.assertEqual(self.completed("fathom "), commands)
+        self.assertEqual(self.completed("fathom de"), ["depth"])
+        self.assertEqual(self.completed("fathom --v"), ["--version"])
+        self.assertEqual(self.completed("fathom help m"), ["metric", "man"])
+        self.assertEqual(self.completed("fathom completion "), ["bash", "zsh", "fish"])
+        self.assertEqual(self.completed("fathom golden "), [name.split()[1] for name in page_names(self) if name.startswith("golden ")])
+
+    def test_options(self):
+        for name in page_names(self):
+            if name:
+                self.assertEqual(self.completed(f"fathom {name} -"), options(self.answer("help", *name.split())), name)
+        self.assertEqual(self.completed("fathom depth a.off --meth"), ["--method"])
+
+    def test_values(self):
+        methods = ["auto", "exact", "certificate", "shallow", "naive"]
+        for line in ("fathom depth --method ", "fathom depth --method="):
+            self.assertEqual(self.completed(line), methods)
+        self.assertEqual(self.completed("fathom width --method=ex"), ["exact"])
+        self.assertEqual(self.completed("fathom golden generate --level P"), ["P0", "P1"])
+        self.assertEqual(self.completed("fathom golden verify --method "), ["exact", "naive"])
+
+    def test_files(self):
+        self.file("a.off", "")
+        (self.folder / "folder").mkdir()
+        self.assertEqual(sorted(self.completed("fathom depth ")), ["a.off", "folder"])
+        self.assertEqual(self.completed("fathom depth a"), ["a.off"])
+        self.assertEqual(self.completed("fathom certify --shrink "), ["folder"])
+        self.assertEqual(sorted(self.completed("fathom certify --report ")), ["a.off", "folder"])
+        self.assertEqual(self.completed("fathom depth --digits "), [])
+
+
+class OtherShells(CliTest):
+    def check(self, shell, name):
+        script = self.answer("completion", shell)
+        for page in page_names(self):
+            for option in options(self.answer("help", *page.split())):
+                self.assertIn(option if shell == "zsh" else f" -{'l' if option.startswith('--') else 's'} {option.lstrip('-')} ", script)
+        program = shutil.which(shell)
+        if program is None:
+            self.skipTest(f"{shell} is not here")
+        path = pathlib.Path(self.file(name, script))
+        done = subprocess.run([program, "-n", path], capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        return program, path
+
+    def test_zsh(self):
+        program, path = self.check("zsh", "_fathom")
+        script = "autoload -Uz compinit && compinit -u -D && source $1 && whence _fathom"
+        done = subprocess.run([program, "-f", "-c", script, "zsh", path], capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_fish(self):
+        program, path = self.check("fish", "fathom.fish")
+        script = "source $argv[1]; complete -C 'fathom depth --method ex'; complete -C 'fathom golden ver'; complete -C 'fathom wid'"
+        done = subprocess.run([program, "--no-config", "-c", script, path], capture_output=True, cwd=self.folder)
+        self.assertEqual([line.split("\t")[0] for line in done.stdout.decode().splitlines()], ["exact", "verify", "width"], done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
