@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "cli/args/did_you_mean.hpp"
+#include "cli/args/export_arguments.hpp"
 #include "cli/args/golden_help.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/second_method.hpp"
@@ -90,8 +91,12 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
   add_jobs(app, request);
 }
 
-void add_verify_options(CLI::App& app, GoldenRequest& request) {
+void add_folder(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>("folder", [&request](const std::string& path) { request.folder = path; });
+}
+
+void add_verify_options(CLI::App& app, GoldenRequest& request) {
+  add_folder(app, request);
   add_second_method(app, request.methods,
                     "compute every record again by exact (AGHRS's pipeline) or naive (the hull\nof all vertex differences) too, and "
                     "compare every field; may be repeated");
@@ -109,15 +114,18 @@ const CommandHelp& help_of(const std::string& task) {
 struct GoldenParser {
   GoldenRequest request;
   CLI::App app{"", "fathom golden"};
-  CLI::App *generate, *verify;
+  CLI::App *generate, *verify, *exporting;
 
   GoldenParser() {
     app.get_help_ptr()->description("this text");
     app.require_subcommand(0, 1);
     generate = add_task("generate");
     verify = add_task("verify");
+    exporting = add_task("export");
     add_generate_options(*generate, request);
     add_verify_options(*verify, request);
+    add_folder(*exporting, request);
+    add_export_options(*exporting, request.exported);
   }
 
   CLI::App* add_task(const std::string& name) {
@@ -167,9 +175,11 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   }
   if (!parser.asked()) return refusal(fmt::format("golden expects a task: {}", fmt::join(tasks, ", ")));
   const std::string task = parser.asked()->get_name();
-  if (request.folder.empty()) return refusal(parser.generate->parsed() ? "--out expects a folder" : "verify expects a folder", task);
+  if (request.folder.empty()) return refusal(parser.generate->parsed() ? "--out expects a folder" : task + " expects a folder", task);
   if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
-  request.what = parser.generate->parsed() ? GoldenRequest::What::generate : GoldenRequest::What::verify;
+  request.what = parser.generate->parsed() ? GoldenRequest::What::generate
+                 : parser.verify->parsed() ? GoldenRequest::What::verify
+                                           : GoldenRequest::What::exporting;
   return {request, "", fine};
 }
 

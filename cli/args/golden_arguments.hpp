@@ -10,12 +10,13 @@
 #include "cli/args/help_page.hpp"
 #include "cli/io/exit_code.hpp"
 #include "fathom/depth.hpp"
+#include "verify/golden/export/export.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {
 
 struct GoldenRequest {
-  enum class What { generate, verify };
+  enum class What { generate, verify, exporting };
   What what = What::generate;
   golden::Level level = golden::Level::L0;
   std::uint64_t seed = 1;
@@ -25,6 +26,7 @@ struct GoldenRequest {
   std::size_t part = 1, parts = 1;  ///< 1 <= part <= parts
   std::vector<Method> methods;      ///< verify: compute every record again by these too
   bool state = false;               ///< verify: write the page that says so
+  golden::ExportRequest exported;   ///< export: which records, and how
 };
 
 /// Like Arguments of the other commands.

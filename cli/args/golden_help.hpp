@@ -11,6 +11,7 @@ namespace fathom::cli {
 inline constexpr Example golden_examples[] = {
     {"fathom golden generate --level L0 --out data", "cases with their exact answers, rounded answers and proofs, in the folder data"},
     {"fathom golden verify data", "proves every value in it, or says what is wrong"},
+    {"fathom golden export --format c --count 50 data > golden_cases.h", "fifty of its cases, for the tests of another project"},
 };
 
 inline constexpr Example generate_examples[] = {
@@ -32,6 +33,13 @@ inline constexpr Example verify_examples[] = {
     {"zstd -dc data/*.cert.zst | fathom check -", "the certificates alone, by the independent checker"},
 };
 
+inline constexpr Example export_examples[] = {
+    {"fathom golden export --format c --exclude flat,huge --max-points 8 --count 50 data > golden_cases.h",
+     "C89 arrays, and a function that accepts answers or not"},
+    {"fathom golden export --format json --exclude disjoint,touching data > golden_cases.json",
+     "all bodies that overlap, for whoever reads JSON"},
+};
+
 inline constexpr ExitMeaning golden_exits[] = {
     {0, "fine, or verified"},
     {1, "refused"},
@@ -41,18 +49,19 @@ inline constexpr ExitMeaning golden_exits[] = {
 };
 
 inline constexpr std::string_view golden_notes[] = {
-    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV and a C++ include file "
-    "too. "
+    "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV too. "
     "Its NOTES.md explains every field. The data is in the public domain (CC0-1.0).",
 };
 
 /// The command, then its tasks.
 inline constexpr CommandHelp golden_table[] = {
-    {"golden", "Golden test data: make a release, or prove one.", "fathom golden generate|verify [OPTIONS]", golden_examples, golden_exits,
-     golden_notes},
+    {"golden", "Golden test data: make a release, prove one, or export some of it.", "fathom golden generate|verify|export [OPTIONS]",
+     golden_examples, golden_exits, golden_notes},
     {"golden generate", "Make a release, or go on with one.", "fathom golden generate --level LEVEL --out DIR [OPTIONS]", generate_examples,
      golden_exits, golden_notes},
     {"golden verify", "Prove a release, or refuse it.", "fathom golden verify DIR [OPTIONS]", verify_examples, golden_exits, golden_notes},
+    {"golden export", "Write some of a release as one file for other tests.", "fathom golden export --format FORMAT DIR [OPTIONS]",
+     export_examples, golden_exits, golden_notes},
 };
 
 }  // namespace fathom::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom golden generate | verify
+// fathom golden generate | verify | export
 #include "cli/commands/command_golden.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +107,12 @@ ExitCode carry_out_golden(const std::vector<std::string>& words, bool says_usage
 
 ExitCode run_golden(const std::vector<std::string>& words) {
   return carry_out_golden(words, true, [](const GoldenRequest& request) {
-    return request.what == GoldenRequest::What::generate ? generate(request) : verify_golden(request);
+    switch (request.what) {
+      case GoldenRequest::What::generate: return generate(request);
+      case GoldenRequest::What::verify: return verify_golden(request);
+      case GoldenRequest::What::exporting: break;
+    }
+    return export_golden(request);
   });
 }
 

@@ -102,6 +102,7 @@ ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned j
 
 ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>& words) {
   return carry_out_golden(words, world.rank() == 0, [&](const GoldenRequest& request) {
+    if (request.what == GoldenRequest::What::exporting) return world.rank() == 0 ? export_golden(request) : fine;
     const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
     return request.what == GoldenRequest::What::generate ? generate(world, request, jobs) : verify(world, request, jobs);
   });

@@ -62,7 +62,7 @@ void add_predicates(Lines& lines, const PredicateCounts& counts) {
         decided_column));
     any = any || tiers.zero > 0;
   }
-  if (any) lines.emplace_back("Eij are the infinitesimals that move -A; a, b, c tilt the chart's frame");
+  if (any) lines.push_back(fitted("Eij are the infinitesimals that move -A; a, b, c tilt the chart's frame"));
 }
 
 void add_features(Lines& parts, std::string_view body, const std::vector<Feature>& features) {

@@ -9,7 +9,7 @@ import tempfile
 from harness import DATA, EXECUTABLE, CliTest
 
 COMMITTED = DATA / "golden"
-ENDS = (".jsonl.zst", ".cert.zst", ".csv.zst", ".inc.zst")
+ENDS = (".jsonl.zst", ".cert.zst", ".csv.zst")
 
 
 def unpacked(path):

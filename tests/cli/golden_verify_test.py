@@ -9,7 +9,7 @@ import unittest
 
 from golden_release import ENDS, GoldenTest, contents, packed, page, repair, unpacked, write_sums
 
-RECORDS, CERTIFICATES, CSV, INCLUDE = ENDS
+RECORDS, CERTIFICATES, CSV = ENDS
 
 
 def proofs_in(content):
@@ -128,7 +128,7 @@ class Verify(GoldenTest):
                 self.refusal(folder, f"{name}:{number + 1}")
 
     def test_lines(self):
-        """Lost, doubled, exchanged and added lines, in each of the four files."""
+        """Lost, doubled, exchanged and added lines, in each of the three files."""
         for end in ENDS:
             for change in (lambda lines: lines[:-1], lambda lines: lines + lines[-1:],
                            lambda lines: lines[:2] + lines[3:1:-1] + lines[4:], lambda lines: lines + [b"\n"],
@@ -143,19 +143,16 @@ class Verify(GoldenTest):
         name = self.shards[0]
         content = {end: unpacked(self.release / (name + end)) for end in ENDS}
         records, proofs = content[RECORDS].splitlines(keepends=True), proofs_in(content[CERTIFICATES])
-        rows, entries = (content[end].splitlines(keepends=True) for end in (CSV, INCLUDE))
+        rows = content[CSV].splitlines(keepends=True)
         self.assertEqual(len(records), len(proofs))
         ids = [json.loads(line)["id"] for line in records]
         rounded = next(i for i, each in enumerate(ids) if each.endswith(".b32"))
-        cases = [i for i, entry in enumerate(entries) if entry.startswith(b"FATHOM_GOLDEN_CASE(")]
         for kept in ([i for i in range(len(ids)) if i != rounded], [*range(len(ids)), len(ids) - 1], [*range(1, len(ids)), 0],
                      [*range(len(ids) - 1)]):
             folder = self.copy()
-            lines = {RECORDS: [records[i] for i in kept], CERTIFICATES: [proofs[i] for i in kept], CSV: rows[:1], INCLUDE: []}
+            lines = {RECORDS: [records[i] for i in kept], CERTIFICATES: [proofs[i] for i in kept], CSV: rows[:1]}
             for i in kept:
                 lines[CSV] += [row for row in rows if row.startswith(f"{ids[i]},".encode())]
-                lines[INCLUDE] += [entry for entry in entries if entry.startswith(f'FATHOM_GOLDEN_CASE("{ids[i]}",'.encode())]
-            lines[INCLUDE] = entries[:cases[0]] + lines[INCLUDE] + entries[cases[-1] + 1:]
             for end in ENDS:
                 (folder / (name + end)).write_bytes(packed(b"".join(lines[end])))
             repair(folder)

@@ -176,6 +176,11 @@ class Docs(unittest.TestCase):
                     paragraphs = stripped(lines).split("\n\n")
                     self.assertTrue(any(all(part in example for part in paragraphs) for example in examples), f"{name(page)}: {lines}")
 
+    def test_citation(self):
+        """Law: what is to be cited is the version that CMake builds."""
+        version = re.search(r"^project\(fathom VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
+        self.assertEqual([version], re.findall(r'^version: "(.*)"$', (ROOT / "CITATION.cff").read_text(), re.MULTILINE))
+
     def test_every_page_is_linked(self):
         front = (ROOT / "README.md").read_text() + (ROOT / "docs" / "architecture.md").read_text()
         for page in pages()[1:]:

@@ -26,7 +26,7 @@ TEST(Dataset, ManifestsComeBack) {
   for (const Level level : {Level::L0, Level::P0}) {
     const ShardPlan shard = plan(level, seed).front();
     const Manifest manifest = manifest_of_plan(shard);
-    EXPECT_EQ(manifest.files.size(), level == Level::L0 ? 4u : 2u);
+    EXPECT_EQ(manifest.files.size(), level == Level::L0 ? 3u : 2u);
     const std::string text = manifest_text(manifest);
     ASSERT_TRUE(parse_manifest(text));
     EXPECT_EQ(*parse_manifest(text), manifest);
@@ -34,7 +34,7 @@ TEST(Dataset, ManifestsComeBack) {
   }
 }
 
-TEST(Dataset, ShardsOfShapesHaveNoExports) {
+TEST(Dataset, ShardsOfShapesHaveNoCsv) {
   Manifest manifest = manifest_of_plan(plan(Level::P0, seed).front());
   manifest.files.push_back(manifest.files.back());
   EXPECT_FALSE(parse_manifest(manifest_text(manifest)));
@@ -58,7 +58,7 @@ TEST(Dataset, ManifestsOfOtherPlansAreSeen) {
   EXPECT_TRUE(refused([](Manifest& m) { m.level = Level::L1; }));
   EXPECT_TRUE(refused([](Manifest& m) { ++m.recipes; }));
   EXPECT_TRUE(refused([](Manifest& m) { std::swap(m.files[0], m.files[1]); }));
-  EXPECT_TRUE(refused([](Manifest& m) { m.files[3].name = "../golden"; }));
+  EXPECT_TRUE(refused([](Manifest& m) { m.files[2].name = "../golden"; }));
 }
 
 /// Every way to leave out one line, or to change one character, is refused.

@@ -14,10 +14,11 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
 file(RENAME ${WORK}/first "${WORK}/moved here")
 set(prefix "${WORK}/moved here")
 
-# Law: the chosen headers are installed, and no other file of that kind but the kit for subjects, which is there to be copied.
+# Law: the chosen headers are installed, and no other file of that kind but those of the two kits, which are there to be copied.
 set(source ${CMAKE_CURRENT_LIST_DIR}/../..)
 file(GLOB chosen RELATIVE ${source}/include ${source}/include/fathom/*)
-list(APPEND chosen fathom/check.hpp ../share/fathom/kit/fathom_subject.hpp)
+list(APPEND chosen fathom/check.hpp ../share/fathom/golden/fathom_golden.h ../share/fathom/golden/fathom_golden_sample.h
+  ../share/fathom/kit/fathom_subject.hpp)
 file(GLOB_RECURSE installed RELATIVE "${prefix}/include" "${prefix}/*.h" "${prefix}/*.hpp")
 list(SORT chosen)
 list(SORT installed)

@@ -49,6 +49,7 @@ CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "t
 ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")
+PUBLIC_DOMAIN = ("verify/golden/kit/",)  # what exports of golden data begin with
 NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/examples/", "examples/", "tests/", "proofs/")
 
 # The namespace of a room is called like its folder, except where a public function has that name.
@@ -185,7 +186,7 @@ def install_breaches(name, text):
 def licence_breaches(name, text):
     lines = text.split("\n", 2)
     line = lines[1] if lines[0].startswith("#!") and len(lines) > 1 else lines[0]
-    licence = "Apache-2.0" if name.startswith(APACHE) else "GPL-3.0-or-later"
+    licence = "Apache-2.0" if name.startswith(APACHE) else "CC0-1.0" if name.startswith(PUBLIC_DOMAIN) else "GPL-3.0-or-later"
     if not re.fullmatch(rf"(//|#) SPDX-License-Identifier: {re.escape(licence)}", line):
         yield "licence", f"the first line is not SPDX-License-Identifier: {licence}"
 

@@ -162,7 +162,7 @@ Facts Prover::facts_from(const Claimed& claimed, std::string_view certificate) {
 std::string Prover::line_of_points(const Claimed& claimed, std::string_view certificate) {
   Facts facts = facts_from(claimed, certificate);
   facts.certificate_sha256 = digest::digest_of(certificate).sha256;
-  exports_ = exports_of(facts);
+  row_ = csv_row(facts);
   return line_of(facts);
 }
 
@@ -170,7 +170,7 @@ std::string Prover::line_of_shapes(const Claimed& claimed, std::string_view cert
   make_cases(claimed);
   const auto made = std::ranges::find(shape_cases_, claimed.form, &FormedShapes::form);
   if (made == shape_cases_.end()) throw NotProved("source: it has no such form");
-  exports_ = {};
+  row_.clear();
   return line_of(ShapeFacts{claimed.recipe, *made, proved_truth(made->shapes, certificate), digest::digest_of(certificate).sha256});
 }
 

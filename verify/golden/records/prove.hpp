@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/records/exports.hpp"
+#include "verify/golden/records/csv.hpp"
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_reader.hpp"
 #include "verify/golden/shapes/shape_recipe.hpp"
@@ -27,7 +27,7 @@ class Prover {
 
   // Of the record that was proved last.
   [[nodiscard]] const std::string& id() const { return id_; }
-  [[nodiscard]] const Exports& exports() const { return exports_; }
+  [[nodiscard]] const std::string& row() const { return row_; }  ///< of the CSV
   /// The ids of all records of its recipe, in their order.
   [[nodiscard]] std::vector<std::string> ids() const;
 
@@ -45,7 +45,7 @@ class Prover {
   std::vector<FormedCase> cases_;          // of the recipe, if it is of points
   std::vector<FormedShapes> shape_cases_;  // else
   std::string id_;
-  Exports exports_;
+  std::string row_;
 };
 
 /// The same for a single record.

@@ -51,7 +51,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor, workspace);
   facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
   record.line = line_of(facts);
-  record.exports = exports_of(facts);
+  record.csv_row = csv_row(facts);
   record.in_binary64 = facts.in_binary64;
   record.in_binary32 = facts.in_binary32;
   return record;

@@ -9,7 +9,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
-#include "verify/golden/records/exports.hpp"
+#include "verify/golden/records/csv.hpp"
 #include "verify/golden/records/recipe.hpp"
 #include "verify/golden/shapes/shape_recipe.hpp"
 
@@ -17,9 +17,9 @@ namespace fathom::golden {
 
 struct Record {
   std::string id;
-  std::string line;         ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
-  std::string certificate;  ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
-  Exports exports;
+  std::string line;                               ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
+  std::string certificate;                        ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
+  std::string csv_row;                            ///< with its line feed; empty unless in binary64
   bool in_binary64 = false, in_binary32 = false;  ///< whether every coordinate is one of that format
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of every release, which embedded.cmake compiles into the program.
+// The pages of every release and the heads of exports, which embedded.cmake compiles into the program.
 #pragma once
 
 #include <string_view>
@@ -20,5 +20,9 @@ std::string_view dataset_schema();
 
 /// schemas/shard.schema.json: of the page of each shard.
 std::string_view shard_schema();
+
+/// kit/fathom_golden.h and kit/fathom_golden.rs: what a case is, and whether an answer to it is right.
+std::string_view kit_in_c();
+std::string_view kit_in_rust();
 
 }  // namespace fathom::golden

@@ -17,8 +17,8 @@
 
 namespace fathom::golden {
 
-/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes both exports.
-inline constexpr std::array<std::string_view, 4> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst", ".inc.zst"};
+/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes CSV.
+inline constexpr std::array<std::string_view, 3> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst"};
 /// Those of a shard of this level: the first two, or all.
 std::span<const std::string_view> suffixes_of(Level level);
 inline constexpr std::string_view manifest_suffix = ".json";

@@ -5,7 +5,7 @@
 
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/new_file.hpp"
-#include "verify/golden/records/exports.hpp"
+#include "verify/golden/records/csv.hpp"
 
 namespace fathom::golden {
 
@@ -21,26 +21,23 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   std::error_code error;
   std::filesystem::remove(folder_ / (shard.name + std::string(manifest_suffix)), error);
   if (error) throw FileError("remove", folder_ / (shard.name + std::string(manifest_suffix)), error.value());
-  write_exports(csv_header(), include_head());
+  write_csv(csv_header());
 }
 
 /// Shapes have none.
-void ShardWriter::write_exports(std::string_view csv, std::string_view include) {
-  if (of_shapes(manifest_.level)) return;
-  writers_[2]->write(csv);
-  writers_[3]->write(include);
+void ShardWriter::write_csv(std::string_view text) {
+  if (!of_shapes(manifest_.level)) writers_[2]->write(text);
 }
 
 void ShardWriter::add(const Record& record) {
   writers_[0]->write(record.line);
   writers_[0]->write("\n");
   writers_[1]->write(record.certificate);
-  write_exports(record.exports.csv_row, record.exports.include_entry);
+  write_csv(record.csv_row);
   ++manifest_.records;
 }
 
 void ShardWriter::finish() {
-  write_exports("", include_tail());
   for (const std::unique_ptr<ZstdWriter>& writer : writers_) {
     writer->finish();
     manifest_.files.push_back({writer->name(), writer->of_file(), writer->of_content()});

@@ -25,7 +25,7 @@ class ShardWriter {
   void finish();
 
  private:
-  void write_exports(std::string_view csv, std::string_view include);
+  void write_csv(std::string_view text);
   void rename_all();
 
   std::filesystem::path folder_;

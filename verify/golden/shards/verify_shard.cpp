@@ -68,14 +68,9 @@ class Stream {
   std::unique_ptr<ZstdReader> reader_;
 };
 
-struct ExportStreams {
-  Stream csv, include;
-};
-
 struct Item {
   std::string line, certificate, record_place;  // read
-  std::string id;                               // made
-  Exports exports;
+  std::string id, row;                          // made
 };
 
 /// Records of one recipe, unless the order is wrong.
@@ -97,15 +92,12 @@ class Verification {
         order_(planned_),
         records_(folder, manifest.files[0]),
         certificates_(folder, manifest.files[1]) {
-    if (manifest.files.size() > 2) exports_.emplace(ExportStreams{{folder, manifest.files[2]}, {folder, manifest.files[3]}});
+    if (manifest.files.size() > 2) csv_.emplace(folder, manifest.files[2]);
   }
 
   std::optional<Refusal> run() {
     using tbb::filter_mode;
-    if (exports_) {
-      exports_->csv.expect(csv_header(), "the header");
-      exports_->include.expect(include_head(), "the head of an include file");
-    }
+    if (csv_) csv_->expect(csv_header(), "the header");
     tbb::parallel_pipeline(
         static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * groups_in_flight,
         tbb::make_filter<void, Shared>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
@@ -114,10 +106,8 @@ class Verification {
     if (refusal_) return refusal_;
     if (const auto fault = order_.at_end()) throw records_.refusal(*fault);
     if (count_ != manifest_->records) throw records_.refusal(fmt::format("{} records, and the page says {}", count_, manifest_->records));
-    if (exports_) exports_->include.expect(include_tail(), "the end of an include file");
     for (Stream* stream : {&records_, &certificates_}) stream->expect_end();
-    if (exports_)
-      for (Stream* stream : {&exports_->csv, &exports_->include}) stream->expect_end();
+    if (csv_) csv_->expect_end();
     return std::nullopt;
   }
 
@@ -174,7 +164,7 @@ class Verification {
         break;
       }
       item.id = prover.id();
-      item.exports = prover.exports();
+      item.row = prover.row();
       if (i == 0) group->ids = prover.ids();
     }
     return group;
@@ -192,10 +182,7 @@ class Verification {
     try {
       for (const Item& item : group.items) {
         if (const auto fault = order_.next(item.id, group.ids)) throw Refusal{item.record_place, *fault};
-        if (exports_) {
-          exports_->csv.expect(item.exports.csv_row, "the row of this record");
-          exports_->include.expect(item.exports.include_entry, "the entry of this record");
-        }
+        if (csv_) csv_->expect(item.row, "the row of this record");
         ++count_;
         if (options_->proved) options_->proved();
       }
@@ -212,10 +199,10 @@ class Verification {
   tbb::enumerable_thread_specific<Prover> provers_;
   RecordOrder order_;
   Stream records_, certificates_;
-  std::optional<ExportStreams> exports_;  // of polytopes
-  std::optional<Item> ahead_;             // of the first stage: read, and not of the group before it
-  bool ended_ = false;                    // likewise: nothing more can be read
-  std::optional<Refusal> refusal_;        // of the last stage
+  std::optional<Stream> csv_;       // of polytopes
+  std::optional<Item> ahead_;       // of the first stage: read, and not of the group before it
+  bool ended_ = false;              // likewise: nothing more can be read
+  std::optional<Refusal> refusal_;  // of the last stage
   std::atomic<bool> refused_ = false;
   std::size_t count_ = 0;
 };

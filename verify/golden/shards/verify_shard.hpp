@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One shard of a release, read as four streams in step and proved record by record, on all threads of the caller's arena.
+// One shard of a release, read as three streams in step and proved record by record, on all threads of the caller's arena.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ struct ShardOptions {
 };
 
 /// Returns the first fault, in the order of the records, or nullopt if every record is proved, given again by each of the methods, and
-/// stands where the plan says, the certificates and both exports belong to exactly these records, and counts and sums are those of the
+/// stands where the plan says, the certificates and the CSV belong to exactly these records, and counts and sums are those of the
 /// page. Memory is bounded by a few dozen records for each thread. Throws Interrupted.
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
                                         const ShardOptions& options);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exports say what the records say, as other programs read them: this one includes a C++ export as it was compiled in.
-#include "verify/golden/records/exports.hpp"
+// The CSV says what the records say.
+#include "verify/golden/records/csv.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -22,24 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// As the head of an include file tells its users to.
-struct GoldenCase {
-  const char *id, *status;
-  double depth, depth_down, depth_up;
-  std::array<double, 3> direction, translation;
-  int optima;
-  double distance;
-  std::vector<std::array<double, 3>> a, b;
-};
-
-std::vector<GoldenCase> compiled_in() {
-  std::vector<GoldenCase> cases;
-#define FATHOM_GOLDEN_CASE(...) cases.push_back(GoldenCase{__VA_ARGS__});
-#include "tests/golden/sample.inc"
-  return cases;
-}
-
-/// What sample.inc holds.
 std::vector<Record> sample() {
   std::vector<Record> result;
   for (const Recipe& recipe : {Recipe{Source::family, "boxes_posed", 8, 5}, Recipe{Source::family, "solid_point", 4, 2},
@@ -48,41 +27,6 @@ std::vector<Record> sample() {
     for (Record& record : records_of(recipe)) result.push_back(std::move(record));
   }
   return result;
-}
-
-TEST(Include, IsWhatTheSampleHolds) {
-  std::string text = include_head();
-  for (const Record& record : sample()) text += record.exports.include_entry;
-  text += include_tail();
-  std::ifstream file(FATHOM_TEST_DATA "/../golden/sample.inc");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), text);
-}
-
-double support(const std::vector<std::array<double, 3>>& points, const std::array<double, 3>& u, double sense) {
-  double best = -HUGE_VAL;
-  for (const auto& p : points) best = std::max(best, sense * (u[0] * p[0] + u[1] * p[1] + u[2] * p[2]));
-  return best;
-}
-
-TEST(Include, CompilesAndJudgesACase) {
-  const std::vector<GoldenCase> cases = compiled_in();
-  ASSERT_GE(cases.size(), 5u);
-  std::vector<std::string> statuses;
-  for (const GoldenCase& golden : cases) {
-    // h(u) is the depth along u: penetrating, it is the least of all, and -distance when the bodies are apart.
-    const double along = support(golden.b, golden.direction, 1) + support(golden.a, golden.direction, -1);
-    const double signed_depth = golden.depth - golden.distance;
-    EXPECT_NEAR(along, signed_depth, 1e-12) << golden.id;
-    EXPECT_LE(golden.depth_down, golden.depth);
-    EXPECT_GE(golden.depth_up, golden.depth);
-    EXPECT_LE(golden.depth_up, std::nextafter(golden.depth_down, HUGE_VAL));
-    const auto& t = golden.translation;
-    EXPECT_NEAR(std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]), std::abs(signed_depth), 1e-12) << golden.id;
-    EXPECT_EQ(golden.optima > 0, golden.depth > 0) << golden.id;
-    statuses.emplace_back(golden.status);
-  }
-  for (const char* status : {"penetrating", "touching", "disjoint"})
-    EXPECT_NE(std::ranges::find(statuses, status), statuses.end()) << status;
 }
 
 std::vector<std::string> fields(const std::string& row) {
@@ -103,7 +47,7 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
     return row[static_cast<std::size_t>(at - header.begin())];
   };
   for (const Record& record : sample()) {
-    const std::string text = record.exports.csv_row;
+    const std::string text = record.csv_row;
     ASSERT_EQ(!text.empty(), record.in_binary64) << record.id;
     if (text.empty()) continue;
     const std::vector<std::string> row = fields(text);
@@ -131,18 +75,14 @@ TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
   }
 }
 
-TEST(Exports, LeaveOutWhatIsNotBinary64) {
+TEST(Csv, LeavesOutWhatIsNotBinary64) {
   const std::vector<Record> records = records_of({Source::family, "boxes_posed", 8, 5});
   ASSERT_EQ(records.size(), 3u);
-  EXPECT_EQ(records[0].exports.csv_row, "");
-  EXPECT_EQ(records[0].exports.include_entry, "");
-  for (const std::size_t i : {1U, 2U}) {
-    EXPECT_NE(records[i].exports.csv_row, "");
-    EXPECT_NE(records[i].exports.include_entry, "");
-  }
+  EXPECT_EQ(records[0].csv_row, "");
+  for (const std::size_t i : {1U, 2U}) EXPECT_NE(records[i].csv_row, "");
 }
 
-TEST(Include, WritesInfinityAsCpp) {
+TEST(Csv, WritesInfinity) {
   constexpr double largest = std::numeric_limits<double>::max();
   const Body box{GivenPoints(std::vector<std::array<double, 3>>{{-largest, -largest, -largest},
                                                                 {largest, largest, largest},
@@ -153,12 +93,7 @@ TEST(Include, WritesInfinityAsCpp) {
                                                                 {-largest, largest, -largest},
                                                                 {-largest, -largest, largest}})};
   const Record record = record_of({Source::family, "by_hand", 0, 0}, Form::given, {"by_hand", box, box});
-  const std::string infinity = "std::numeric_limits<double>::infinity()";
-  EXPECT_NE(record.exports.include_entry.find("\"penetrating\", " + infinity + ", 0x1.fffffffffffffp+1023, " + infinity + ", {"),
-            std::string::npos)
-      << record.exports.include_entry;
-  EXPECT_NE(record.exports.include_entry.find("-" + infinity), std::string::npos) << "of a translation";
-  EXPECT_NE(record.exports.csv_row.find(",inf,0x1.fffffffffffffp+1023,inf,"), std::string::npos);
+  EXPECT_NE(record.csv_row.find(",inf,0x1.fffffffffffffp+1023,inf,"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of `fathom golden export`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "verify/golden/export/export.hpp"
+
+namespace fathom::cli {
+
+/// Adds all but the folder. The request must outlive the app.
+void add_export_options(CLI::App& app, golden::ExportRequest& request);
+
+}  // namespace fathom::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom golden export: declared in command_golden.hpp.
+#include <fmt/format.h>
+
+#include "cli/commands/command_golden.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "verify/golden/export/export.hpp"
+
+namespace fathom::cli {
+
+ExitCode export_golden(const GoldenRequest& request) {
+  StopOnInterrupt interrupt;
+  const golden::Exported exported = golden::export_release(request.folder, request.exported, &interrupt);
+  print(exported.text.substr(0, exported.text.size() - 1));  // print ends the last line
+  talk(fmt::format("{} of {} fitting records; of all {}, {} are beyond binary64, {} are excluded, {} have more points", exported.chosen,
+                   exported.fitting, exported.records, exported.not_doubles, exported.excluded, exported.too_large));
+  return fine;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fathom golden export`: the exports say what the records say, in every format, and the kit's `accept` prices directions as it promises."""
+import decimal
+import json
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections import Counter
+from fractions import Fraction
+
+import jsonschema  # Debian: python3-jsonschema
+from golden_release import COMMITTED, packed, repair, unpacked
+from harness import EXECUTABLE, ROOT, CliTest
+
+KIT = ROOT / "verify" / "golden" / "kit"
+sys.path.insert(0, str(KIT))
+import fathom_golden  # noqa: E402
+
+SAMPLE = ["--exclude", "flat,huge", "--max-points", "8", "--count", "50"]
+ENDS = {"c": "h", "csv": "csv", "json": "json", "rust": "rs"}
+FIRST = "golden-L0-0000.jsonl.zst"
+
+# Prints each case of an export as C sees it, the price of each direction, and whether it is accepted, with what stands against it.
+READER = r"""
+#include "cases.h"
+#include <stdio.h>
+
+static void print_points(const double *p, size_t count)
+{
+  size_t i;
+  for (i = 0; i < 3 * count; ++i) printf(" %.17g", p[i]);
+  printf("\n");
+}
+
+int main(void)
+{
+  int i;
+  const fathom_golden_tolerance none = {0, 0}, half = {0.5, 0};
+  for (i = 0; i < fathom_golden_count; ++i) {
+    const fathom_golden_case *golden = &fathom_golden_cases[i];
+    size_t j;
+    printf("%s\n%d\n%.17g\n%s\n%s\n%.17g %.17g\n", golden->name, (int)golden->status, golden->signed_depth,
+           golden->squared ? golden->squared : "too long", golden->flags, golden->size, golden->largest);
+    print_points(golden->a, golden->a_count);
+    print_points(golden->b, golden->b_count);
+    print_points(golden->directions, golden->direction_count);
+    for (j = 0; j < golden->direction_count; ++j) {
+      const double *u = golden->directions + 3 * j;
+      const double far = golden->signed_depth + golden->largest / 1e9;
+      printf("%.17g %d%d%d%d%d\n", fathom_golden_price(golden, u), fathom_golden_accept(golden, u, golden->signed_depth, none),
+             fathom_golden_accept(golden, u, far, none), fathom_golden_accept(golden, NULL, 1.25 * golden->signed_depth, half),
+             fathom_golden_accept_apart(golden, none), fathom_golden_accept_apart(golden, half));
+    }
+  }
+  return 0;
+}
+"""
+
+
+def records():
+    """The records of the committed release, by id."""
+    lines = b"".join(unpacked(path) for path in sorted(COMMITTED.glob("*.jsonl.zst"))).splitlines()
+    return {record["id"]: record for record in map(json.loads, lines)}
+
+
+def numbers(points):
+    return [[float.fromhex(coordinate) for coordinate in point] for point in points]
+
+
+def group(record):
+    return record["source"]["name"] if record["source"]["kind"] == "family" else record["source"]["kind"]
+
+
+class Export(CliTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.records = records()
+        done = subprocess.run([EXECUTABLE, "golden", "export", "--format", "json", COMMITTED], check=True, capture_output=True)
+        with tempfile.NamedTemporaryFile(suffix=".json") as file:
+            file.write(done.stdout)
+            file.flush()
+            cls.everything = fathom_golden.read(file.name)
+
+    def export(self, *options, format="json", folder=COMMITTED):
+        """The path of an export."""
+        path = self.folder / f"cases.{ENDS[format]}"
+        path.write_text(self.answer("golden", "export", "--format", format, *options, folder))
+        return path
+
+    def names(self, *options):
+        return [case.name for case in fathom_golden.read(self.export(*options))]
+
+    def test_the_sample_is_what_is_exported(self):
+        for format, end in ENDS.items():
+            sample = KIT / f"fathom_golden_sample.{end}"
+            self.assertEqual(self.export(*SAMPLE, format=format).read_text(), sample.read_text(), sample)
+        self.assertLess(sum(path.stat().st_size for path in KIT.glob("fathom_golden_sample.*")), 1 << 20)
+
+    def test_every_number_is_that_of_the_record(self):
+        cases = self.everything
+        fitting = [name for name, record in self.records.items() if "binary64" in record["formats"]]
+        self.assertEqual([case.name for case in cases], fitting)
+        for case in cases:
+            record = self.records[case.name]
+            expected = record["expected"]
+            apart = expected["status"] == "disjoint"
+            length = expected["distance" if apart else "depth"]
+            self.assertEqual((case.status, case.flags), (expected["status"], record["flags"]))
+            self.assertEqual(case.signed_depth, (-1 if apart else 1) * float.fromhex(length["f64"]["rn"]), case.name)
+            self.assertEqual(case.squared, Fraction(length["squared"]), case.name)
+            self.assertEqual([case.a, case.b], [numbers(record[body]["vertices"]) for body in "ab"], case.name)
+            optima = expected["optima"] or [expected]
+            self.assertEqual(case.directions, numbers(optimum["unit"]["f64"]["rn"] for optimum in optima), case.name)
+            extents = [max(p[i] for p in body) - min(p[i] for p in body) for body in (case.a, case.b) for i in range(3)]
+            self.assertEqual(case.size, max(extents), case.name)
+            self.assertEqual(case.largest, max(abs(x) for p in case.a + case.b for x in p), case.name)
+
+    def test_json_obeys_its_schema_and_says_the_same_as_csv(self):
+        schema = json.loads((ROOT / "schemas" / "golden-export.schema.json").read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        path = self.export("--exclude", "ties,disjoint")
+        jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text()))
+        source = json.loads(path.read_text())["source"]
+        self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.1.0",
+                                  "command": "fathom golden export --format json --exclude ties,disjoint"})
+        self.assertEqual(fathom_golden.read(path), fathom_golden.read(self.export("--exclude", "ties,disjoint", format="csv")))
+
+    def test_c_says_the_same(self):
+        """In C89 and in C++, without a warning: all of L0."""
+        self.export(format="c")
+        cases = self.everything
+        (self.folder / "reader.c").write_text(READER)
+        printed = []
+        for compiler in (["cc", "-std=c89"], ["c++", "-std=c++11", "-xc++"]):
+            program = self.folder / "reader"
+            subprocess.run([*compiler, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-o", program, self.folder / "reader.c", "-lm"],
+                           check=True)
+            printed.append(subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout)
+        self.assertEqual(printed[0], printed[1])
+        lines = iter(printed[0].splitlines())
+        for case in cases:
+            self.assertEqual(next(lines), case.name)
+            self.assertEqual(int(next(lines)), ["penetrating", "touching", "disjoint"].index(case.status))
+            self.assertEqual(float(next(lines)), case.signed_depth)
+            squared, exact = next(lines), str(case.squared)
+            self.assertEqual(squared, exact if len(exact) <= 509 else "too long")
+            self.assertEqual(next(lines).split(), case.flags)
+            self.assertEqual([float(word) for word in next(lines).split()], [case.size, case.largest])
+            for points in (case.a, case.b, case.directions):
+                self.assertEqual([float(word) for word in next(lines).split()], sum(points, []), case.name)
+            for direction in case.directions:
+                price, accepted = next(lines).split()
+                self.assertLessEqual(abs(float(price) - fathom_golden.price(case, direction)), 2.0 ** -46 * case.largest, case.name)
+                far = case.signed_depth + case.largest / 1e9
+                expected = [fathom_golden.accept(case, direction, case.signed_depth, relative=0),
+                            fathom_golden.accept(case, direction, far, relative=0),
+                            fathom_golden.accept(case, None, 1.25 * case.signed_depth, relative=0.5),
+                            fathom_golden.accept_apart(case, relative=0), fathom_golden.accept_apart(case, relative=0.5)]
+                self.assertEqual(accepted, "".join(str(int(value)) for value in expected), case.name)
+        self.assertEqual(list(lines), [])
+
+    def test_true_answers_are_accepted_and_wrong_ones_are_not(self):
+        for case in self.everything:
+            for direction in case.directions:
+                long = [1e5 * x for x in direction]
+                self.assertTrue(fathom_golden.accept(case, direction, case.signed_depth, relative=0), case.name)
+                self.assertTrue(fathom_golden.accept(case, long, case.signed_depth, relative=0), case.name)
+            slack = fathom_golden.allowance(case, 0, 0)
+            for wrong in (case.signed_depth + 2 * slack, case.signed_depth - 2 * slack, float("nan"), float("inf")):
+                self.assertFalse(fathom_golden.accept(case, None, wrong, relative=0), case.name)
+            for nothing in ([0.0, 0.0, 0.0], [float("nan"), 0.0, 1.0], [float("inf"), 0.0, 1.0]):
+                self.assertFalse(fathom_golden.accept(case, nothing, case.signed_depth, relative=1), case.name)
+            self.assertEqual(fathom_golden.accept_apart(case, relative=0), case.signed_depth <= slack, case.name)
+            self.assertEqual(fathom_golden.accept(case, None, 0, relative=0), abs(case.signed_depth) <= slack, case.name)
+
+    def test_prices_are_as_near_as_promised(self):
+        """Law: a price is off by less than 2^-47 of the largest coordinate, and none is below the depth."""
+        decimal.getcontext().prec = 700  # coordinates from 1e-300 to 1e300
+        source = random.Random(7)
+        for case in self.everything:
+            directions = [[source.gauss(0, 1) for _ in range(3)], [source.gauss(0, 1), 0.0, 1e-200], *case.directions[:1]]
+            for direction in directions:
+                u = [Fraction(x) for x in direction]
+                of_a, of_b = ([sum(x * Fraction(y) for x, y in zip(u, p)) for p in body] for body in (case.a, case.b))
+                h, square = (decimal.Decimal(q.numerator) / q.denominator for q in (max(of_b) - min(of_a), sum(x * x for x in u)))
+                exact = h / square.sqrt()
+                allowed = decimal.Decimal(case.largest) / 2 ** 47 + decimal.Decimal(2) ** -1068
+                self.assertLess(abs(decimal.Decimal(fathom_golden.price(case, direction)) - exact), allowed, case.name)
+                self.assertGreaterEqual(exact, decimal.Decimal(case.signed_depth) - allowed, case.name)
+
+    def test_count_is_spread_over_the_families(self):
+        everything = [case.name for case in self.everything]
+        there = Counter(group(self.records[name]) for name in everything)
+        for count in (1, 7, len(there), 300, len(everything), len(everything) + 1):
+            chosen = self.names("--count", count)
+            self.assertEqual(len(chosen), min(count, len(everything)))
+            self.assertEqual(chosen, [name for name in everything if name in set(chosen)])  # in the order of the release, and no two alike
+            shares = Counter(group(self.records[name]) for name in chosen)
+            most = max(shares.values())
+            self.assertEqual([name for name in there if shares[name] < min(most - 1, there[name])], [], count)
+        self.assertLess(len([name for name in self.names("--count", 50) if name in everything[:len(everything) // 2]]), 45)
+
+    def test_excluded(self):
+        def kept(condition):
+            return [case.name for case in self.everything if condition(self.records[case.name])]
+
+        for words, flags in (("ties", {"ties"}), ("flat", {"flat_a", "flat_b", "flat_difference"}), ("near_tie,huge", {"near_tie", "huge_coordinates"})):
+            self.assertEqual(self.names("--exclude", words), kept(lambda record: not flags & set(record["flags"])), words)
+        self.assertEqual(self.names("--exclude", "touching,disjoint"), kept(lambda record: record["expected"]["status"] == "penetrating"))
+        sizes = lambda record: [len(record[body]["vertices"]) for body in "ab"]
+        self.assertEqual(self.names("--max-points", "6"), kept(lambda record: max(sizes(record)) <= 6))
+
+    def test_what_is_left_out_is_counted(self):
+        code, _, err = self.run_cli("golden", "export", "--format", "csv", *SAMPLE, COMMITTED)
+        rounded = sum("binary64" not in record["formats"] for record in self.records.values())
+        self.assertEqual(code, 0)
+        self.assertRegex(err, rf"^fathom: 50 of \d+ fitting records; of all {len(self.records)}, {rounded} are beyond binary64, "
+                              r"\d+ are excluded, \d+ have more points\n$")
+
+    def test_wrong_words(self):
+        for words, sentence in (
+                ([COMMITTED], "--format"), (["--format", "c"], "export expects a folder"),
+                (["--format", "xml", COMMITTED], "expected c, csv, json or rust, found 'xml'"),
+                (["--format", "c", "--exclude", "flat,huge_cordinates", COMMITTED], "found 'huge_cordinates' (did you mean huge_coordinates?)"),
+                (["--format", "c", "--exclude", "blue", COMMITTED], "found 'blue' (there are all, all_tie"),
+                (["--format", "c", "--exclude", "flat,", COMMITTED], "--exclude"),
+                (["--format", "c", "--count", "0", COMMITTED], "expected a positive integer, found '0'"),
+                (["--format", "c", "--max-points", "many", COMMITTED], "expected a positive integer, found 'many'"),
+                (["--format", "c", "--max-points", "1", "--exclude", "flat", COMMITTED], f"none of the {len(self.records)} records of"),
+                (["--format", "c", self.folder], "dataset.json"), (["--format", "c", self.folder / "nowhere"], "nowhere/dataset.json")):
+            self.assertIn(sentence, self.refused("golden", "export", *words), words)
+
+    def test_wrong_folders(self):
+        def changed(change, all_sums_right=False):
+            folder = self.folder / "changed"
+            shutil.rmtree(folder, ignore_errors=True)
+            shutil.copytree(COMMITTED, folder)
+            (folder / FIRST).write_bytes(change(folder / FIRST))
+            if all_sums_right:
+                repair(folder)
+            return self.refused("golden", "export", "--format", "c", folder)
+
+        self.assertIn(f"changed/{FIRST}: the content is not what the shard's page says", changed(lambda path: packed(unpacked(path)[:-1] + b" \n")))
+        self.assertIn(f"changed/{FIRST}: ", changed(lambda path: path.read_bytes()[:-9]))
+        for found, put in ((b'"id":"', b'"id":"\\" };'), (b'"flags":["', b'"flags":["new_'), (b'"distance":{"squared":"', b'"distance":{"squared":"-'),
+                           (b'"unit":{"f64":{"rn":["', b'"unit":{"f64":{"rn":["y'), (b'"vertices":[[', b'"vertices":[[]],"x":[['), (b'"expected":', b'"told":')):
+            sentence = changed(lambda path: packed(unpacked(path).replace(found, put, 1)), all_sums_right=True)
+            self.assertRegex(sentence, rf"changed/{FIRST}:1: expected .*, found ", put)
+
+    def test_shapes_are_not_exported(self):
+        folder = self.folder / "P0"
+        self.answer("golden", "generate", "--level", "P0", "--out", folder)
+        self.assertIn("holds shapes, and exports are of polytopes", self.refused("golden", "export", "--format", "c", folder))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: CC0-1.0
+"""Golden cases of fathom, and whether an answer to one is right. Reads what `fathom golden export --format json` or csv writes.
+
+For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its price is h(u)/|u|. Moved that far
+along u, A lies behind a plane across u and B before it. The least price of all directions is the signed depth: of bodies that overlap the
+penetration depth, of bodies that touch 0, of bodies that are apart minus their distance. Python 3.8, without packages.
+"""
+import csv
+import json
+import math
+import os
+import sys
+from fractions import Fraction
+from typing import List, NamedTuple, Optional, Sequence, Union
+
+
+class Case(NamedTuple):
+    """The bodies are the convex hulls of the points."""
+
+    name: str
+    status: str  #: "penetrating", "touching" or "disjoint"
+    signed_depth: float  #: correctly rounded to nearest
+    squared: Fraction  #: its square, exact
+    flags: List[str]  #: what is special about the case
+    size: float  #: the longest side of the bodies' boxes, correctly rounded
+    largest: float  #: the largest magnitude of a coordinate
+    a: List[List[float]]  #: exact
+    b: List[List[float]]
+    #: Unit vectors, rounded: all whose price is the depth. Of bodies that touch one of price 0; of bodies that are apart that of the
+    #: distance, from B to A.
+    directions: List[List[float]]
+
+
+def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
+    """Returns the cases of an export: of a CSV if its name ends so, else of JSON."""
+    with open(path, encoding="utf-8", newline="") as file:
+        if os.fspath(path).endswith(".csv"):
+            csv.field_size_limit(sys.maxsize)
+            return [_from_row(row) for row in csv.DictReader(file)]
+        return [_from_object(case) for case in json.load(file)["cases"]]
+
+
+def _from_object(case):
+    return Case(*(case[field] for field in Case._fields))._replace(squared=Fraction(case["squared"]))
+
+
+def _from_row(row):
+    def points(text):
+        numbers = [float(word) for word in text.split()]
+        return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+
+    return Case(row["name"], row["status"], float(row["signed_depth"]), Fraction(row["squared"]), row["flags"].split(), float(row["size"]),
+                float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]))
+
+
+def price(case: Case, direction: Sequence[float]) -> float:
+    """Returns the price of a direction of any length; infinite if it is zero, infinite or NaN.
+
+    It is off by less than 2^-47 of the largest coordinate (and 2^-1068).
+    """
+    longest = max(abs(x) for x in direction)
+    if longest == 0 or not all(math.isfinite(x) for x in direction):
+        return math.inf
+    u = [x / longest / 8 for x in direction]  # an eighth, so that no sum overflows
+    values = [[u[0] * p[0] + u[1] * p[1] + u[2] * p[2] for p in body] for body in (case.a, case.b)]
+    return (max(values[1]) - min(values[0])) / math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+
+
+def allowance(case: Case, relative: float, absolute: float) -> float:
+    """Returns by how much an answer may be off: the tolerance, and what rounding costs it and the price."""
+    wrong = max(relative * abs(case.signed_depth), absolute * case.size)
+    return wrong + 32 * sys.float_info.epsilon * case.largest + 64 * sys.float_info.epsilon * sys.float_info.min
+
+
+def accept(case: Case, direction: Optional[Sequence[float]], depth: float, *, relative: float, absolute: float = 0.0) -> bool:
+    """Whether "A and B overlap by `depth`; A gets free along `direction`" is right.
+
+    Neither the depth nor the price of the direction may be off by more than the larger of relative * depth (or distance) and
+    absolute * size, and what rounding costs. Any direction that is good enough is right, not only the best. A distance is a depth below
+    0. The direction may have any length; None if none is claimed.
+    """
+    allowed = allowance(case, relative, absolute)
+    if not abs(depth - case.signed_depth) <= allowed:
+        return False
+    return direction is None or price(case, direction) - case.signed_depth <= allowed
+
+
+def accept_apart(case: Case, *, relative: float, absolute: float = 0.0) -> bool:
+    """Whether "A and B do not overlap" is right, without a distance."""
+    return case.signed_depth <= allowance(case, relative, absolute)
