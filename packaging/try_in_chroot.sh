@@ -29,7 +29,7 @@ rm -f "$work"/archive/*-dbgsym_*.deb
 install() {
   local target=$work/$1
   shift
-  mmdebstrap --quiet --variant=minbase --include="$(IFS=,; echo "$*")" "$suite" "$target" "${sources[@]}" "deb [trusted=yes] copy:$work/archive ./"
+  mmdebstrap --variant=minbase --include="$(IFS=,; echo "$*")" "$suite" "$target" "${sources[@]}" "deb [trusted=yes] copy:$work/archive ./"
 }
 
 say() { printf '== %s\n' "$*"; }

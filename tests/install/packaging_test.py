@@ -33,8 +33,9 @@ def packages_txt(*sections):
 
 class Packaging(unittest.TestCase):
     def test_versions(self):
+        # Debian's own package fathom is another program: by the epoch apt takes ours for the newer.
         version = re.search(r"project\(fathom VERSION (\S+)", read("CMakeLists.txt"))[1]
-        self.assertEqual(re.match(r"fathom \(([^)]+)\)", read("debian/changelog"))[1], version)
+        self.assertEqual(re.match(r"fathom \(1:([^)]+)\)", read("debian/changelog"))[1], version)
         self.assertIn('re.search(r"project\\(fathom VERSION', read("setup.py"))  # Python's is taken from there
 
     def test_build_dependencies(self):
