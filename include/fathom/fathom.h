@@ -117,7 +117,7 @@ typedef struct fathom_options {
   fathom_stop* stop; /**< NULL: nobody is asked */
   void* caller;      /**< what `stop` gets */
 } fathom_options;
-
+/** Sets all members, as their comments say. */
 FATHOM_API void fathom_options_init(fathom_options* options);
 
 /** The answer about two bodies. The signed depth is their depth if they penetrate, 0 if they touch, minus their distance if they are
@@ -246,10 +246,10 @@ typedef struct fathom_claim {
   double tol_absolute; /**< 1e-6, of the longest side of the bodies' boxes */
   double tol_ulps;     /**< 0; a whole number up to 1e9 */
 
-  int overlap;
-  int has_depth, has_direction, has_witness_a, has_witness_b;
-  double depth;
-  double direction[3];
+  int overlap;         /**< 0: whether the answer is that the bodies overlap */
+  int has_depth, has_direction, has_witness_a, has_witness_b; /**< 0: whether it has them */
+  double depth;        /**< of the overlap */
+  double direction[3]; /**< in which a body moves apart */
   double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
 } fathom_claim;
 
@@ -258,7 +258,7 @@ typedef struct fathom_claim {
 typedef struct fathom_judgement {
   size_t size; /**< sizeof(fathom_judgement), set by fathom_judgement_init */
 
-  int verdict;
+  int verdict;                                              /**< FATHOM_VERDICT_PASS and so on */
   unsigned findings;                                        /**< everything that is wrong: bit 1u << FATHOM_VERDICT_TOO_DEEP, ... */
   int accuracy;                                             /**< of a pass with a depth; else FATHOM_NO_CLASS */
   int status;                                               /**< FATHOM_PENETRATING and so on: the truth */
@@ -272,7 +272,7 @@ typedef struct fathom_judgement {
   double witness_a_low, witness_a_high, witness_b_low, witness_b_high; /**< distances from their bodies; 0 inside */
   double witness_gap; /**< length of (b - a) - translation; without a direction | |b - a| - depth | */
 } fathom_judgement;
-
+/** Sets all members, as their comments say. */
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
