@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//! The exact penetration depth of two convex bodies, over libfathom.so.1. Needs Rust 1.63 and no crate.
+//! The exact penetration depth of two convex bodies, over libfathom-c.so.1. Needs Rust 1.63 and no crate.
 //! To be copied; the declarations are those of fathom/fathom.h, which says what each function does.
 
 use std::ffi::{CStr, CString};

@@ -2,7 +2,7 @@
 /**
  * @file
  * fathom for C, and for every language that can call C: the exact penetration depth of two convex bodies, certificates and their checker,
- * and the judge of other implementations. C99 and C++; the library is libfathom.so.1.
+ * and the judge of other implementations. C99 and C++; the library is libfathom-c.so.1.
  *
  * Bodies and answers are handles: they are made by one function, never change after that, may be used by many threads at once, and end with
  * fathom_body_free or fathom_answer_free. An answer does not need the bodies that it is about.

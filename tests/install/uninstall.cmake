@@ -13,7 +13,7 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
 uninstall()
-if(result EQUAL 0 OR NOT output MATCHES "nothing has been installed")
+if(result EQUAL 0 OR NOT output MATCHES "nothing[ \n]+has[ \n]+been[ \n]+installed")
   message(FATAL_ERROR "law: without a manifest that is said, and an error\n${output}")
 endif()
 
