@@ -40,8 +40,8 @@ std::string duration_text(double seconds) {
   return minutes > 0 ? fmt::format("{} min {} s", minutes, whole % 60) : fmt::format("{} s", whole);
 }
 
-Progress::Progress(std::string units) : units_(std::move(units)), answers_are_seen_(::isatty(STDOUT_FILENO) == 1) {
-  if (::isatty(STDERR_FILENO) == 1) painter_ = std::thread([this] { keep_drawing(); });
+Progress::Progress(std::string units) : units_(std::move(units)), answers_are_seen_(is_terminal(STDOUT_FILENO)) {
+  if (is_terminal(STDERR_FILENO)) painter_ = std::thread([this] { keep_drawing(); });
 }
 
 Progress::~Progress() {

@@ -55,6 +55,9 @@ void add_folded(std::string& result, std::string_view line, std::size_t width, s
 
 }  // namespace
 
+// mpirun gives its processes terminals of its own, which nobody sees.
+bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1 && std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") == nullptr; }
+
 std::size_t terminal_columns(int descriptor) { return said_columns(descriptor).value_or(usual_columns); }
 
 std::size_t help_columns(int descriptor) {
@@ -62,7 +65,7 @@ std::size_t help_columns(int descriptor) {
 }
 
 std::size_t seen_columns(int descriptor) {
-  return ::isatty(descriptor) == 1 ? std::max(terminal_columns(descriptor), least_columns) : unlimited;
+  return is_terminal(descriptor) ? std::max(terminal_columns(descriptor), least_columns) : unlimited;
 }
 
 std::string_view cut(std::string_view text, std::size_t most) {

@@ -11,6 +11,9 @@ namespace fathom::cli {
 /// Stands for the width of files and pipes, which get whole lines.
 inline constexpr std::size_t unlimited = static_cast<std::size_t>(-1);
 
+/// Returns whether the descriptor is a terminal that a person may look at.
+bool is_terminal(int descriptor);
+
 /// Returns how many columns the terminal behind the descriptor has; 80 if it does not say, or if there is none.
 std::size_t terminal_columns(int descriptor);
 

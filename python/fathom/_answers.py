@@ -280,12 +280,23 @@ class Width:
         self._answer = answer
 
     @property
-    def width(self) -> float:
-        """0.0 for a flat body."""
+    def width(self) -> float | None:
+        """0.0 for a flat body. None if there are bounds that have not the same nearest float: more `bits` bring them closer."""
         return self._answer.nearest
 
     @property
-    def squared(self) -> Fraction:
+    def low(self) -> float:
+        """The largest float that is at most the width, or at most its lower bound."""
+        return self._answer.low
+
+    @property
+    def high(self) -> float:
+        """The least float that is at least the width, or at least its upper bound."""
+        return self._answer.high
+
+    @property
+    def squared(self) -> Fraction | None:
+        """The exact square, of polytopes; None where it may be irrational."""
         return Exact(self._answer).depth_squared
 
     @property
@@ -299,17 +310,19 @@ class Width:
         return [Optimum(fields) for fields in self._answer.optima]
 
     def __repr__(self) -> str:
-        return f"Width({self.width!r})"
+        return f"Width(between {self.low!r} and {self.high!r})" if self.width is None else f"Width({self.width!r})"
 
 
-def width(body: BodyLike, *, pose: PoseLike = None) -> Width:
-    """Returns the exact width of a polytope.
+def width(body: BodyLike, *, pose: PoseLike = None, bits: int = DEFAULT_BITS) -> Width:
+    """Returns the width of a body: exact of polytopes and rounded ones, else between proved bounds, with so many `bits`.
 
     >>> import fathom
     >>> fathom.width([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).squared
     Fraction(1, 3)
+    >>> fathom.width(fathom.capsule(1, 2))
+    Width(2.0)
     """
-    return Width(_fathom.width(body, pose))
+    return Width(_fathom.width(body, pose, bits))
 
 
 class Checked(NamedTuple):

@@ -11,7 +11,6 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
-#include "fathom/width.hpp"
 #include "kernels/counts.hpp"
 #include "python/src/batch.hpp"
 #include "python/src/watching.hpp"
@@ -286,17 +285,11 @@ void bind_answers(py::module_& module) {
       arg("pairs"), arg("method"), arg("optima"), arg("bits"), arg("threads"));
   module.def(
       "width",
-      [](const py::object& body, const py::object& pose) {
-        Body one = body_from(body, pose, "body");
-        const GivenPoints& points = points_of(one, "body");
-        Depth found = watched([&](Monitor& monitor) {
-          Options options;
-          options.monitor = &monitor;
-          return width(points.exact(), options);
-        });
-        return PairAnswer{one, one, std::move(found)};
+      [](const py::object& body, const py::object& pose, unsigned bits) {
+        const Body one = body_from(body, pose, "body");
+        return watched([&](Monitor& monitor) { return answer(one, one, {.options = {}, .bits = bits}, monitor); });
       },
-      arg("body"), arg("pose"));
+      arg("body"), arg("pose"), arg("bits"));
   module.def("check", checked, arg("text"));
 }
 

@@ -242,7 +242,7 @@ Body body_from(py::handle from, py::handle pose, const char* name, std::vector<s
 }
 
 const GivenPoints& points_of(const Body& body, const char* name) {
-  if (body.shape) refuse(std::string(name) + ": expected a polytope, found a shape that is none: depth and distance take those");
+  if (body.shape) refuse(std::string(name) + ": expected a polytope, found a shape that is none: depth, width, study and judge take those");
   return body.points;
 }
 

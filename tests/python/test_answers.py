@@ -158,6 +158,8 @@ def test_other_questions():
     near = fathom.approx(box, other, Fraction(1, 100))
     assert near.low_squared <= 1 <= near.high_squared <= near.low_squared * Fraction(101, 100) ** 2
     assert fathom.width(box).width == 2.0
+    drum = fathom.width(fathom.cylinder(1, 3))
+    assert drum.low <= 2 <= drum.high and drum.high - drum.low < 1e-3 and fathom.width([(0, 0, 0), (1, 0, 0)]).width == 0.0
     study = fathom.study(box, other)
     assert study.coincidences["coplanar_facets"]["count"] >= 4 and study.depth.depth == 1 and study.a["facets"] == 6
     judged = fathom.judge(box, other, overlap=True, depth=-1.0, direction=(-1, 0, 0), witness=((1, 0, 0), (0, 0, 0)), sign="negative")
