@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import warnings
 from fractions import Fraction
 from typing import Any, Iterable, NamedTuple
@@ -10,7 +11,7 @@ from typing import Any, Iterable, NamedTuple
 from fathom import _fathom
 from fathom._types import BodyLike, FloatArray, PoseLike
 
-DEFAULT_BITS = 64
+DEFAULT_BITS, MOST_BITS, MOST_THREADS = 64, 1000, 1024
 
 
 class NotConvexWarning(UserWarning):
@@ -219,6 +220,20 @@ class Depth:
         return f"Depth({self.status}{number})"
 
 
+def _integer(name: str, value: Any, most: int) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: expected an integer, found {value!r}") from None
+    if not 1 <= number <= most:
+        raise ValueError(f"{name}: expected an integer from 1 to {most}, found {number}")
+    return number
+
+
+def _question(method: str, optima: int | None, bits: int) -> tuple[str, int | None, int]:
+    return method, None if optima is None else _integer("optima", optima, 2**63 - 1), _integer("bits", bits, MOST_BITS)
+
+
 def _told(answer: _fathom.Answer) -> Depth:
     if answer.dents:
         warnings.warn(answer.dents, NotConvexWarning, stacklevel=3)
@@ -244,7 +259,7 @@ def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike
     >>> fathom.depth([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [("1/10", "1/10", "0.1"), (1, 1, 1)]).exact.depth_squared
     Fraction(49, 300)
     """
-    return _told(_fathom.depth(a, b, pose_a, pose_b, method, optima, bits))
+    return _told(_fathom.depth(a, b, pose_a, pose_b, *_question(method, optima, bits)))
 
 
 def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, bits: int = DEFAULT_BITS) -> Depth:
@@ -254,7 +269,7 @@ def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseL
     >>> fathom.distance(fathom.sphere(1), fathom.sphere(1), pose_b=fathom.pose(translation=(3, 0, 0))).distance
     1.0
     """
-    return _told(_fathom.depth(a, b, pose_a, pose_b, "automatic", None, bits))
+    return _told(_fathom.depth(a, b, pose_a, pose_b, *_question("automatic", None, bits)))
 
 
 def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = None, method: str = "automatic",
@@ -266,9 +281,8 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = 
     >>> [hit.depth for hit in fathom.depths((cube, cube + [0, 0, 1 - s]) for s in (0.5, 0.25, 0.125))]
     [0.5, 0.25, 0.125]
     """
-    if threads is not None and threads < 1:
-        raise ValueError(f"expected at least one thread, found {threads}")
-    return [_told(answer) for answer in _fathom.depths(pairs, method, optima, bits, threads or 0)]
+    asked = _question(method, optima, bits)
+    return [_told(answer) for answer in _fathom.depths(pairs, *asked, 0 if threads is None else _integer("threads", threads, MOST_THREADS))]
 
 
 class Width:
@@ -322,7 +336,7 @@ def width(body: BodyLike, *, pose: PoseLike = None, bits: int = DEFAULT_BITS) ->
     >>> fathom.width(fathom.capsule(1, 2))
     Width(2.0)
     """
-    return Width(_fathom.width(body, pose, bits))
+    return Width(_fathom.width(body, pose, _integer("bits", bits, MOST_BITS)))
 
 
 class Checked(NamedTuple):

@@ -73,23 +73,33 @@ GivenPoints points_from_sequence(const py::iterable& sequence) {
   return GivenPoints(std::move(points));
 }
 
-/// Three indices a face, as trimesh has them.
+/// As many indices in each face, three as trimesh has them, or more.
 MeshFaces faces_from(py::handle from, std::size_t points) {
-  const auto array = py::array_t<std::int64_t, py::array::c_style>::ensure(from);
-  if (!array || array.ndim() != 2 || array.shape(1) != 3) {
+  const auto given = py::array::ensure(from);
+  const bool integers = given && (given.dtype().kind() == 'i' || given.dtype().kind() == 'u');
+  if (!integers || given.ndim() != 2 || given.shape(1) < 3) {
     PyErr_Clear();
-    refuse("expected faces of three indices each");
+    refuse("expected faces as an array of integers, n x 3");
   }
-  const auto view = array.unchecked<2>();
+  const auto indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(given);
+  const auto view = indices.unchecked<2>();
   MeshFaces faces;
-  for (py::ssize_t i = 0; i < view.shape(0); ++i)
-    for (py::ssize_t j = 0; j < 3; ++j) {
+  for (py::ssize_t i = 0; i < view.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < view.shape(1); ++j) {
       const std::int64_t corner = view(i, j);
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
         refuse("face " + std::to_string(i) + ": expected an index below " + std::to_string(points) + ", found " + std::to_string(corner));
       faces.corners.push_back(static_cast<std::uint32_t>(corner));
     }
+    faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+  }
   return faces;
+}
+
+/// Whether there is at least one face.
+bool has_faces(py::handle from) {
+  const py::object faces = py::getattr(from, "faces", py::none());
+  return !faces.is_none() && !(PySequence_Check(faces.ptr()) && py::len(faces) == 0);
 }
 
 GivenPoints given_points(py::handle from) {
@@ -107,7 +117,7 @@ GivenPoints given_points(py::handle from) {
 Body given_body(py::handle from) {
   if (py::isinstance<Body>(from)) return from.cast<Body>();
   Body body{given_points(from)};
-  if (py::hasattr(from, "vertices") && py::hasattr(from, "faces"))
+  if (py::hasattr(from, "vertices") && has_faces(from))
     body.faces = std::make_shared<const MeshFaces>(faces_from(from.attr("faces"), body.points.size()));
   return body;
 }

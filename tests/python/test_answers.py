@@ -211,6 +211,19 @@ def test_meshes_that_are_not_convex():
     flat.vertices = Tent.vertices[[0, 1, 2, 3, 0]]
     flat.faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
     assert fathom.convexity(flat) == (True, None, None, None) and fathom.convexity(CUBE) is None
+    for faces in (np.array(flat.faces, np.uint64), np.array(flat.faces, np.int8)):
+        flat.faces = faces
+        assert fathom.convexity(flat).convex
+    for faces in (None, [], np.zeros((0, 3), int)):
+        flat.faces = faces
+        assert fathom.convexity(flat) is None
+    quads = Tent()
+    quads.vertices, quads.faces = CUBE, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    assert fathom.convexity(quads) == (True, None, None, None)
+    for faces in ("x", [(0.0, 1.0, 2.0)], [(0, 1), (1, 2)], [(0, 1), (1, 2, 3)]):
+        flat.faces = faces
+        with pytest.raises(ValueError, match="a: expected faces as an array of integers, n x 3"):
+            fathom.depth(flat, CUBE)
     flat.faces = [(0, 1, 5)]
     with pytest.raises(ValueError, match="a: face 0: expected an index below 5, found 5"):
         fathom.depth(flat, CUBE)

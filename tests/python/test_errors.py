@@ -45,7 +45,9 @@ def test_types(body):
 
 @pytest.mark.parametrize("call, sentence", [
     (lambda: fathom.depth(CUBE, CUBE, method="best"), "expected method 'automatic'"),
-    (lambda: fathom.depth(CUBE, CUBE, optima=0), "at least one optimum must be listed"),
+    (lambda: fathom.depth(CUBE, CUBE, optima=0), "optima: expected an integer from 1 to "),
+    (lambda: fathom.depth(CUBE, CUBE, bits=-1), "bits: expected an integer from 1 to 1000, found -1"),
+    (lambda: fathom.width(CUBE, bits=1001), "bits: expected an integer from 1 to 1000, found 1001"),
     (lambda: fathom.depth(CUBE, CUBE, pose_a=np.eye(3)), "a: expected a pose of 3 or 4 rows of 4 numbers"),
     (lambda: fathom.depth(CUBE, CUBE, pose_b=np.diag([1, 1, 1, 2])), "b: pose: expected the last row 0 0 0 1"),
     (lambda: fathom.depth(CUBE, CUBE, pose_b=fathom.pose((0, 0, 0, 0))), "0"),
@@ -62,7 +64,7 @@ def test_types(body):
     (lambda: fathom.approx(CUBE, CUBE, 0), "delta"),
     (lambda: fathom.depths([(CUBE, CUBE), (CUBE,)]), "pair 1: expected two bodies"),
     (lambda: fathom.depths([(CUBE, CUBE), (CUBE, [])]), "pair 1: b: expected at least one point"),
-    (lambda: fathom.depths([], threads=0), "thread"),
+    (lambda: fathom.depths([], threads=0), "threads: expected an integer from 1 to 1024, found 0"),
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, touching="maybe"), "expected touching to be one of"),
     (lambda: fathom.read_mesh("tests/data/none.off"), "none.off"),
     (lambda: fathom.read_mesh("tests/data/cube.off", decimals="some"), "expected decimals"),
