@@ -102,7 +102,26 @@ class Exact:
         return self._answer.witness(exact=True)
 
 
-class Depth:
+class _Answer:
+    """A number that is known, or between bounds."""
+
+    __slots__ = ("_answer",)
+
+    def __init__(self, answer: _fathom.Answer):
+        self._answer = answer
+
+    @property
+    def low(self) -> float:
+        """The largest float that is at most the signed depth, or the width, or at most its lower bound."""
+        return self._answer.low
+
+    @property
+    def high(self) -> float:
+        """The least float that is at least the signed depth, or the width, or at least its upper bound."""
+        return self._answer.high
+
+
+class Depth(_Answer):
     """How deep two bodies overlap, or how far apart they are.
 
     >>> import fathom
@@ -115,10 +134,7 @@ class Depth:
     True
     """
 
-    __slots__ = ("_answer",)
-
-    def __init__(self, answer: _fathom.Answer):
-        self._answer = answer
+    __slots__ = ()
 
     @property
     def status(self) -> str:
@@ -142,16 +158,6 @@ class Depth:
         """0.0 unless the bodies are disjoint. None as above."""
         value = self.signed_depth
         return None if value is None else max(-value, 0.0)
-
-    @property
-    def low(self) -> float:
-        """The largest float that is at most the signed depth, or at most its lower bound."""
-        return self._answer.low
-
-    @property
-    def high(self) -> float:
-        """The least float that is at least the signed depth, or at least its upper bound."""
-        return self._answer.high
 
     @property
     def direction(self) -> FloatArray:
@@ -285,28 +291,15 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = 
     return [_told(answer) for answer in _fathom.depths(pairs, *asked, 0 if threads is None else _integer("threads", threads, MOST_THREADS))]
 
 
-class Width:
+class Width(_Answer):
     """The width of a body: the least distance of two parallel planes that hold it between them."""
 
-    __slots__ = ("_answer",)
-
-    def __init__(self, answer: _fathom.Answer):
-        self._answer = answer
+    __slots__ = ()
 
     @property
     def width(self) -> float | None:
         """0.0 for a flat body. None if there are bounds that have not the same nearest float: more `bits` bring them closer."""
         return self._answer.nearest
-
-    @property
-    def low(self) -> float:
-        """The largest float that is at most the width, or at most its lower bound."""
-        return self._answer.low
-
-    @property
-    def high(self) -> float:
-        """The least float that is at least the width, or at least its upper bound."""
-        return self._answer.high
 
     @property
     def squared(self) -> Fraction | None:

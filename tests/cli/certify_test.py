@@ -14,7 +14,7 @@ import jsonschema  # Debian: python3-jsonschema
 from certify_harness import CertifyTest, boxes, liar
 from certify_schemas import SUBJECT, VERDICT, validator
 from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, box, case
-from signals_test import run_on_terminal
+from terminals import run_on_terminal
 
 EXAMPLES = ROOT / "verify" / "examples"
 PYTHON = f"exec '{sys.executable}' -B '{EXAMPLES / 'subject.py'}'"

@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Interrupts, readers that go away, output that cannot be written, and the progress bar."""
-import fcntl
 import json
 import os
 import pathlib
 import pty
 import random
 import signal
-import struct
 import subprocess
 import tempfile
-import termios
 import threading
 import unittest
 
 from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, case
+from terminals import run_on_terminal
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 GOOD = case(UNIT, UNIT)
@@ -29,28 +27,6 @@ def on_sphere(count, seed):
 # Far more than a second of work for the naive method, in little memory; a second or two; the former for the exact method.
 LONG = case(on_sphere(1800, 1), on_sphere(1800, 2))
 MIDDLE = case(on_sphere(400, 1), on_sphere(400, 2))
-
-
-def run_on_terminal(*arguments, stop_at=None, columns=0):
-    """(exit code, stdout, what appeared on stderr, a terminal). SIGINT is sent once `stop_at` has appeared."""
-    ours, theirs = pty.openpty()
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    with subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.PIPE, stderr=theirs) as process:
-        os.close(theirs)
-        seen = b""
-        while True:
-            try:
-                piece = os.read(ours, 4096)
-            except OSError:  # how a terminal says that nobody holds its other side
-                break
-            if not piece:
-                break
-            seen += piece
-            if stop_at is not None and stop_at in seen:
-                process.send_signal(signal.SIGINT)
-                stop_at = None
-        os.close(ours)
-        return process.wait(PATIENCE), process.stdout.read(), seen
 
 
 class Interrupts(CliTest):

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whatever a person sees fits the terminal; files and pipes get whole lines."""
-import fcntl
 import os
-import pty
-import struct
 import subprocess
-import termios
 import unittest
 
-from harness import EXECUTABLE, PATIENCE, ROOT, CliTest
+from harness import EXECUTABLE, ROOT, CliTest
 from pages import page_names
+from terminals import run_on_terminal
 
 WIDTHS = (40, 80, 200)
 DATA = ROOT / "examples" / "data"
@@ -18,22 +15,8 @@ WITHOUT_COLUMNS = {name: value for name, value in os.environ.items() if name != 
 
 def on_terminal(columns, *arguments, environment=None):
     """(exit code, the lines that appeared on a terminal of this width, on standard output and error)."""
-    ours, theirs = pty.openpty()
-    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    with subprocess.Popen([EXECUTABLE, *arguments], cwd=DATA, stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
-                          env=environment or WITHOUT_COLUMNS) as process:
-        os.close(theirs)
-        seen = b""
-        while True:
-            try:
-                piece = os.read(ours, 4096)
-            except OSError:  # how a terminal says that nobody holds its other side
-                break
-            if not piece:
-                break
-            seen += piece
-        os.close(ours)
-        return process.wait(PATIENCE), seen.decode().replace("\r\n", "\n").splitlines()
+    code, _, seen = run_on_terminal(*arguments, columns=columns, stdout=None, cwd=DATA, stdin=subprocess.DEVNULL, env=environment or WITHOUT_COLUMNS)
+    return code, seen.decode().replace("\r\n", "\n").splitlines()
 
 
 class Width(CliTest):
