@@ -50,7 +50,7 @@ struct FathomJudgement {
     numbers: [c_double; 17], // signed_depth to witness_gap
 }
 
-#[link(name = "fathom")]
+#[link(name = "fathom-c")]
 extern "C" {
     fn fathom_last_error() -> *const c_char;
     fn fathom_text_free(text: *mut c_char);
