@@ -22,7 +22,7 @@ install(FILES ${PROJECT_BINARY_DIR}/fathom-c.pc DESTINATION ${CMAKE_INSTALL_LIBD
 
 install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
 install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
-install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden)
+install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden PATTERN make.sh EXCLUDE)  # makes the sample from the tree
 install(FILES verify/check/FORMAT.md verify/judge/VERDICTS.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE)
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
