@@ -2,12 +2,12 @@
 // What the tests of pages share: fathom, Chromium, and what every page owes its reader.
 //
 // The environment says where things are: FATHOM_EXECUTABLE, FATHOM_ROOT, CHROMIUM (the browser's path), and FATHOM_WORK, a folder with
-// node_modules (which run.sh installs), where pages, and pictures of the pages that failed, are kept.
+// node_modules (which node.sh installs), where pages, and pictures of the pages that failed, are kept.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import test, { after } from 'node:test';
 
@@ -31,7 +31,7 @@ export function has(command, option = '') {
 
 /** The path of a file in the folder of this test program. */
 export function made(name, text) {
-  const folder = join(work, process.env.FATHOM_TEST);
+  const folder = join(work, basename(process.argv[1], '.mjs'));
   mkdirSync(folder, { recursive: true });
   const path = join(folder, name);
   if (text !== undefined) writeFileSync(path, text);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs a test of pages in Chromium: run.sh NAME, the stem of a *_test.mjs beside this script. FATHOM_WORK is a folder of the build, where npm
-# installs what package-lock.json names when that has changed. Without Node, npm, Chromium or a registry it is skipped (exit code 77), except
-# that FATHOM_DEMAND_BROWSER=1 makes that a failure.
+# Runs a script that drives Chromium: node.sh SCRIPT [ARGUMENTS...]. FATHOM_WORK is a folder of a build, where npm installs what
+# package-lock.json names when that has changed. Without Node, npm, Chromium or a registry this skips (exit code 77), except that
+# FATHOM_DEMAND_BROWSER=1 makes that a failure.
 set -u
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 skip() {
@@ -19,7 +19,7 @@ CHROMIUM=$(command -v chromium || command -v chromium-browser || command -v goog
 export CHROMIUM
 
 mkdir -p "$FATHOM_WORK" || exit 1
-exec 8>>"$FATHOM_WORK/lock"
+exec 8>>"$FATHOM_WORK/lock" # tests run at once
 flock 8
 if ! cmp -s "$here/package-lock.json" "$FATHOM_WORK/installed"; then
   rm -f "$FATHOM_WORK/installed"
@@ -29,4 +29,4 @@ if ! cmp -s "$here/package-lock.json" "$FATHOM_WORK/installed"; then
   cp "$here/package-lock.json" "$FATHOM_WORK/installed" || exit 1
 fi
 exec 8>&-
-FATHOM_TEST=$1 exec node "$here/$1_test.mjs"
+exec node "$@"
