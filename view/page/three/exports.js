@@ -2,7 +2,7 @@
 // What the page uses of three.js; nothing else gets into the bundle that the bundler can tell apart.
 export {
   AmbientLight, Box3, BufferGeometry, CanvasTexture, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, BackSide,
-  FrontSide, Float32BufferAttribute, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineDashedMaterial, LineLoop,
+  FrontSide, GreaterDepth, LessEqualDepth, Float32BufferAttribute, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineDashedMaterial, LineLoop,
   LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, PlaneGeometry, Points,
   PointsMaterial, Quaternion, Raycaster, RepeatWrapping, Scene, Sphere, SphereGeometry, Vector2, Vector3, WebGLRenderer,
 } from "three";

@@ -38,7 +38,13 @@ export function frameOf(points) {
   const inverse = (x) => Math.min(1 / x, Number.MAX_VALUE);
   const scale = halves.map((h) => inverse(apart && h > 0 ? h : longest));
   const center = low.map((l, i) => (points.length ? l / 2 + high[i] / 2 : 0));
-  return { center, scale, apart, place: (p) => p.map((x, i) => (x - center[i]) * scale[i]), move: (t) => t.map((x, i) => x * scale[i]) };
+  const least = Math.min(...scale);
+  return {
+    center, scale, apart,
+    place: (p) => p.map((x, i) => (x - center[i]) * scale[i]),
+    move: (t) => t.map((x, i) => x * scale[i]),
+    normal: (n) => unit(n.map((x, i) => x * (least / scale[i]))),  // of a plane, which stays a plane where axes are scaled apart
+  };
 }
 
 /** The camera's direction: a little from above and aside, yet across the arrow, which then points to the right. */
