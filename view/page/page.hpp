@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   what is known of a pair: its answer, its stages, the case itself, as JSON; and still pictures.
+// Output  one HTML page that shows why the depth is what it is. It holds all of the input, its script and its style, and needs no network.
+// The tables, the pictures and the answer are there without scripts; with them the pictures turn, and a choice in one is lit in all.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fathom::page {
+
+/// Pictures as SVG elements, each ready to stand in HTML; empty: there is none.
+struct Stills {
+  std::string bodies;  ///< both bodies, seen across the translation
+  std::string sum;     ///< P around O
+  std::string sphere;  ///< both Gaussian diagrams
+  std::string chart;   ///< the charts of both hemispheres
+};
+
+/// What a page is made of.
+struct Sheet {
+  std::string depth;               ///< a line of `fathom depth --json`
+  std::string stages;              ///< a line of fathom/stages/1
+  std::string pair;                ///< a line of fathom/case/1
+  std::string command;             ///< what makes this page again; may be empty
+  std::vector<std::string> notes;  ///< what a reader must know before any number: bodies that are not convex, sizes that look wrong
+  Stills stills;
+};
+
+/// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` or `stages` is not what it should be.
+std::string html_page(const Sheet& sheet);
+
+}  // namespace fathom::page
