@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in it. Every number is copied as it stands
-// in the JSON.
+// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in it. Numbers of the
+// answer are copied as they stand in its JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "view/stages/stages.hpp"
 
 namespace fathom::page {
 
@@ -18,22 +20,22 @@ std::string subtitle(const Data& depth);
 std::string facts(const Data& depth);
 
 /// The first facets of P by distance, with how much longer each way out is than the shortest.
-std::string ranked(const Data& stages);
+std::string ranked(const stages::Stages& stages);
 /// The canonical pairs with the most crossings; those of one crossing are counted.
-std::string pairs(const Data& stages);
+std::string pairs(const stages::Stages& stages);
 /// How the cutting of one canonical pair went.
-std::string cutting(const Data& stages);
+std::string cutting(const stages::Stages& stages);
 /// Coincidences by name, and what decided the zeros.
-std::string coincided(const Data& stages);
+std::string coincided(const stages::Stages& stages);
 /// Each stage's count beside the bound of the paper.
-std::string costs(const Data& stages);
+std::string costs(const stages::Stages& stages);
 /// What the data leave out, as a section of its own; empty if nothing.
-std::string left_out(const Data& stages);
+std::string left_out(const stages::Stages& stages);
 
 /// What a section shows, in a sentence or two.
-std::string lead_why(const Data& stages);
-std::string lead_where(const Data& stages);
-std::string lead_coincided(const Data& stages);
-std::string lead_cost(const Data& stages);
+std::string lead_why(const stages::Stages& stages);
+std::string lead_where(const stages::Stages& stages);
+std::string lead_coincided(const stages::Stages& stages);
+std::string lead_cost(const stages::Stages& stages);
 
 }  // namespace fathom::page
