@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "verify/digest/sha256.hpp"
 #include "view/page/embedded.hpp"
 #include "view/page/fill.hpp"
 #include "view/page/parts.hpp"
@@ -43,10 +42,6 @@ std::string figure(const std::string& svg, std::string_view caption) {
   return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
 }
 
-std::string command_text(const std::string& command) {
-  return command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", picture::markup(command));
-}
-
 Data parsed(const std::string& depth) {
   Data result = Data::parse(depth, nullptr, false);
   if (!result.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
@@ -61,7 +56,7 @@ std::string html_page(const Sheet& sheet) {
   const std::string answer = picture::markup(answer_sentence(depth));
   return filled(
       shell(),
-      {{"version", FATHOM_VERSION},
+      {{"version", picture::markup(sheet.version)},
        {"policy", policy()},
        {"title", answer},
        {"style", std::string(style())},
@@ -83,7 +78,6 @@ std::string html_page(const Sheet& sheet) {
        {"lead_cost", lead_cost(stages)},
        {"cost", costs(stages)},
        {"left_out", left_out(stages)},
-       {"command", command_text(sheet.command)},
        {"depth", block(sheet.depth)},
        {"stages", block(stages::to_json(stages))},
        {"case", block(sheet.pair)},

@@ -21,10 +21,10 @@ struct Stills {
 
 /// What a page is made of.
 struct Sheet {
+  std::string version;             ///< of fathom
   std::string depth;               ///< a line of `fathom depth --json`
   const stages::Stages& stages;    ///< of the same pair
   std::string pair;                ///< a line of fathom/case/1
-  std::string command;             ///< what makes this page again; may be empty
   std::vector<std::string> notes;  ///< what a reader must know before any number: bodies that are not convex, sizes that look wrong
   Stills stills;
 };
