@@ -21,14 +21,14 @@ namespace fathom::depth {
 template <class T>
 using PerHemisphere = std::array<T, 2>;
 
-/// The stages of a run. Of bodies that do not penetrate, the run ends before the hulls: `topology` makes what is missing but for the search.
-/// The charts refer to the diagrams: it stays where it is.
+/// The stages of a run. That over bodies that do not penetrate ends before the hulls: then these, the diagrams, charts and canonical subsets
+/// are made after it, and not counted in the answer. The charts refer to the diagrams, so it stays where it is.
 struct ExactStages {
   Depth depth;
   Hulls hulls;
   gaussian::PerColour<gaussian::GaussianDiagram> diagrams;  ///< those of -A and of B
   PerHemisphere<chart::Charts> charts;
-  kernels::NearestPlanes of_facets;  ///< the nearest planes after step 1: facets of one body against vertices of the other
+  kernels::NearestPlanes of_facets;  ///< the nearest planes after step 1: facets against vertices
   PerHemisphere<canonical::CanonicalSubsets> subsets;
   PerHemisphere<lines::SearchTrace> traces;  ///< of the search for closest lines; empty unless the bodies penetrate
 

@@ -3,14 +3,13 @@
 // the answer nor the work depends on it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "kernels/filters/line_scan.hpp"
 #include "reference/chart/chart.hpp"
-#include "reference/lines/cell_tree.hpp"
+#include "reference/lines/grid.hpp"
 
 namespace fathom::lines {
 
@@ -23,22 +22,28 @@ struct SearchTrace {
     Treatment treatment = Treatment::scanned;
     std::uint64_t evaluated = 0;  ///< pairs of lines whose distance was looked at, in this pair
   };
-  /// A block that the cutting engine left, and how many cuts led to it: rows and columns of the grid. `cut`: it was refined.
+  /// A block of a grid that was cut. Level 0 is the whole grid; the blocks of a level partition those of the level before that were cut in
+  /// their turn.
   struct Block {
+    std::size_t pair;
     std::uint32_t level;
-    bool of_rows;  ///< whether the last cut before it was of the rows; true at level 0
+    GridAxis side;  ///< whose chain was cut into the blocks of this level; rows at level 0
     kernels::LineRun rows, columns;
     Treatment treatment;
   };
-  /// The arcs that were nearest when the search last found nearer ones.
+  /// The arcs of the latest crossing that was nearer than all before it, or as near and in the one direction known.
   struct Nearest {
     chart::ChartArcOfA a;
     chart::ChartArcOfB b;
   };
 
   std::vector<OfPair> pairs;
-  std::vector<Block> blocks;  ///< of the grids that were cut, in the order of the work
+  std::vector<Block> blocks;  ///< in the order of the work
   std::optional<Nearest> nearest;
+
+  /// Where the search is: in the grid of this pair, so many cuts deep.
+  std::size_t pair = 0;
+  std::uint32_t level = 0;
 };
 
 }  // namespace fathom::lines

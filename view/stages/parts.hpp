@@ -11,6 +11,12 @@
 
 namespace fathom::stages {
 
+/// The scale for bodies around `origin`, whose coordinates differ from it by at most `extent`.
+Scale scale_of(const Point& origin, const mpq_class& extent);
+/// A length, and one by its square, in the unit of places.
+double scaled(const mpq_class& value, const Scale& scale);
+double scaled_root(const mpq_class& squared, const Scale& scale);
+
 /// From lattice and input to places.
 class Placing {
  public:
@@ -44,13 +50,28 @@ struct Subject {
   kernels::Context& context;
 };
 
-// Each fills its fields of `stages`, in which those before it are filled: scale, bodies, contact, charts, pairs, cutting, winner, counters.
+// Each fills its fields of `stages`, in which those before it are filled.
 
+/// a, b.
+void add_bodies(const Subject& subject, Stages& stages);
+/// contact, depth, squared, status.
+void add_contact(const Depth& depth, const Placing& placing, Stages& stages);
+/// charts.
+void add_charts(const Subject& subject, Stages& stages);
+/// pairs.
+void add_pairs(const Subject& subject, Stages& stages);
+/// winner, and its pair's closest lines, exactly.
+void add_winner(const Subject& subject, const Depth& depth, Stages& stages);
+/// cutting.
+void add_cutting(const Subject& subject, Stages& stages);
 /// sum.
 void add_sum(const Subject& subject, Stages& stages);
 /// coincidences, with decided_by; decided.
 void add_coincidences(const Subject& subject, Stages& stages);
 /// bounds.
 void add_bounds(const Subject& subject, Stages& stages);
+
+/// The stages of two bodies one of which is no polytope: outlines and contact.
+Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
 
 }  // namespace fathom::stages

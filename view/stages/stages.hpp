@@ -51,7 +51,7 @@ struct StagedBody {
 
 struct StagedOptimum {
   Place direction, translation;  ///< a unit vector; a translation is on the scale of places
-  Contact contact;               ///< by input points, as in Depth
+  std::optional<Contact> contact;  ///< by input points, as in Depth; none of shapes without such
 };
 
 /// The answer, as the exact method finds it; of shapes as signed_depth does.
