@@ -48,13 +48,11 @@ std::string line_with_command(const std::vector<std::string>& words) {
   return fmt::format("; did you mean: fathom {} {}", one_body ? "width" : "depth", shell_line(words));
 }
 
-/// Returns a sentence if the words ask for what this version does not have, which CLI11 would call unknown, or "".
+/// Returns a sentence if the words ask for what CLI11 would call unknown, or "".
 std::string wrong_words(const std::vector<std::string>& words) {
   const std::string& command = words[0];
   const std::vector<std::string> names(commands.begin(), commands.end());
   const bool known = command.starts_with('-') || std::find(names.begin(), names.end(), command) != names.end();
-  const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
-  if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
   if (known) return missing_value(words);
   if (const std::string line = is_input(command) ? line_with_command(words) : ""; !line.empty())
     return fmt::format("expected a command, found the input {}{}", kernels::shown(command), line);
@@ -86,6 +84,15 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   return "";
 }
 
+/// Returns what is wrong with a request for a page, or "".
+std::string wrong_page(const Request& request) {
+  if (request.command != Command::explain) return "";
+  if (request.page.empty()) return "explain writes a page: expected -o FILE, with the name of an HTML file";
+  if (request.page == "-") return "-o writes a file, found - for standard output";
+  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
+  return "";
+}
+
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
@@ -99,6 +106,7 @@ Arguments completed(Request request, const Texts& texts) {
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
   const bool asks_exact =
       texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
+  if (const std::string fault = wrong_page(request); !fault.empty()) return refusal(fault, command);
   if (const std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return refusal(fault, command);
   if (request.exact && request.json) return refusal("--exact is about text: JSON has every number exactly, and rounded beside it", command);
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);

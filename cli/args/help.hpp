@@ -22,6 +22,7 @@ inline constexpr Example general_examples[] = {
     {"fathom ray --direction 0,0,1 a.off b.stl", "how far must A move that way?"},
     {"fathom metric --ball q.off a.off b.stl", "depth in a polyhedral norm or gauge with the unit ball q.off"},
     {"fathom study a.off b.stl", "what is degenerate about two bodies, by name and in counts"},
+    {"fathom explain a.off b.stl -o page.html", "why? one page with pictures of every stage"},
     {"fathom cases --family near_ties", "test cases by name, as input for the others"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
     {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},
@@ -77,6 +78,12 @@ inline constexpr Example study_examples[] = {
     {"fathom study --json a.off b.stl", "one JSON object"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
+};
+
+inline constexpr Example explain_examples[] = {
+    {"fathom explain a.off b.stl -o page.html", "why is the depth what it is? one page with pictures to turn, for any browser"},
+    {"fathom explain cases.jsonl --case deep -o page.html", "of one case of a file"},
+    {"fathom explain --times a.off b.stl -o page.html", "with the seconds that each stage took"},
 };
 
 inline constexpr Example cases_examples[] = {
@@ -173,6 +180,8 @@ inline constexpr CommandHelp command_table[] = {
      usual_exits, usual_notes},
     {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | -", study_examples, usual_exits,
      usual_notes},
+    {"explain", "Why the depth is what it is, as a page with pictures.", "fathom explain [OPTIONS] A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html",
+     explain_examples, usual_exits, usual_notes},
     {"cases", "Test cases by name, or from two meshes.",
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE", cases_examples, usual_exits,
      usual_notes},
@@ -195,8 +204,5 @@ inline constexpr auto commands = [] {
 
 /// Commands with command lines of their own.
 inline constexpr std::string_view parsed_elsewhere[] = {"check", "golden", "help", "man", "completion"};
-
-/// Commands that this version does not have yet, so that the message says so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"explain"};
 
 }  // namespace fathom::cli

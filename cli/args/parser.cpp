@@ -73,12 +73,16 @@ void add_exact(CLI::App& app, Request& request) {
                "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals stand");
 }
 
+void add_require_convex(CLI::App& app, Request& request) {
+  app.add_flag("--require-convex", request.require_convex,
+               "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so");
+}
+
 /// The inputs of a command that answers two meshes, or a stream.
 void add_questions(CLI::App& app, Request& request, Texts& texts, bool of_one = false) {
   add_inputs(app, request, texts);
   add_poses(app, request, of_one);
-  app.add_flag("--require-convex", request.require_convex,
-               "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so");
+  add_require_convex(app, request);
   app.add_option_function<std::string>(
          "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
          "cases of a stream that are answered at once; as many as there are cores unless given. The output is the same with any number")
@@ -91,6 +95,19 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
+}
+
+void add_case(CLI::App& app, Request& request) {
+  app.add_option("--case", request.case_id, "which case of a stream: the first with this id")->type_name("ID");
+}
+
+void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
+  add_inputs(app, request, texts);
+  add_poses(app, request, false);
+  add_require_convex(app, request);
+  add_case(app, request);
+  app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network")->type_name("FILE");
+  app.add_flag("--times", request.times, "add how long each stage took: then the page differs from run to run");
 }
 
 void add_schema(CLI::App& app, Request& request, Texts& texts) {
@@ -196,13 +213,15 @@ Parser::Parser() {
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
   CLI::App& study = add_command(app, "study");
   add_study_options(study, request, texts);
+  CLI::App& explain = add_command(app, "explain");
+  add_explain_options(explain, request, texts);
   CLI::App &cases = add_command(app, "cases"), &certify = add_command(app, "certify");
   add_certify_options(certify, request);
   add_input(certify, request, "first");
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   add_poses(cases, request, false);
-  commands = {&depth, &width, approx, ray, metric, &study, &cases, &certify};
+  commands = {&depth, &width, approx, ray, metric, &study, &explain, &cases, &certify};
 }
 
 CLI::App* Parser::asked() const {

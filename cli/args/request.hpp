@@ -16,12 +16,12 @@ namespace fathom::cli {
 /// fathom/result/2. A request may ask for any older version.
 inline constexpr unsigned newest_result_schema = 2;
 
-enum class Command { depth, width, approx, ray, metric, study, cases, certify };
+enum class Command { depth, width, approx, ray, metric, study, explain, cases, certify };
 
 struct Request {
   Command command = Command::depth;
   std::vector<std::string>
-      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+      inputs;  ///< depth, approx, ray, metric, study, explain: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::automatic;
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
@@ -43,6 +43,9 @@ struct Request {
   std::string ball;                 ///< metric: a mesh
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces
+  std::optional<std::string> case_id;         ///< explain: which case of a stream
+  std::string page;                           ///< explain: the file for the page
+  bool times = false;                         ///< explain: measure the stages
   CasesRequest cases;
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves

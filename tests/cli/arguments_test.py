@@ -76,10 +76,6 @@ class Misuse(CliTest):
             self.assertIn(f"; did you mean: fathom {line}\n", self.refused(*words))
         self.assertIn("expected a command, found the input", self.refused(A, B))
 
-    def test_what_comes_later_is_refused_by_name(self):
-        for command in ("explain",):
-            self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
-
     def test_no_value_is_no_value(self):
         """Neither the next word, nor as if the option were not there."""
         for words in (["ray", "--direction=", "1,0,0", A, B], ["depth", "--certificate=", "proof.cert", A, B], ["depth", "--seed=", "1", A, B],

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/page/page.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "view/page/embedded.hpp"
+#include "view/page/fill.hpp"
+#include "view/page/parts.hpp"
+#include "view/page/source_hash.hpp"
+#include "view/picture/markup.hpp"
+
+namespace fathom::page {
+namespace {
+
+/// JSON that can stand in a script element: "<" occurs in its strings alone, where it has another form.
+std::string block(const std::string& json) {
+  std::string result;
+  result.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') result += "\\u003c";
+    else result += c;
+  }
+  return result;
+}
+
+/// Nothing is loaded from anywhere, and nothing runs that this program did not write.
+std::string policy() {
+  return fmt::format("default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
+                     source_hash(script()), source_hash(style()));
+}
+
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string result;
+  for (const std::string& note : notes) result += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
+  return result;
+}
+
+std::string figure(const std::string& svg, std::string_view caption) {
+  return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
+}
+
+Data parsed(const std::string& depth) {
+  Data result = Data::parse(depth, nullptr, false);
+  if (!result.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
+  return result;
+}
+
+}  // namespace
+
+std::string html_page(const Sheet& sheet) {
+  const Data depth = parsed(sheet.depth);
+  const stages::Stages& stages = sheet.stages;
+  const std::string answer = picture::markup(answer_sentence(depth));
+  return filled(
+      shell(),
+      {{"version", picture::markup(sheet.version)},
+       {"policy", policy()},
+       {"title", answer},
+       {"style", std::string(style())},
+       {"answer", answer},
+       {"subtitle", subtitle(depth)},
+       {"notes", notes_text(sheet.notes)},
+       {"picture_what", figure(sheet.stills.bodies, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+       {"facts", facts(depth)},
+       {"lead_why", lead_why(stages)},
+       {"picture_why", figure(sheet.stills.sum, "P around O.")},
+       {"ranked", ranked(stages)},
+       {"lead_where", lead_where(stages)},
+       {"picture_sphere", figure(sheet.stills.sphere, "The diagrams of -A and of B on the sphere.")},
+       {"picture_chart", figure(sheet.stills.chart, "The charts: longitude to the right, latitude up.")},
+       {"pairs", pairs(stages)},
+       {"cutting", cutting(stages)},
+       {"lead_coincided", lead_coincided(stages)},
+       {"coincided", coincided(stages)},
+       {"lead_cost", lead_cost(stages)},
+       {"cost", costs(stages)},
+       {"left_out", left_out(stages)},
+       {"depth", block(sheet.depth)},
+       {"stages", block(stages::to_json(stages))},
+       {"case", block(sheet.pair)},
+       {"script", std::string(script())}});
+}
+
+}  // namespace fathom::page
