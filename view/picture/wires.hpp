@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "reference/polytope/polytope.hpp"
-#include "verify/harness/report/view.hpp"
+#include "view/picture/view.hpp"
 
-namespace fathom::harness {
+namespace fathom::picture {
 
 /// The edges of a hull by input points, and which of them the body hides. Bodies with many edges keep those of their outline alone.
 struct Wires {
@@ -42,4 +42,4 @@ class Viewport {
   double scale_;
 };
 
-}  // namespace fathom::harness
+}  // namespace fathom::picture

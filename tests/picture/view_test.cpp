@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The projection of pictures: lengths in its plane, close-ups of tiny things far away, clipping, outlines.
-#include "verify/harness/report/view.hpp"
+#include "view/picture/view.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace fathom::harness {
+namespace fathom::picture {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=74 max_success=1000", 0);
@@ -85,4 +85,4 @@ TEST(Outline, HasTheCornersOfTheHullOnly) {
 }
 
 }  // namespace
-}  // namespace fathom::harness
+}  // namespace fathom::picture

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Foreign text in documents: any bytes become something well-formed, good text stays as it is, and different ids stay different.
-#include "verify/harness/report/markup.hpp"
+#include "view/picture/markup.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,15 +10,15 @@
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
 
-namespace fathom::harness {
+namespace fathom::picture {
 namespace {
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=71 max_success=1000", 0);
 
-using testing::read_xml;
+using harness::testing::read_xml;
 
 std::string there_and_back(const std::string& text) {
-  const testing::Element element = read_xml("<e a=\"" + markup(text) + "\">" + markup(text) + "</e>");
+  const harness::testing::Element element = read_xml("<e a=\"" + markup(text) + "\">" + markup(text) + "</e>");
   EXPECT_EQ(element.text, element["a"]);
   return element.text;
 }
@@ -41,7 +41,7 @@ TEST(Markup, WhatNoDocumentMayHoldIsShown) {
 }
 
 TEST(Markup, AnyBytes) {
-  EXPECT_FALSE(there_and_back(testing::hostile()).empty());
+  EXPECT_FALSE(there_and_back(harness::testing::hostile()).empty());
   EXPECT_TRUE(rc::check("well-formed", [](const std::string& text) { RC_ASSERT(there_and_back(text).size() >= text.size()); }));
   EXPECT_TRUE(rc::check("well-formed, of high bytes", [] {
     const auto bytes = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0x7e, 0x100));
@@ -63,4 +63,4 @@ TEST(Ascii, IsCutAndPrintable) {
 }
 
 }  // namespace
-}  // namespace fathom::harness
+}  // namespace fathom::picture

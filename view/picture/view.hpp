@@ -11,7 +11,7 @@
 
 #include "kernels/vector.hpp"
 
-namespace fathom::harness {
+namespace fathom::picture {
 
 /// A place in a picture. Before it is fitted, y points up.
 struct Dot {
@@ -46,4 +46,4 @@ std::vector<Dot> clipped(std::vector<Dot> path, bool closed, Dot centre, Dot lim
 /// The corners of the convex hull, in order. For filling: rounding may keep or lose a corner that is almost flat.
 std::vector<Dot> outline(std::vector<Dot> dots);
 
-}  // namespace fathom::harness
+}  // namespace fathom::picture

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/wires.hpp"
+#include "view/picture/wires.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace fathom::harness {
+namespace fathom::picture {
 namespace {
 
 constexpr std::size_t most_edges = 600;
@@ -48,4 +48,4 @@ std::string Viewport::path(const std::vector<Dot>& dots, bool closed) const {
   return result.empty() || !closed ? result : result + "Z";
 }
 
-}  // namespace fathom::harness
+}  // namespace fathom::picture

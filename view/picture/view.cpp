@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/view.hpp"
+#include "view/picture/view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "fathom/numbers.hpp"
 
-namespace fathom::harness {
+namespace fathom::picture {
 namespace {
 
 using Triple = Vec3<double>;
@@ -107,4 +107,4 @@ std::vector<Dot> outline(std::vector<Dot> dots) {
   return result;
 }
 
-}  // namespace fathom::harness
+}  // namespace fathom::picture
