@@ -2,8 +2,8 @@
 // One case of the page of studies.
 #include <fmt/format.h>
 
-#include <exception>
-#include <span>
+#include <algorithm>
+#include <stdexcept>
 
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
@@ -14,10 +14,10 @@
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/surd.hpp"
 #include "verify/harness/shrink/write_shrunk.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/page.hpp"
-#include "view/picture/pair_picture.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -137,7 +137,12 @@ std::string study_section(const Case& pair, const Study& study, const std::strin
 std::string study_section(const Case& pair, const ShapeStudy& study, const std::string& anchor) {
   FactList facts;
   facts.add("status", status_name(study.depth));
-  facts.add("signed depth", signed_depth_text(study.depth));
+  if (study.depth.exact()) {
+    facts.add("signed depth", surd_text(*study.depth.exact()));
+    facts.add("exactly", kernels::exact_surd_text(*study.depth.exact()));
+  } else {
+    facts.add("signed depth", fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
+  }
   facts.add("A", size_text(study.a));
   facts.add("B", size_text(study.b));
   if (study.contact) facts.add("contact", involved_text(*study.contact));

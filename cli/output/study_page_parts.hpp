@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/files.hpp"
 #include "fathom/study.hpp"
 
 namespace fathom::cli {
@@ -56,5 +57,9 @@ class FactList {
   std::string rows_;
 };
 
+
+/// The picture of the bodies, with its legend; empty if there is none. The features of `marks` are in it.
+std::string study_figure(const Case& pair, const Depth& depth, const Marks& marks, const std::string& anchor);
+std::string study_figure(const Case& pair, const SignedDepth& depth, const std::string& anchor);
 
 }  // namespace fathom::cli
