@@ -52,10 +52,10 @@ class PageFile {
   /// The reply, which also adds to the page, once its turn has come.
   template <class AnyStudy>
   CaseReply reply(const AskedCase& pair, AnyStudy found) {
-    CaseReply reply{text_of(pair.input.id, found, request_)};
+    CaseReply result{text_of(pair.input.id, found, request_)};
     if (file_)
-      reply.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
-    return reply;
+      result.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
+    return result;
   }
   void lose(const std::string& sentence) { page_.add_fault(sentence); }
   void write(const std::string& cut_short) {
