@@ -76,6 +76,7 @@ inline constexpr Example study_examples[] = {
     {"fathom study a.off b.stl", "parallel edges, coincident normals, ties, zeros of the predicates: two tables"},
     {"fathom study --all a.off b.stl", "with the features of every coincidence"},
     {"fathom study --json a.off b.stl", "one JSON object"},
+    {"fathom study --html page.html a.off b.stl", "a page: a picture in which each coincidence lights its features, and the tables"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
 };

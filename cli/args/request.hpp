@@ -33,6 +33,8 @@ struct Request {
   bool json = false;
   unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
   bool csv = false;                        ///< study: rows of counts
+  std::string html;                        ///< study: the file of the page; empty: none
+  std::string command_line;                ///< with --html: quoted for a shell
   bool all = false;                        ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
