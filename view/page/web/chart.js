@@ -52,7 +52,7 @@ function chartElements(view) {
   const caption = element("figcaption", { class: "chart-caption" }), over = element("p", { class: "chart-over soft" }), elsewhere = element("p", { class: "note", hidden: true });
   const tools = chartTools(view.selection);
   const frame = element("div", { class: "chart-frame" }, canvas, picture);
-  listenToPointer(view, picture);
+  listenToArcs(view, picture);
   return { layers, strip, picture, canvas, caption, over, elsewhere, tools, figure: element("figure", {}, tools.bar, frame, over, elsewhere, caption) };
 }
 
@@ -200,7 +200,7 @@ function sayElsewhere(view, { pair }) {
     element("button", { type: "button", onclick: () => view.selection.set({ hemisphere: name }) }, `show the ${name} hemisphere`));
 }
 
-function listenToPointer(view, picture) {
+function listenToArcs(view, picture) {
   const at = (event) => {
     const box = picture.getBoundingClientRect(), scale = (chartMargin.left + chartSide + chartMargin.right) / box.width;
     return [(event.clientX - box.left) * scale - chartMargin.left, (event.clientY - box.top) * scale - chartMargin.top, hitReach * scale];

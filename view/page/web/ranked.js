@@ -4,9 +4,12 @@ import { element } from "./look.js";
 import { gapOfRoots, nearestRoot, roughly, textOf } from "./numbers.js";
 
 const firstRows = 12, mostRows = 500;
-const facetWords = {
-  facet_of_a: "facet of A, vertex of B", facet_of_b: "facet of B, vertex of A", edges: "edge of A, edge of B", merged: "several in one plane",
-};
+
+/** What meets where A moves out through a facet: A's feature first, as a contact's kind in `depth --json`. */
+export function kindOfFacet(facet) {
+  const word = (ids) => ["facet", "vertex", "edge"][ids.length] ?? "facet";
+  return `${word(facet.a ?? [])}-${word(facet.b ?? [])}`;
+}
 
 /** How many facets tie for the least distance, and the first one beyond them: {ties, second, gap, share}. Distances are exact. */
 export function gapOf(facets) {
@@ -32,7 +35,7 @@ export function mountRanked(root, data, selection) {
     count = to;
   }
   grow(count);
-  const head = ["#", "distance", "gap", "what meets"].map((name, i) => element("th", { scope: "col", class: i === 3 ? "text" : null }, name));
+  const head = ["#", "distance", "gap", "contact"].map((name, i) => element("th", { scope: "col", class: i === 3 ? "text" : null }, name));
   const table = element("table", {}, element("caption", {}, "Facets by their distance from O"), element("thead", {}, element("tr", {}, ...head)), body);
   root.replaceChildren(gapSentence(data), element("div", { class: "wide", role: "region", tabindex: 0, "aria-label": "Facets by their distance from O" }, table), rest);
   selection.subscribe((state, changed) => {
@@ -64,7 +67,7 @@ function facetRow(data, index, selection) {
   const button = element("button", { type: "button", class: "row", "aria-pressed": "false", title: "Show the contact of this facet", onclick: choose }, String(index + 1));
   const row = element("tr", { class: facet.optimal ? "optimal" : null }, element("th", { scope: "row" }, button),
     element("td", {}, textOf(nearestRoot(facet.distance_squared))), element("td", {}, gap === 0 ? (index ? "tie" : "") : `+${roughly(gap)}`),
-    element("td", { class: "text" }, facetWords[facet.kind] ?? facet.kind));
+    element("td", { class: "text" }, kindOfFacet(facet)));
   const over = () => selection.preview({ facet: index }), out = () => selection.preview(null);
   for (const [event, act] of [["mouseenter", over], ["mouseleave", out], ["focusin", over], ["focusout", out]]) row.addEventListener(event, act);
   row.addEventListener("click", (event) => { if (!event.target.closest("button")) choose(); });

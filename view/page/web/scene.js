@@ -121,7 +121,7 @@ export function createView(root, label) {
       if (fitted) view.fit(fitted.points, fitted.direction);
       view.render();
     },
-    onPoint: (objects, told) => listenToPointer(view, objects, told),
+    onPoint: (objects, told) => pointAtScene(view, objects, told),
   };
 
   function placeWords() {
@@ -199,7 +199,7 @@ function hearKeysOf({ canvas, controls, camera, render }) {
   });
 }
 
-function listenToPointer(view, objects, { over, chosen }) {
+function pointAtScene(view, objects, { over, chosen }) {
   const T = globalThis.THREE, caster = new T.Raycaster();
   let down = null, pending = 0;
   const hit = (event) => {

@@ -7,7 +7,7 @@ import { litArcs, litInDiagrams } from "./lit.js";
 import { calm, colour, element, onLook } from "./look.js";
 import { equatorOf, facingOf, halvesOfArcs, segmentsOf, stationOf, stripOnSphere } from "./spheregeometry.js";
 
-const sphereDistance = 4.35, mostFaint = 200, greaterDepth = 6;  // three.js: GreaterDepth
+const sphereDistance = 5.2, mostFaint = 200, greaterDepth = 6;  // three.js: GreaterDepth
 const ballRadius = 0.985, litRadius = 1.006;
 
 export function mountSphere(root, data, selection) {
@@ -69,7 +69,9 @@ function makeSphereScene(view) {
   Object.assign(view.controls, { enablePan: false, enableZoom: false });
   view.ball = new THREE.Mesh(new THREE.SphereGeometry(ballRadius, 96, 48), new THREE.MeshBasicMaterial());
   view.scene.add(view.ball);
-  view.materials = { a: sphereLine("a", false), b: sphereLine("b", false), faintA: sphereLine("a", true), faintB: sphereLine("b", true),
+  // Half a dozen dashes in an arc of middling length: of k arcs round the sphere that is about 3 / sqrt(k).
+  const dash = Math.min(0.035, 0.35 / Math.sqrt(data.bodies.b.arcs.length));
+  view.materials = { a: sphereLine("a", false), b: sphereLine("b", false, dash), faintA: sphereLine("a", true), faintB: sphereLine("b", true, dash),
                      equator: new THREE.LineBasicMaterial(), wall: new THREE.LineBasicMaterial(), mark: new THREE.MeshBasicMaterial(),
                      litA: new THREE.LineMaterial({ linewidth: 3.5 }), litB: new THREE.LineMaterial({ linewidth: 3.5, dashed: true, dashSize: 0.07, gapSize: 0.025 }),
                      nodeA: new THREE.PointsMaterial({ size: 10, sizeAttenuation: false }), nodeB: new THREE.PointsMaterial({ size: 12, sizeAttenuation: false }) };
@@ -86,8 +88,8 @@ function startsBelow(data, { pair, optimum }) {
   return pair !== null ? data.pairs[pair].chart === 1 : (data.optima[optimum]?.direction?.[2] ?? 0) < 0;
 }
 
-function sphereLine(name, faint) {
-  const material = name === "a" ? new THREE.LineBasicMaterial() : new THREE.LineDashedMaterial({ dashSize: 0.035, gapSize: 0.02 });
+function sphereLine(name, faint, dash) {
+  const material = name === "a" ? new THREE.LineBasicMaterial() : new THREE.LineDashedMaterial({ dashSize: dash, gapSize: 0.6 * dash });
   if (faint) Object.assign(material, { transparent: true, opacity: 0.22, depthFunc: greaterDepth, depthWrite: false });
   return material;
 }

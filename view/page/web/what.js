@@ -69,7 +69,7 @@ function whatPicture(root, view, data, selection) {
     const normal = frame.normal(way.direction), placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v]));
     emptied(contactA).add(feature(placed(a, way.a), "--a", normal));
     emptied(contactB).add(feature(placed(b, way.b), "--b", normal));
-    emptied(plane).add(planeSquare(frame.place(ends.to), normal, planeSize(b, frame), "--true"));
+    emptied(plane).add(planeSquare(frame.place(ends.to), normal, planeSize([a, b], frame), "--true"));
     shaft.place(frame.place(ends.from), frame.place(ends.to));
     out.position.set(...frame.move(way.translation));
   }
@@ -114,16 +114,17 @@ function whatPicture(root, view, data, selection) {
   };
 }
 
-/** The middle of a body, and half of the size of B, for the plane. */
+/** The middle of a body. */
 function labelPlace(body, frame) {
   if (!body.vertices.length) return null;
   const own = frameOf(body.vertices.map(frame.place));
   return own.center;
 }
 
-function planeSize(body, frame) {
-  const own = frameOf(body.vertices.map(frame.place));
-  return Math.max(0.25, 0.9 / Math.min(...own.scale.filter((s) => s < 1e6), 4));
+/** Half of the plane's side: it reaches over both bodies' shadows on it, but not far. */
+function planeSize(bodies, frame) {
+  const halves = bodies.map((body) => 1 / Math.min(...frameOf(body.vertices.map(frame.place)).scale));
+  return Math.min(1.1, Math.max(0.25, 1.3 * Math.max(...halves)));
 }
 
 /** The edges that a pair, or a coincidence, is about. */
