@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "view/plot/look.hpp"
+#include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
 
 namespace fathom::plot {
@@ -31,7 +31,7 @@ constexpr std::array<Shape, distinct_looks> shapes{
 std::string mark_element(std::size_t series, double x, double y, const std::string& what) {
   const std::size_t look = series % distinct_looks;
   const std::string start = fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill, look, x, y, shapes[look].path);
-  return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, markup(what));
+  return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, picture::markup(what));
 }
 
 std::string line_classes(std::size_t series) {

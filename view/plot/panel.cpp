@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "view/plot/look.hpp"
+#include "view/picture/markup.hpp"
 #include "view/plot/marks.hpp"
 
 namespace fathom::plot {
@@ -74,9 +74,9 @@ std::string grid_elements(const Panel& panel, const Field& field) {
                        field.right - field.left, field.bottom - field.top);
   const double middle = (field.top + field.bottom) / 2, turn = panel_margin + 8;
   texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (field.left + field.right) / 2,
-                       field.bottom + x_label_room + 15, markup(panel.x.name));
+                       field.bottom + x_label_room + 15, picture::markup(panel.x.name));
   texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n", turn, middle,
-                       markup(panel.y.name));
+                       picture::markup(panel.y.name));
   return lines + texts;
 }
 
@@ -89,7 +89,7 @@ std::string zero_elements(const Panel& panel, const Field& field) {
   const auto side = [&](const std::string& text, double at) {
     if (!text.empty())
       result += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.right - 6, at,
-                            markup(text));
+                            picture::markup(text));
   };
   if (y - field.top > legend_row) side(panel.above, y - 6);
   if (field.bottom - y > legend_row) side(panel.below, y + 15);
@@ -103,7 +103,7 @@ std::string band_element(const Band& band, const Field& field) {
     there += fmt::format("{}{:.1f} {:.1f}", there.empty() ? "M" : "L", field.across(slice.x), field.down(slice.high));
     back.insert(0, fmt::format("L{:.1f} {:.1f}", field.across(slice.x), field.down(slice.low)));
   }
-  return there.empty() ? "" : fmt::format("<path class=\"band look-0\" d=\"{}{}Z\"/>\n", there, back);
+  return there.empty() ? "" : fmt::format("<path class=\"band\" d=\"{}{}Z\"/>\n", there, back);
 }
 
 std::string series_elements(const Series& series, std::size_t number, const Field& field) {
@@ -130,7 +130,7 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
   std::size_t entry = 0;
   const auto add = [&](const std::string& sample, const std::string& name) {
     const double x = left + legend_column * static_cast<double>(entry % 2), y = top + legend_row * static_cast<double>(entry / 2);
-    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample, markup(name));
+    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample, picture::markup(name));
     ++entry;
   };
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -138,7 +138,7 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
     if (panel.series[i].marks) sample += mark_element(i, 19, 0, "");
     add(sample, panel.series[i].name);
   }
-  if (panel.band) add("<path class=\"band look-0\" d=\"M0 -6H38V6H0Z\"/>", panel.band->name);
+  if (panel.band) add("<path class=\"band\" d=\"M0 -6H38V6H0Z\"/>", panel.band->name);
   height = legend_row * static_cast<double>((entry + 1) / 2);
   return result;
 }
@@ -159,11 +159,11 @@ std::string left_out(const Panel& panel, const Field& field) {
 PanelPicture panel_picture(const Panel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
-  if (!panel.title.empty()) content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, markup(panel.title));
+  if (!panel.title.empty()) content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, picture::markup(panel.title));
   content += grid_elements(panel, field) + zero_elements(panel, field);
   content += fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
-                         markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
-  content += fmt::format("<g clip-path=\"url(#{})\">\n", markup(clip));
+                         picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
+  content += fmt::format("<g clip-path=\"url(#{})\">\n", picture::markup(clip));
   if (panel.band) content += band_element(*panel.band, field);
   for (std::size_t i = 0; i < panel.series.size(); ++i) content += series_elements(panel.series[i], i, field);
   content += "</g>\n";

@@ -59,15 +59,15 @@ struct Figure {
 /// How many series have a look of their own; those after them begin again.
 inline constexpr unsigned distinct_looks = 6;
 
-/// One element <svg>, for an HTML page that has plot_style(). Texts of others are escaped. Values without a place on an axis are left out,
+/// One element <svg>, for an HTML page that has plot_style() and picture::colour_style(). Texts of others are escaped. Values without a place on an axis are left out,
 /// lines are broken there, and a sentence below the panel counts them.
 std::string figure_element(const Figure& figure);
 
 /// The same as a file of its own, with its style.
 std::string figure_file(const Figure& figure);
 
-/// The rules for the classes of a figure. Needs the colours of look.hpp.
-std::string_view plot_style();
+/// The rules for the classes of a figure, by the colours of picture::colour_style.
+std::string plot_style();
 
 /// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms. Returns nullopt unless there are two different
 /// x with positive values.
