@@ -93,6 +93,12 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
 }
 
+void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
+  app.add_flag("--times", request.times, "add the seconds that each stage took, which differ from run to run");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/stages/1: every stage, for pictures");
+}
+
 void add_schema(CLI::App& app, Request& request, Texts& texts) {
   app.add_option_function<std::string>(
          "--schema",
@@ -194,15 +200,16 @@ Parser::Parser() {
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
-  CLI::App& study = add_command(app, "study");
+  CLI::App &study = add_command(app, "study"), &stages = add_command(app, "stages");
   add_study_options(study, request, texts);
+  add_stages_options(stages, request, texts);
   CLI::App &cases = add_command(app, "cases"), &certify = add_command(app, "certify");
   add_certify_options(certify, request);
   add_input(certify, request, "first");
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   add_poses(cases, request, false);
-  commands = {&depth, &width, approx, ray, metric, &study, &cases, &certify};
+  commands = {&depth, &width, approx, ray, metric, &study, &stages, &cases, &certify};
 }
 
 CLI::App* Parser::asked() const {

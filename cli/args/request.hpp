@@ -16,12 +16,12 @@ namespace fathom::cli {
 /// fathom/result/2. A request may ask for any older version.
 inline constexpr unsigned newest_result_schema = 2;
 
-enum class Command { depth, width, approx, ray, metric, study, cases, certify };
+enum class Command { depth, width, approx, ray, metric, study, stages, cases, certify };
 
 struct Request {
   Command command = Command::depth;
   std::vector<std::string>
-      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+      inputs;  ///< depth, approx, ray, metric, study, stages: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
   Method method = Method::automatic;
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
@@ -34,6 +34,7 @@ struct Request {
   unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
   bool csv = false;                        ///< study: rows of counts
   bool all = false;                        ///< study: list every coincidence, not the first few of each kind
+  bool times = false;                      ///< stages: with the seconds that each took
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
