@@ -80,10 +80,11 @@ std::string adapter_command(const std::string& words) {
   }
   const std::string program = program_of(*adapter);
   if (program.empty())
-    throw InputError("--adapter", 0,
-                     fmt::format("{} is not beside this program: it is {}", adapter->program,
-                                 is_script(*adapter) ? "installed with its packages by node 18 or later and npm, as verify/subjects/web says"
-                                                     : "built where the library's Debian package is there"));
+    throw InputError(
+        "--adapter", 0,
+        fmt::format("{} is not beside this program: it is {}", adapter->program,
+                    is_script(*adapter) ? "installed with its packages by node 18 or later and npm, as verify/subjects/web says"
+                                        : "built where the library's Debian package is there"));
   std::string command = fmt::format("exec {}{} {}", is_script(*adapter) ? "node " : "", quoted(program), adapter->argument);
   for (std::size_t comma = name.size(); comma < words.size();) {
     const std::size_t next = std::min(words.find(',', comma + 1), words.size());

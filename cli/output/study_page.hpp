@@ -39,7 +39,7 @@ class StudyPage {
 
   bool stream_;
   std::size_t cases_ = 0, shown_ = 0;
-  std::string title_, headline_;               // of the last case, escaped
+  std::string title_, headline_;  // of the last case, escaped
   std::map<std::string, std::size_t> statuses_;
   std::map<std::string, Total> coincidences_;  // by name, as spoken
   std::vector<std::string> faults_;
