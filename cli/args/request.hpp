@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/args/along_request.hpp"
 #include "cli/args/cases_request.hpp"
 #include "cli/args/certify_request.hpp"
+#include "cli/args/sweep_request.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 
@@ -32,7 +34,7 @@ struct Request {
   bool exact = false;                 ///< text: exact numbers where else decimals stand
   bool json = false;
   unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
-  bool csv = false;                        ///< study: rows of counts
+  bool csv = false;                        ///< study, depth --along: rows
   bool all = false;                        ///< study: list every coincidence, not the first few of each kind
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
@@ -43,9 +45,12 @@ struct Request {
   std::string ball;                 ///< metric: a mesh
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces
-  std::optional<std::string> case_id;         ///< explain: which case of a stream
+  std::optional<std::string> case_id;         ///< explain, depth --along: which case of a stream
   std::string page;                           ///< explain: the file for the page
-  bool times = false;                         ///< explain: measure the stages
+  bool times = false;                         ///< explain: measure the stages; study --sweep: the runs
+  std::string svg;                            ///< the file for a picture; empty: none
+  AlongRequest along;                         ///< depth
+  SweepRequest sweep;                         ///< study
   CasesRequest cases;
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves

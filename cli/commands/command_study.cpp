@@ -40,6 +40,7 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
 }  // namespace
 
 ExitCode run_study(const Request& request) {
+  if (!request.sweep.family.empty()) return run_sweep(request);
   Replies replies;
   replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) {
     if (has_shape(pair)) return CaseReply{text_of(pair.id, shape_study_of(pair, request, monitor), request)};
