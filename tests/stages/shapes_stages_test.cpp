@@ -60,7 +60,7 @@ TEST(Shapes, FacetsLookOutward) {
 
 TEST(Shapes, DepthIsThatOfSignedDepth) {
   for (const families::ShapeFamily& family : families::shape_families()) {
-    const Case input = family.make(1, family.usual_size);
+    const Case input = family.make(1, family.usual_size).read();
     const Shape a = files::shape_of(input.a), b = files::shape_of(input.b);
     const Stages stages = stages_of(input.a, input.b);
     const SignedDepth depth = signed_depth(a, b);
