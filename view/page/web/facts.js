@@ -8,10 +8,10 @@ import { decimalsOf, nearestRoot, gapOfRoots, roughly, textOf, unitOf, vectorTex
 export function mountFacts(root, data, selection) {
   document.getElementById("tools")?.replaceChildren(...caseTools(data));
   if (data.optima.length > 1) root.prepend(optimumStepper(data, selection));
-  const told = element("p", { class: "way" });
+  const told = element("p", { class: "way" }), written = [];
   root.append(told);
   selection.subscribe((state, changed) => {
-    if (changed.has("optimum")) showOptimum(root, data, state.optimum);
+    if (changed.has("optimum")) showOptimum(root, data, state.optimum, written);
     if (changed.has("facet")) told.replaceChildren(wayText(data, state));
     if (["optimum", "facet", "pair", "coincidence"].some((f) => changed.has(f))) announce(data, selection.chosen());
   });
@@ -32,27 +32,28 @@ function optimumStepper(data, selection) {
 }
 
 /** Writes the direction, translation and contact of an optimum where those of the first one stand; the witness is of the first alone. */
-function showOptimum(root, data, index) {
-  const optimum = data.depth.optima?.[index];
-  if (!optimum) return;
-  const first = index === 0, write = (field, text, exact) => {
-    const place = root.querySelector(`[data-field="${field}"]`);
+function showOptimum(root, data, index, written) {
+  for (const [place, nodes] of written.splice(0)) place.replaceChildren(...nodes);  // what stands there is of the first
+  const optimum = data.depth.optima?.[index], first = index === 0;
+  const write = (place, ...nodes) => {
     if (!place) return;
-    place.textContent = text;
-    const pre = place.parentElement.querySelector("pre");
-    if (pre && exact) pre.textContent = exact;
+    written.push([place, [...place.childNodes]]);
+    place.replaceChildren(...nodes);
   };
+  const field = (name) => root.querySelector(`[data-field="${name}"]`);
   const exactText = (vector) => (Array.isArray(vector) ? `(${vector.join(", ")})` : JSON.stringify(vector));
-  write("unit", vectorText(first ? data.depth.unit_f64 : unitOf(optimum.direction)), exactText(optimum.direction));
-  write("translation", vectorText(first ? data.depth.translation_f64 : decimalsOf(optimum.translation)), exactText(optimum.translation));
-  const contact = optimum.contact;
-  if (contact) {
-    const place = root.querySelector('[data-field="contact"]');
-    place?.replaceChildren(`${contact.kind}: `, element("span", { class: "key-a" }, "A"), ` at ${idsText(contact.a)}, `,
-      element("span", { class: "key-b" }, "B"), ` at ${idsText(contact.b)}`);
+  if (!first && optimum) {
+    for (const [name, decimals, exact] of [["unit", unitOf, optimum.direction], ["translation", decimalsOf, optimum.translation]]) {
+      write(field(name), vectorText(decimals(exact)));
+      write(field(name)?.parentElement.querySelector("pre"), exactText(exact));
+    }
+    const contact = optimum.contact;
+    if (contact)
+      write(field("contact"), `${contact.kind}: `, element("span", { class: "key-a" }, "A"), ` at ${idsText(contact.a)}, `,
+        element("span", { class: "key-b" }, "B"), ` at ${idsText(contact.b)}`);
   }
-  for (const field of ["witness_a", "witness_b"]) {
-    const row = root.querySelector(`[data-field="${field}"]`)?.closest("dd");
+  for (const name of ["witness_a", "witness_b"]) {
+    const row = field(name)?.closest("dd");
     if (row) row.hidden = row.previousElementSibling.hidden = !first;
   }
   for (const row of root.querySelectorAll("[data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);

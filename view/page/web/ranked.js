@@ -65,7 +65,7 @@ function facetRow(data, index, selection) {
   const facet = data.facets[index], gap = gapOfRoots(facet.distance_squared, data.facets[0].distance_squared);
   const choose = () => selection.set({ facet: selection.chosen().facet === index ? null : index });
   const button = element("button", { type: "button", class: "row", "aria-pressed": "false", title: "Show the contact of this facet", onclick: choose }, String(index + 1));
-  const row = element("tr", { class: facet.optimal ? "optimal" : null }, element("th", { scope: "row" }, button),
+  const row = element("tr", { class: facet.optimal ? "optimal" : null, "data-facet": index }, element("th", { scope: "row" }, button),
     element("td", {}, textOf(nearestRoot(facet.distance_squared))), element("td", {}, gap === 0 ? (index ? "tie" : "") : `+${roughly(gap)}`),
     element("td", { class: "text" }, kindOfFacet(facet)));
   const over = () => selection.preview({ facet: index }), out = () => selection.preview(null);
