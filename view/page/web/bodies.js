@@ -16,7 +16,8 @@ export function bodyParts(body, frame, isB) {
     group.add(segments(edges, name, order, { width: 1, dash: 0.035, opacity: 0.55, depthWrite: false, depthFunc: T.GreaterDepth }));
   const own = frameOf(places), size = places.length ? 1 / Math.min(...own.scale) : 0;
   if (places.length && size < speck) group.add(dots([own.center], name, layer.strong, { depthWrite: false }));
-  return { group, size, isSpeck: places.length > 0 && size < speck, middle: places.length ? own.center : null, setWires(on) { for (const part of faces) part.visible = !on; } };
+  const setWires = (on) => { for (const part of faces) part.visible = !on; };
+  return { group, size, isSpeck: places.length > 0 && size < speck, middle: places.length ? own.center : null, setWires };
 }
 
 function facesOf(places, facets, name, isB) {

@@ -78,10 +78,12 @@ function announce(data, state) {
   const pair = state.pair === null ? null : data.pairs[state.pair];
   const item = state.coincidence === null ? null : data.coincidence(state.coincidence);
   const parts = [];
-  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs, ${data.facetsOfPair(state.pair).length} facets of P are lit.`);
+  const count = state.pair === null ? 0 : data.facetsOfPair(state.pair).length;
+  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs; ${count} ${count === 1 ? "facet" : "facets"} of P.`);
   if (state.facet !== null) parts.push(wayText(data, state));
   if (item) parts.push(`Coincidence: ${item.kind.replaceAll("_", " ")}.`);
-  if (!parts.length && state.optimum > 0) parts.push(`Optimum ${state.optimum + 1} of ${data.optima.length}. ${contactText(data.optima[state.optimum], data)}`);
+  if (!parts.length && state.optimum > 0)
+    parts.push(`Optimum ${state.optimum + 1} of ${data.optima.length}. ${contactText(data.optima[state.optimum], data)}`);
   const text = parts.join(" ");
   if (place.textContent !== text) place.textContent = text;
 }
@@ -90,7 +92,8 @@ function caseTools(data) {
   if (!data.caseText.trim()) return [];
   const said = element("span", { role: "status", class: "soft" });
   const say = (text) => { said.textContent = text; };
-  const copy = async () => say((await copied(data.caseText)) ? "The case is on the clipboard: fathom depth - reads it." : "The clipboard is closed to this page: save the case.");
+  const done = "The case is on the clipboard: fathom depth - reads it.", closed = "The clipboard is closed to this page: save the case.";
+  const copy = async () => say((await copied(data.caseText)) ? done : closed);
   return [
     element("button", { type: "button", onclick: copy }, "Copy this case"),
     element("button", { type: "button", onclick: () => saveText(`${fileStem(data.depth.id)}.case.json`, data.caseText) }, "Save this case"),

@@ -2,7 +2,7 @@
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
 import { bodyParts, ghostOf } from "./bodies.js";
 import { arrowOf, contactText, wayOf } from "./contact.js";
-import { dot, frameOf, minus, norm, plus, sideView, times } from "./geometry.js";
+import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
 import { arrow, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
@@ -51,6 +51,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
   const T = globalThis.THREE, { a, b } = data.bodies, group = () => new T.Group();
   const movingA = group(), start = ghostOf(a, frame), out = ghostOf(a, frame), plane = group(), shaft = arrow(view, "--true");
   const contact = { a: group(), b: group() }, litGroup = { a: group(), b: group() };
+  const half = Math.min(1.1, Math.max(0.25, 1.05 * Math.max(bodyA.size, bodyB.size)));  // of the plane's side
   let way = firstWay(data), ends = arrowOf(data, way), lit = [], share = 0;
   movingA.add(bodyA.group, contact.a, litGroup.a);
   view.scene.add(movingA, start, out, contact.b, litGroup.b, plane, shaft.group);
@@ -65,7 +66,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
       const normal = frame.normal(way.direction), placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v]));
       emptied(contact.a).add(feature(placed(a, way.a), "--a", normal));
       emptied(contact.b).add(feature(placed(b, way.b), "--b", normal));
-      emptied(plane).add(planeSquare(frame.place(ends.to), normal, Math.min(1.1, Math.max(0.25, 1.3 * Math.max(bodyA.size, bodyB.size))), "--true"));
+      emptied(plane).add(planeSquare(frame.place(ends.to), normal, half, "--true"));
       shaft.place(frame.place(ends.from), frame.place(ends.to));
       out.position.set(...frame.move(way.translation));
       self.moveTo(share);
@@ -81,8 +82,8 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
       lit = edges;
       for (const [of, body] of [["a", a], ["b", b]]) {
         const own = lit.filter(([colour]) => colour === of).flatMap(([, e]) => body.edges[e].map((v) => frame.place(body.vertices[v])));
-        const options = { width: 4, depthWrite: false };
-        emptied(litGroup[of]).add(segments(own, "--lit", layer.faint, { ...options, opacity: 0.5, depthTest: false }), segments(own, "--lit", layer.strong, options));
+        const seen = { width: 4, depthWrite: false }, behind = { ...seen, opacity: 0.5, depthTest: false };
+        emptied(litGroup[of]).add(segments(own, "--lit", layer.faint, behind), segments(own, "--lit", layer.strong, seen));
       }
     },
   };
@@ -124,7 +125,8 @@ export function litEdges(data, state) {
 
 function lookAtContact(view, frame, data, moving) {
   const way = moving.way(), ends = moving.ends(), length = norm(frame.move(way.translation));
-  const features = [...way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), ...way.b.map((v) => data.bodies.b.vertices[v])].map(frame.place);
+  const ofA = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), ofB = way.b.map((v) => data.bodies.b.vertices[v]);
+  const features = [...ofA, ...ofB].map(frame.place);
   const span = Math.max(0, ...features.map((p) => norm(minus(p, frame.place(ends.to)))));
   const radius = length > 0 ? Math.max(1.3 * length, 1e-5) : Math.max(0.6 * span, 0.2);
   view.look(times(plus(frame.place(ends.from), frame.place(ends.to)), 0.5), radius * 4.4, sideView(frame.move(way.translation)));
@@ -135,7 +137,7 @@ function contactDrawn(data, frame, moving) {
   const way = moving.way(), by = moving.group.position.toArray().map((x, i) => x / frame.scale[i]), moved = (p) => plus(p, by);
   const drawn = { a: way.a.map((v) => moved(data.bodies.a.vertices[v])), b: way.b.map((v) => data.bodies.b.vertices[v]) };
   const witness = { a: moved(moving.ends().from), b: moving.ends().to };
-  const height = (points, other) => (points.length ? points : [other]).reduce((sum, p, _, all) => sum + dot(p, way.direction) / all.length, 0);
+  const height = (points, other) => dot(points.length ? middle(points) : other, way.direction);
   const gap = height(drawn.b, witness.b) - height(drawn.a, witness.a);
   return { ...drawn, witness, direction: way.direction, gap: gap * 2 ** -(data.stages.scale?.exponent ?? 0) };
 }
@@ -150,7 +152,8 @@ function controlsOf(view, selection, views, bodies, canMove) {
   });
   wires.setAttribute("aria-pressed", "false");
   const buttons = element("div", { class: "buttons", role: "group", "aria-label": "Views" },
-    button("fit", "All of both bodies, across the way out", views.fit), button("along n", "Against the direction of the way out", views.alongN),
+    button("fit", "All of both bodies, across the way out", views.fit),
+    button("along n", "Against the direction of the way out", views.alongN),
     button("contact", "Close to where the bodies meet", views.contact), wires);
   return element("div", { class: "controls" }, canMove ? sliderOf(selection) : null, buttons);
 }
@@ -187,7 +190,8 @@ function legend(data, frame, bodies, way) {
   const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : "Plane: it separates them.";
   const result = element("p", { class: "soft legend" },
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"), "; where they meet is thick. ",
-    element("span", { class: "of-true" }, arrowText), overlap ? ", ending at the plane that then separates both; dashed: A at its end." : "");
+    element("span", { class: "of-true" }, arrowText),
+    overlap ? ", ending at the plane that then separates both; dashed: A at its end." : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
   if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
   for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);
