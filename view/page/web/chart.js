@@ -52,7 +52,7 @@ function chartElements(view) {
   const caption = element("figcaption", { class: "chart-caption" }), over = element("p", { class: "chart-over soft" }), elsewhere = element("p", { class: "note", hidden: true });
   const tools = chartTools(view.selection);
   const frame = element("div", { class: "chart-frame" }, canvas, picture);
-  listenToPointer(view, picture);
+  listenToArcs(view, picture);
   return { layers, strip, picture, canvas, caption, over, elsewhere, tools, figure: element("figure", {}, tools.bar, frame, over, elsewhere, caption) };
 }
 
@@ -112,13 +112,13 @@ function axisElements(plane) {
   const reach = plane ? planeReach : 90, at = (v) => ((v + reach) / (2 * reach)) * chartSide;
   const ticks = chartTicks(plane).flatMap(([value, label]) => [
     svg("path", { class: "tick", d: `M${at(value)} ${chartSide}v5M0 ${chartSide - at(value)}h-5` }),
-    svg("text", { x: at(value), y: chartSide + 18, "text-anchor": "middle" }, label),
-    svg("text", { x: -9, y: chartSide - at(value) + 4, "text-anchor": "end" }, label),
+    svg("text", { x: at(value), y: chartSide + 9, "text-anchor": "middle", "dominant-baseline": "hanging" }, label),
+    svg("text", { x: -9, y: chartSide - at(value), "text-anchor": "end", "dominant-baseline": "central" }, label),
   ]);
   const middle = chartSide / 2;
   return [svg("rect", { class: "border", x: 0, y: 0, width: chartSide, height: chartSide }), ...ticks,
-          svg("text", { x: middle, y: chartSide + 35, "text-anchor": "middle" }, plane ? "x" : "longitude"),
-          svg("text", { transform: `translate(-36 ${middle}) rotate(-90)`, "text-anchor": "middle" }, plane ? "y" : "latitude")];
+          svg("text", { x: middle, y: chartSide + 52, "text-anchor": "middle" }, plane ? "x" : "longitude"),
+          svg("text", { transform: `translate(-50 ${middle}) rotate(-90)`, "text-anchor": "middle" }, plane ? "y" : "latitude")];
 }
 
 function paintCanvas(view) {
@@ -200,7 +200,7 @@ function sayElsewhere(view, { pair }) {
     element("button", { type: "button", onclick: () => view.selection.set({ hemisphere: name }) }, `show the ${name} hemisphere`));
 }
 
-function listenToPointer(view, picture) {
+function listenToArcs(view, picture) {
   const at = (event) => {
     const box = picture.getBoundingClientRect(), scale = (chartMargin.left + chartSide + chartMargin.right) / box.width;
     return [(event.clientX - box.left) * scale - chartMargin.left, (event.clientY - box.top) * scale - chartMargin.top, hitReach * scale];

@@ -64,7 +64,8 @@ function showCoincidence(view, name) {
   for (const [item, button] of view.items) button.setAttribute("aria-pressed", String(item === name));
   const button = view.items.get(name), fold = button?.closest("details");
   if (fold) fold.open = true;
-  view.name = name;
+  // Until one is chosen the picture shows the first, and only the picture.
+  view.name = name ?? view.items.keys().next().value ?? null;
   if (view.picture) paintSplit(view);
 }
 
@@ -131,14 +132,20 @@ function litParts(body, name, lit, projection) {
   return parts;
 }
 
+function listedItem({ coincidences }, name) {
+  const [i, j] = name.split(".");
+  return coincidences[i].listed[j];
+}
+
 function decidedSentence({ data, name }, sizes, lower) {
   const where = `The ${lower ? "lower" : "upper"} hemisphere. `;
   const item = name ? data.coincidence(name) : null;
-  if (!item) return [where, "Choose a coincidence to see it taken apart."];
-  if (item.decided_by.length === 0) return [where, "No predicate was asked about it, or none that was zero: no monomial decided."];
+  if (!item) return [where];
+  const what = `${spokenName(item.kind)}, ${involvedText(listedItem(data, name))}`, shown = [element("strong", {}, what), ". ", where];
+  if (item.decided_by.length === 0) return [...shown, "No predicate was asked about it, or none that was zero: no monomial decided."];
   const monomials = item.decided_by.map((monomial) => {
     const size = seenMonomial(monomial, sizes);
     return `${monomialText(monomial)}${size === null ? "" : `, here ${roughly(size, 2)}`}`;
   });
-  return [where, "Decided by ", element("strong", {}, monomials.join("; ")), ": the largest monomial whose coefficient is not 0."];
+  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), ": the largest monomial whose coefficient is not 0."];
 }

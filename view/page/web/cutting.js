@@ -9,7 +9,7 @@ const mostGridLines = 80;
 export function mountCutting(root, data, selection) {
   const { cutting } = data;
   if (!cutting) {
-    if (data.pairs.length > 0) root.replaceChildren(element("h3", {}, "Cutting"), element("p", { class: "note" }, "No pair has more than one crossing: there is nothing to cut."));
+    if (data.pairs.length > 0) root.replaceChildren(element("h3", {}, "Cutting"), element("p", { class: "note" }, nothingCut(data)));
     return {};
   }
   const view = { data, selection, cutting, pair: data.pairs[cutting.pair], level: cutting.levels.length - 1 };
@@ -24,6 +24,11 @@ export function mountCutting(root, data, selection) {
   goToLevel(view, view.level);
   selection.subscribe((state, changed) => changed.has("pair") && sayWhichPair(view, state));
   return {};
+}
+
+function nothingCut({ pairs }) {
+  if (pairs.every((pair) => pair.a.length * pair.b.length === 1)) return "No pair has more than one crossing: there is nothing to cut.";
+  return "No cutting was recorded.";
 }
 
 function goToLevel(view, level) {
@@ -86,7 +91,7 @@ function gridKey(blocks) {
   const counts = crossingsByFate(blocks);
   const swatch = (fate) => svg("svg", { width: 26, height: 18, viewBox: "0 0 26 18", "aria-hidden": "true" }, svg("rect", { class: `block ${fate}`, x: 0.5, y: 0.5, width: 25, height: 17 }));
   const row = (fate) => element("tr", {}, element("th", { scope: "row", class: "text" }, swatch(fate), ` ${fate}`), element("td", {}, String(counts[fate].blocks)),
-                                element("td", {}, String(counts[fate].crossings)), element("td", { class: "text words" }, fateSentences[fate]));
+                                element("td", {}, String(counts[fate].crossings)), element("td", { class: "text prose" }, fateSentences[fate]));
   const heading = (text) => element("th", { scope: "col" }, text);
   return element("table", {}, element("caption", {}, "Blocks up to this level"), element("thead", {}, element("tr", {}, element("td"), heading("blocks"), heading("crossings"), element("td"))),
                  element("tbody", {}, ...blockFates.map(row)));
