@@ -169,6 +169,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   Request& request = parser.request;
   request.command = static_cast<Command>(std::ranges::find(parser.commands, asked) - parser.commands.begin());
   if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);
+  if (!request.html.empty()) request.command_line = command_line(argc, argv);
   if (const std::string fault = empty_value(*asked); !fault.empty()) return refusal(fault, name(request.command));
   if (request.command == Command::cases) parser.texts.wrong_cases = wrong_cases(*asked, request.cases, request.inputs);
   parser.texts.wrong_picture = wrong_picture(*asked, request);

@@ -108,6 +108,8 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case, or per size");
+  app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded")
+      ->type_name("FILE");
   add_sweep_options(app, request);
   add_seed(app, request, "with --sweep: of the family's pairs; 1 unless given");
   add_svg(app, request, "with --sweep: write a chart of the counts to FILE, on logarithmic axes, with the exponents of growth");
@@ -124,6 +126,12 @@ void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
   add_case(app, request);
   app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network")->type_name("FILE");
   app.add_flag("--times", request.times, "add how long each stage took: then the page differs from run to run");
+}
+
+void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
+  app.add_flag("--times", request.times, "add the seconds that each stage took, which differ from run to run");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/stages/1: every stage, for pictures");
 }
 
 void add_schema(CLI::App& app, Request& request, Texts& texts) {
@@ -226,8 +234,9 @@ Parser::Parser() {
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
-  CLI::App& study = add_command(app, "study");
+  CLI::App &study = add_command(app, "study"), &stages = add_command(app, "stages");
   add_study_options(study, request, texts);
+  add_stages_options(stages, request, texts);
   CLI::App& explain = add_command(app, "explain");
   add_explain_options(explain, request, texts);
   CLI::App &cases = add_command(app, "cases"), &certify = add_command(app, "certify");
@@ -236,7 +245,7 @@ Parser::Parser() {
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   add_poses(cases, request, false);
-  commands = {&depth, &width, approx, ray, metric, &study, &explain, &cases, &certify};
+  commands = {&depth, &width, approx, ray, metric, &study, &stages, &explain, &cases, &certify};
 }
 
 CLI::App* Parser::asked() const {

@@ -25,6 +25,7 @@ ExitCode run_approx(const Request& request);
 ExitCode run_ray(const Request& request);
 ExitCode run_metric(const Request& request);
 ExitCode run_study(const Request& request);
+ExitCode run_stages(const Request& request);
 /// study --sweep
 ExitCode run_sweep(const Request& request);
 ExitCode run_explain(const Request& request);

@@ -110,6 +110,7 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
   work.one_body = has_one_body(request);
   work.header = replies.header;
   work.error_line = replies.error_line;
+  work.lost = replies.lost;
   work.refuses_shapes = replies.refuses_shapes;
   work.answer = replies.reply;
   work.require_convex = request.require_convex;

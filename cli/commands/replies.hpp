@@ -28,6 +28,8 @@ struct Replies {
   std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
+  /// As in StreamWork.
+  std::function<void(const std::string& sentence)> lost = {};
   /// Printed before all replies, unless empty.
   std::string header = {};
   /// As in StreamWork.

@@ -126,8 +126,9 @@ void run_exact(kernels::Context& context, const polytope::PlacedPair& pair, cons
     offer_vertex_facet_pairs(run, hulls, stages.charts, nearest);  // step 1
     if (traced) stages.of_facets = nearest;
     stages.subsets = canonical_subsets(run, stages.charts);
-    offer_closest_lines(run, {hulls, pair.exponent()}, stages.charts, stages.subsets, nearest, traced ? &stages.traces : nullptr);  // step 2
-    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()}, options.optima);            // step 3
+    offer_closest_lines(run, {hulls, pair.exponent()}, stages.charts, stages.subsets, nearest,
+                        traced ? &stages.traces : nullptr);                                                               // step 2
+    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()}, options.optima);  // step 3
   }
   depth.counters = context.counters;
 }

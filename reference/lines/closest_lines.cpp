@@ -28,7 +28,11 @@ class Family {
  public:
   Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene, kernels::NearestPlanes& nearest,
          const ClosestLinesOptions& options)
-      : context_(context), subsets_(subsets), scene_(scene), search_(context, scene, nearest, options.seed, options.trace), options_(options) {
+      : context_(context),
+        subsets_(subsets),
+        scene_(scene),
+        search_(context, scene, nearest, options.seed, options.trace),
+        options_(options) {
     if (options.trace) options.trace->pairs.resize(subsets.size());
   }
 

@@ -16,8 +16,8 @@ void note(const Blocks& blocks, GridAxis side, Node cell, Node run, std::uint32_
   SearchTrace* const trace = search.trace();
   if (!trace) return;
   const auto [row, column] = rows_and_columns(side, cell, run);
-  trace->blocks.push_back({trace->pair, level, cut, blocks.tree(GridAxis::rows).run(row), blocks.tree(GridAxis::columns).run(column),
-                           treatment});
+  trace->blocks.push_back(
+      {trace->pair, level, cut, blocks.tree(GridAxis::rows).run(row), blocks.tree(GridAxis::columns).run(column), treatment});
 }
 
 // One cutting in the making.

@@ -14,13 +14,7 @@ constexpr std::uint64_t few_farther = 64;
 
 LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed,
                        SearchTrace* trace)
-    : context_(context),
-      scene_(scene),
-      nearest_(nearest),
-      wide_a_(scene.a.wide()),
-      wide_b_(scene.b.wide()),
-      random_(seed),
-      trace_(trace) {
+    : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed), trace_(trace) {
   counters().seed = seed;
   tighten();
 }

@@ -20,7 +20,7 @@ std::string_view light_colour(std::string_view name);
 /// which stays where var() is unknown.
 std::string coloured(std::string_view rules, bool plain);
 
-/// The rules for what pair_picture makes, by the colours of colour_style.
+/// The rules for what scene_panels and scene_document make, by the colours of colour_style.
 std::string picture_style();
 
 /// Both, for an SVG file. Programs that know no custom properties draw it in light colours.

@@ -30,7 +30,7 @@ mpq_class extent_of(const polytope::PlacedPair& pair) {
   for (const kernels::PointCloud* cloud : {&pair.a, &pair.b}) {
     for (const Vector& p : cloud->points()) {
       for (const mpz_class* c : {&p.x, &p.y, &p.z}) {
-        if (cmpabs(*c, most) > 0) most = abs(*c);
+        if (mpz_cmpabs(c->get_mpz_t(), most.get_mpz_t()) > 0) most = abs(*c);
       }
     }
   }

@@ -132,13 +132,14 @@ StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const Sca
 }
 
 StagedBody outline_of(std::string_view name, const Shape& shape, Stages& stages) {
-  StagedBody body{.rank = 3, .sampled = true};
+  StagedBody body;
+  body.rank = 3;
   if (const std::vector<Term>* const terms = terms_of(shape)) {
     body = mesh_of(shape, *terms, stages.scale);
-    body.sampled = true;
   } else {
     stages.left_out.push_back(std::string(name) + " is a half-space, which has no end: it is not drawn.");
   }
+  body.sampled = true;
   return body;
 }
 

@@ -27,7 +27,9 @@ void fill(const Subject& subject, const Depth& depth, Stages& stages) {
   stages.counters = subject.exact.depth.counters;
   if (!depth.penetration())
     stages.left_out.emplace_back("The bodies do not penetrate: the exact method ends before the search for closest lines, so pairs have no closest lines.");
-  // FACETS: add_sum, add_coincidences, add_bounds.
+  add_sum(subject, stages);
+  add_coincidences(subject, stages);
+  add_bounds(subject, stages);
 }
 
 }  // namespace

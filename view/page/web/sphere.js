@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Section 3, the sphere of directions with both Gaussian diagrams, lifted off a ball that hides its far side. Each colour of a hemisphere
+// is one batch of lines. The camera and the chart go together: to choose a hemisphere turns the ball to it, and while both are shown the
+// chart is that of the one in front.
+import { dot, times } from "./geometry.js";
+import { litArcs, litInDiagrams } from "./lit.js";
+import { calm, colour, element, onLook } from "./look.js";
+import { equatorOf, facingOf, halvesOfArcs, segmentsOf, stationOf, stripOnSphere } from "./spheregeometry.js";
+
+const sphereDistance = 5.2, mostFaint = 200, greaterDepth = 6;  // three.js: GreaterDepth
+const ballRadius = 0.985, litRadius = 1.006;
+
+export function mountSphere(root, data, selection) {
+  if (data.charts.length === 0) return {};
+  const view = { data, selection, section: root.closest("section") ?? root, frames: data.charts.map((chart) => chart.frame), frame: 0 };
+  view.canvas = element("canvas", { class: "sphere-canvas", role: "img", "aria-label": sphereLabel(data) });
+  view.renderer = new THREE.WebGLRenderer({ canvas: view.canvas, antialias: true, alpha: true });
+  view.label = element("span", { class: "sphere-label" }, "n");
+  const stage = element("div", { class: "sphere-stage" }, view.canvas, view.label);
+  root.replaceChildren(element("figure", {}, sphereTools(view), stage, sphereCaption(data)));
+  makeSphereScene(view);
+  view.facing = facingOf(view.camera.position, view.frames[0].z);
+  view.controls.addEventListener("change", () => sphereTurned(view));
+  new ResizeObserver(() => fitSphere(view, stage)).observe(stage);
+  onLook(() => colourSphere(view));
+  selection.subscribe((state, changed) => showSphere(view, state, changed));
+  return { lit: () => ({ sphere: litArcs(litInDiagrams(data, selection.get())) }), drawCalls: () => view.renderer.info.render.calls };
+}
+
+function sphereLabel({ bodies }) {
+  return `Sphere of directions with the Gaussian diagrams of minus A, ${bodies.a.arcs.length} arcs, and of B, ${bodies.b.arcs.length} arcs`;
+}
+
+function sphereTools(view) {
+  const button = (text, label, onclick) => element("button", { type: "button", "aria-label": label, title: label, onclick }, text);
+  const turn = (x, y) => () => swingSphere(view, stationTurned(view, x, y));
+  const zoom = (factor) => () => {
+    view.camera.zoom = Math.min(40, Math.max(0.5, view.camera.zoom * factor));
+    view.camera.updateProjectionMatrix();
+    drawSphere(view);
+  };
+  const toOptimum = () => {
+    const n = view.data.optima[view.selection.get().optimum]?.direction;
+    if (n) swingSphere(view, times(n, sphereDistance));
+  };
+  return element("div", { class: "bar", role: "group", "aria-label": "View of the sphere" }, button("\u2190", "turn left", turn(-0.4, 0)),
+                 button("\u2192", "turn right", turn(0.4, 0)), button("\u2191", "turn up", turn(0, 0.4)), button("\u2193", "turn down", turn(0, -0.4)),
+                 button("+", "larger", zoom(1.4)), button("\u2212", "smaller", zoom(1 / 1.4)),
+                 view.data.optima.length > 0 ? button("to n", "turn to the optimum n", toOptimum) : null);
+}
+
+function sphereCaption({ bodies }) {
+  const key = (name, text) => element("span", { class: `key-${name}` }, text);
+  const faint = bodies.a.arcs.length + bodies.b.arcs.length <= mostFaint;
+  return element("figcaption", {}, "A direction is a point of the sphere. ", key("a", "Diagram of \u2212A, solid"), "; ", key("b", "of B, dashed"),
+                 `: nodes are facets, arcs are edges, faces are vertices. The far side is ${faint ? "faint" : "hidden"}. Drag to turn.`);
+}
+
+// ---- the scene ----
+
+function makeSphereScene(view) {
+  const { data, frames } = view;
+  view.scene = new THREE.Scene();
+  view.camera = new THREE.PerspectiveCamera(28, 1, 0.1, 20);
+  view.camera.up.set(...frames[0].v);
+  const shown = view.selection.get(), lower = shown.hemisphere === "lower" || (shown.hemisphere === "both" && startsBelow(data, shown));
+  view.camera.position.set(...stationOf(frames[lower && frames[1] ? 1 : 0], sphereDistance));
+  view.controls = new THREE.OrbitControls(view.camera, view.canvas);
+  Object.assign(view.controls, { enablePan: false, enableZoom: false });
+  view.ball = new THREE.Mesh(new THREE.SphereGeometry(ballRadius, 96, 48), new THREE.MeshBasicMaterial());
+  view.scene.add(view.ball);
+  // Half a dozen dashes in an arc of middling length: of k arcs round the sphere that is about 3 / sqrt(k).
+  const dash = Math.min(0.035, 0.35 / Math.sqrt(data.bodies.b.arcs.length));
+  view.materials = { a: sphereLine("a", false), b: sphereLine("b", false, dash), faintA: sphereLine("a", true), faintB: sphereLine("b", true, dash),
+                     equator: new THREE.LineBasicMaterial(), wall: new THREE.LineBasicMaterial(), mark: new THREE.MeshBasicMaterial(),
+                     litA: new THREE.LineMaterial({ linewidth: 3.5 }), litB: new THREE.LineMaterial({ linewidth: 3.5, dashed: true, dashSize: 0.07, gapSize: 0.025 }),
+                     nodeA: new THREE.PointsMaterial({ size: 10, sizeAttenuation: false }), nodeB: new THREE.PointsMaterial({ size: 12, sizeAttenuation: false }) };
+  view.halves = [new THREE.Group(), new THREE.Group()];
+  const few = data.bodies.a.arcs.length + data.bodies.b.arcs.length <= mostFaint;
+  for (const name of ["a", "b"]) addDiagram(view, name, few);
+  view.equator = sphereSegments([equatorOf(frames[0])], 1, view.materials.equator);
+  view.chosen = new THREE.Group();
+  view.pin = spherePin(view.materials.mark);
+  view.scene.add(...view.halves, view.equator, view.chosen, view.pin);
+}
+
+function startsBelow(data, { pair, optimum }) {
+  return pair !== null ? data.pairs[pair].chart === 1 : (data.optima[optimum]?.direction?.[2] ?? 0) < 0;
+}
+
+function sphereLine(name, faint, dash) {
+  const material = name === "a" ? new THREE.LineBasicMaterial() : new THREE.LineDashedMaterial({ dashSize: dash, gapSize: 0.6 * dash });
+  if (faint) Object.assign(material, { transparent: true, opacity: 0.22, depthFunc: greaterDepth, depthWrite: false });
+  return material;
+}
+
+function sphereSegments(polylines, radius, material) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(segmentsOf(polylines, radius), 3));
+  const lines = new THREE.LineSegments(geometry, material);
+  if (material.isLineDashedMaterial) lines.computeLineDistances();
+  lines.frustumCulled = false;
+  return lines;
+}
+
+function addDiagram(view, name, few) {
+  const body = view.data.bodies[name], halves = halvesOfArcs(body, body.arcs.keys(), view.frames[0].z);
+  halves.forEach((polylines, i) => {
+    if (polylines.length === 0) return;
+    const lines = sphereSegments(polylines, 1, view.materials[name]);
+    view.halves[i].add(lines);
+    if (few) {
+      const far = new THREE.LineSegments(lines.geometry, view.materials[name === "a" ? "faintA" : "faintB"]);
+      far.renderOrder = 1;  // after the ball, which it is compared with
+      view.halves[i].add(far);
+    }
+  });
+}
+
+/** The mark of the optimum: a pin that stands on the sphere, along its own y-axis. */
+function spherePin(material) {
+  const pin = new THREE.Group();
+  const needle = new THREE.Mesh(new THREE.CylinderGeometry(0.008, 0.008, 0.2, 8), material), head = new THREE.Mesh(new THREE.SphereGeometry(0.026, 16, 12), material);
+  needle.position.set(0, 1.08, 0);
+  head.position.set(0, 1.19, 0);
+  pin.add(needle, head);
+  return pin;
+}
+
+// ---- what changes ----
+
+function showSphere(view, state, changed) {
+  const { data } = view;
+  view.halves.forEach((half, i) => (half.visible = state.hemisphere === "both" || (state.hemisphere === "lower") === (i === 1)));
+  const n = data.optima[state.optimum]?.direction;
+  view.pin.visible = Boolean(n);
+  if (n) view.pin.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...n).normalize());
+  litOnSphere(view, state);
+  const first = changed.has("moved") && changed.has("section");
+  if (!first && changed.has("hemisphere") && state.hemisphere !== "both") faceHemisphere(view, state.hemisphere === "lower" ? 1 : 0);
+  else if (!first && changed.has("pair") && state.pair !== null && state.hemisphere === "both") faceHemisphere(view, data.pairs[state.pair].chart);
+  drawSphere(view);
+}
+
+function faceHemisphere(view, index) {
+  if (facingOf(view.camera.position, view.frames[0].z) !== index) swingSphere(view, stationOf(view.frames[index], sphereDistance));
+}
+
+function litOnSphere(view, state) {
+  const { data } = view, lit = litInDiagrams(data, state), pole = view.frames[0].z;
+  for (const child of view.chosen.children) child.geometry.dispose();
+  view.chosen.clear();
+  for (const name of ["a", "b"]) {
+    const halves = halvesOfArcs(data.bodies[name], lit[name].arcs, pole), material = view.materials[`lit${name.toUpperCase()}`];
+    const segments = segmentsOf(halves.filter((_, i) => view.halves[i].visible).flat(), litRadius);
+    if (segments.length > 0) {
+      const lines = new THREE.LineSegments2(new THREE.LineSegmentsGeometry().setPositions(segments), material);
+      if (material.dashed) lines.computeLineDistances();
+      view.chosen.add(lines);
+    }
+    const nodes = lit[name].nodes.flatMap((node) => times(data.bodies[name].nodes[node], name === "a" ? 1.012 : 1.01));
+    if (nodes.length > 0) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.Float32BufferAttribute(nodes, 3));
+      view.chosen.add(new THREE.Points(geometry, view.materials[`node${name.toUpperCase()}`]));
+    }
+  }
+  if (state.pair === null) return;
+  const pair = data.pairs[state.pair];
+  view.chosen.add(sphereSegments(stripOnSphere(pair, data.charts[pair.chart], data.bodies), 1.001, view.materials.wall));
+}
+
+function colourSphere(view) {
+  const { materials } = view, set = (material, name) => material.color.set(colour(name));
+  for (const name of ["a", "faintA", "litA", "nodeA"]) set(materials[name], "--a");
+  for (const name of ["b", "faintB", "litB", "nodeB"]) set(materials[name], "--b");
+  set(materials.equator, "--line");
+  set(materials.wall, "--lit");
+  set(materials.mark, "--true");
+  set(view.ball.material, "--shade");
+  drawSphere(view);
+}
+
+// ---- the camera ----
+
+/** Where the camera would stand, turned about v by x and up by y. */
+function stationTurned(view, x, y) {
+  const position = view.camera.position.clone(), spherical = new THREE.Vector3().copy(position).normalize();
+  const polar = Math.min(3.1, Math.max(0.04, Math.acos(spherical.y) - y)), azimuth = Math.atan2(spherical.x, spherical.z) + x;
+  return times([Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), Math.sin(polar) * Math.cos(azimuth)], sphereDistance);
+}
+
+/** Turns the camera to another station, at once for a reader who asked for less motion. */
+function swingSphere(view, to) {
+  const from = view.camera.position.toArray(), start = performance.now(), lasts = calm() ? 0 : 350;
+  const swing = (view.swing = () => {
+    if (view.swing !== swing) return;
+    const t = lasts > 0 ? Math.min(1, (performance.now() - start) / lasts) : 1, s = t * t * (3 - 2 * t);
+    const between = from.map((x, i) => x + s * (to[i] - x)), length = Math.hypot(...between);
+    // Half way between opposite stations there is no direction: pass beside it.
+    const place = length > 0.3 ? times(between, sphereDistance / length) : [sphereDistance, 0.01, 0];
+    view.camera.position.set(...place);
+    view.controls.update();
+    sphereTurned(view);
+    if (t < 1) requestAnimationFrame(swing);
+  });
+  swing();
+}
+
+function sphereTurned(view) {
+  const facing = facingOf(view.camera.position, view.frames[0].z);
+  if (facing !== view.facing) {
+    view.facing = facing;
+    view.section.dispatchEvent(new CustomEvent("facing", { detail: facing }));
+  }
+  drawSphere(view);
+}
+
+function fitSphere(view, stage) {
+  const side = Math.max(1, Math.min(stage.clientWidth, 760));
+  view.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+  view.renderer.setSize(side, side);
+  for (const name of ["litA", "litB"]) view.materials[name].resolution.set(side, side);
+  drawSphere(view);
+}
+
+/** Draws in the next frame, once however often it is asked for. */
+function drawSphere(view) {
+  if (view.frame) return;
+  view.frame = requestAnimationFrame(() => {
+    view.frame = 0;
+    view.renderer.render(view.scene, view.camera);
+    placeSphereLabel(view);
+  });
+}
+
+function placeSphereLabel(view) {
+  const n = view.data.optima[view.selection.get().optimum]?.direction, camera = view.camera.position.toArray();
+  const inFront = Boolean(n) && dot(n, camera) > -0.35 * Math.hypot(...camera);
+  view.label.hidden = !inFront;
+  if (!inFront) return;
+  const tip = new THREE.Vector3(...times(n, 1.27)).project(view.camera);
+  Object.assign(view.label.style, { left: `${(50 * (1 + tip.x)).toFixed(2)}%`, top: `${(50 * (1 - tip.y)).toFixed(2)}%` });
+}
