@@ -91,7 +91,8 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
-  app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded")->type_name("FILE");
+  app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded")
+      ->type_name("FILE");
 }
 
 void add_schema(CLI::App& app, Request& request, Texts& texts) {

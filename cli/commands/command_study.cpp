@@ -53,8 +53,7 @@ class PageFile {
   template <class AnyStudy>
   CaseReply reply(const AskedCase& pair, AnyStudy found) {
     CaseReply result{text_of(pair.input.id, found, request_)};
-    if (file_)
-      result.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
+    if (file_) result.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
     return result;
   }
   void lose(const std::string& sentence) { page_.add_fault(sentence); }

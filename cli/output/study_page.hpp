@@ -36,10 +36,12 @@ class StudyPage {
   void take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline, const Names& names);
   [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string totals() const;
+  [[nodiscard]] std::string case_by_case() const;
+  [[nodiscard]] std::string without_study() const;
 
   bool stream_;
   std::size_t cases_ = 0, shown_ = 0;
-  std::string title_, headline_;               // of the last case, escaped
+  std::string title_, headline_;  // of the last case, escaped
   std::map<std::string, std::size_t> statuses_;
   std::map<std::string, Total> coincidences_;  // by name, as spoken
   std::vector<std::string> faults_;

@@ -65,8 +65,12 @@ Rows rows_of(const ShapeStudy& study) {
   for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
     for (std::size_t k = 0; k < listed.size(); ++k)
-      rows.push_back({spoken(shape_coincidence_names[i]), k + 1, count, picture::markup(feature_text(listed[k].a)),
-                      picture::markup(feature_text(listed[k].b)), {}});
+      rows.push_back({spoken(shape_coincidence_names[i]),
+                      k + 1,
+                      count,
+                      picture::markup(feature_text(listed[k].a)),
+                      picture::markup(feature_text(listed[k].b)),
+                      {}});
   }
   return rows;
 }
@@ -108,7 +112,8 @@ std::string case_part(const Case& pair, const std::string& anchor) {
     if (line.size() <= longest_case)
       return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON",
                                   std::string_view(line).substr(0, line.size() - 1));
-    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n", pair.a.points.size() + pair.b.points.size());
+    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
+                       pair.a.points.size() + pair.b.points.size());
   } catch (const std::invalid_argument&) {
     return "";
   }
@@ -146,12 +151,13 @@ std::string study_section(const Case& pair, const ShapeStudy& study, const std::
   facts.add("A", size_text(study.a));
   facts.add("B", size_text(study.b));
   if (study.contact) facts.add("contact", involved_text(*study.contact));
-  std::string said = facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study), counts_of(study, shape_coincidence_names)));
+  std::string said =
+      facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study), counts_of(study, shape_coincidence_names)));
   if (study.cores) {
     const Study& cores = *study.cores;
     const std::string table = coincidences_part(anchor + "k", rows_of(cores, nullptr), counts_of(cores, coincidence_names));
-    said += "<details class=\"part\"><summary>The cores, without their radii: " + picture::markup(status_text(cores.depth)) + "</summary>\n" +
-            facts_of(cores).list() + coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
+    said += "<details class=\"part\"><summary>The cores, without their radii: " + picture::markup(status_text(cores.depth)) +
+            "</summary>\n" + facts_of(cores).list() + coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
   }
   return beside(study_figure(pair, study.depth, anchor), said + case_part(pair, anchor));
 }

@@ -84,7 +84,8 @@ std::string predicates_part(const PredicateCounts& counts) {
       "<th scope=\"col\">zero</th><th scope=\"col\" class=\"text\">decided by</th></tr></thead>\n<tbody>\n" +
       rows + "</tbody>";
   return picture::table_box("What the perturbation decided", table, false) +
-         "<p class=\"soft\">exact: calls that floating point could not decide; zero: those that are 0, which the perturbation then decided. Eij "
+         "<p class=\"soft\">exact: calls that floating point could not decide; zero: those that are 0, which the perturbation then "
+         "decided. Eij "
          "are the infinitesimals that move -A; a, b, c tilt the chart's frame.</p>\n";
 }
 

@@ -34,9 +34,9 @@ class Marks {
 
 /// A row of the table of coincidences.
 struct CoincidenceRow {
-  std::string kind;               ///< its name, as spoken
-  std::uint64_t number, count;    ///< the number-th of count
-  std::string a, b;               ///< markup: the features
+  std::string kind;                 ///< its name, as spoken
+  std::uint64_t number, count;      ///< the number-th of count
+  std::string a, b;                 ///< markup: the features
   std::vector<std::string> lights;  ///< the ids that the row lights
 };
 
@@ -56,7 +56,6 @@ class FactList {
  private:
   std::string rows_;
 };
-
 
 /// The picture of the bodies, with its legend; empty if there is none. The features of `marks` are in it.
 std::string study_figure(const Case& pair, const Depth& depth, const Marks& marks, const std::string& anchor);

@@ -265,8 +265,8 @@ TEST(Html, WrongAnswersBeforeThoseThatAreNotThere) {
 // The bar, its legend, the line above it, both tables and the filter count the same cases.
 TEST(Html, CountsAgree) {
   Outcomes outcomes;
-  std::map<Verdict, std::size_t> counts{{Verdict::pass, 5}, {Verdict::touching_by_convention, 2}, {Verdict::unsupported, 1},
-                                        {Verdict::too_deep, 3}, {Verdict::crash, 4}};
+  std::map<Verdict, std::size_t> counts{
+      {Verdict::pass, 5}, {Verdict::touching_by_convention, 2}, {Verdict::unsupported, 1}, {Verdict::too_deep, 3}, {Verdict::crash, 4}};
   for (const auto& [verdict, count] : counts)
     for (std::size_t i = 0; i < count; ++i) outcomes.push_back(outcome("a::" + std::to_string(outcomes.size()), verdict));
   const Element page = read_page(html_page(subject(), outcomes, {}, {}));

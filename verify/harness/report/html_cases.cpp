@@ -39,9 +39,10 @@ std::string row(const Outcome& outcome, const std::string& anchor) {
   const std::string id = markup(shown_id(outcome.id, outcome.variant));
   const std::string named = anchor.empty() ? id : fmt::format("<a href=\"#{}\">{}</a>", anchor, id);
   const bool judged = outcome.judgement && outcome.judgement->error_relative;
-  return fmt::format("<tr data-kind=\"{0}\"><th scope=\"row\" class=\"id\">{1}</th><td class=\"name\">{0}</td><td>{2}</td><td class=\"text\">{3}</td></tr>\n",
-                     name(outcome.verdict), named, judged ? error_text(*outcome.judgement->error_relative) : "",
-                     markup(sentence_of(outcome)));
+  return fmt::format(
+      "<tr data-kind=\"{0}\"><th scope=\"row\" class=\"id\">{1}</th><td class=\"name\">{0}</td><td>{2}</td><td "
+      "class=\"text\">{3}</td></tr>\n",
+      name(outcome.verdict), named, judged ? error_text(*outcome.judgement->error_relative) : "", markup(sentence_of(outcome)));
 }
 
 std::vector<picture::Choice> choices(const std::vector<const Outcome*>& outcomes) {
@@ -74,7 +75,8 @@ std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anc
     if (found != anchors.end()) anchors.erase(found);
   }
   const std::string table = fmt::format(
-      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th scope=\"col\">relative error</th>"
+      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th scope=\"col\">relative "
+      "error</th>"
       "<th scope=\"col\" class=\"text\">what the judge says</th></tr></thead>\n<tbody id=\"cases\">\n{}</tbody>",
       rows);
   const std::string more =

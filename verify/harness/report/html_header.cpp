@@ -72,8 +72,8 @@ std::string html_header(const SubjectInfo& subject, const Tally& tally, const To
   const std::string bar = picture::share_bar(shares_of(all, shown), "shares", "Cases by verdict");
   const std::string both = all[Verdict::touching_by_convention] == 0
                                ? ""
-                               : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n", all[Verdict::pass],
-                                             all[Verdict::touching_by_convention]);
+                               : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
+                                             all[Verdict::pass], all[Verdict::touching_by_convention]);
   return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}</header>\n", markup(title(subject)),
                      totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(cut_short),
                      warning(coverage_warning(all.judged)), bar, both, settings_list(subject, all, tolerance));

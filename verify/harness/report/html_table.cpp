@@ -57,8 +57,10 @@ std::string tally_table(const Tally& tally) {
   const std::string table =
       fmt::format("<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);
   return fmt::format(
-      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed depths, below 0 where the "
-      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the largest coordinate of a "
+      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed depths, below 0 where "
+      "the "
+      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the largest coordinate of "
+      "a "
       "case.</p>\n{}</details>\n",
       lines.size() <= few_families ? " open=\"open\"" : "", lines.size(), picture::table_box("Verdicts by family", table, true));
 }
