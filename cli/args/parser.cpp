@@ -140,6 +140,10 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
                  "write the proof of the answer to FILE; for a stream: a directory, one file for each case")
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
+  if (!of_one)
+    app.add_option("--svg", request.svg,
+                   "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case")
+        ->type_name("FILE");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   add_exact(app, request);
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");

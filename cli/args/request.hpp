@@ -39,6 +39,7 @@ struct Request {
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  std::string svg;                  ///< depth: the file for the picture, or the folder for those of a stream; empty: none
   bool embed_certificate = false;   ///< as a field of each JSON result
   std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
   std::optional<Point> direction;   ///< ray

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The projection of pictures: lengths in its plane, close-ups of tiny things far away, clipping, outlines.
+// The projection of pictures: lengths in its plane, close-ups of tiny things far away, and a look at which something can be seen.
 #include "view/picture/view.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace fathom::picture {
 namespace {
@@ -47,41 +49,48 @@ TEST(View, SeesOneSideOfAFacet) {
   EXPECT_NE(view.faces_us({0, 0, 1}), view.faces_us({0, 0, -1}));
 }
 
+// A box that moves along an axis shows two of its sides, and none of its edges across the way hides another.
+TEST(View, LooksFromALittleAbove) {
+  for (const Point& along : {Point{1, 0, 0}, Point{0, -3, 0}, Point{0, 0, 2}}) {
+    const View view(along, std::nullopt);
+    std::vector<double> heights;
+    for (const int x : {-1, 1})
+      for (const int y : {-1, 1})
+        for (const int z : {-1, 1}) {
+          const Point corner{x, y, z};
+          if (product(corner, along) > 0) heights.push_back(view.project(corner, Point{}, 1).y);
+        }
+    std::ranges::sort(heights);
+    for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GT(heights[i] - heights[i - 1], 0.3) << along.x << along.y << along.z;
+  }
+  EXPECT_TRUE(View(Point{1, 0, 0}, std::nullopt).faces_us({0, 0, 1})) << "from above";
+}
+
+TEST(View, ShowsTheEdgesInContact) {
+  EXPECT_TRUE(rc::check("none end on", [] {
+    const auto coordinate = rc::gen::inRange(-50, 51);
+    const Point along{*coordinate, *coordinate, *coordinate};
+    std::vector<Point> edges;
+    for (int i = 0; i < 2; ++i) {  // across the way
+      const Point v{*coordinate, *coordinate, *coordinate};
+      edges.push_back(
+          {mpq_class(along.y * v.z - along.z * v.y), mpq_class(along.z * v.x - along.x * v.z), mpq_class(along.x * v.y - along.y * v.x)});
+    }
+    RC_PRE(along != Point{} && edges[0] != Point{} && edges[1] != Point{});
+    const View view(along, std::nullopt, edges);
+    for (const Point& edge : edges) {
+      const double whole = std::sqrt(product(edge, edge).get_d());
+      RC_ASSERT(length(view.project(edge, Point{}, 1)) > 0.25 * whole);
+    }
+  }));
+}
+
 TEST(View, UnitVectors) {
   const auto huge =
       unit_vector(Point{mpq_class(mpz_class("3" + std::string(400, '0'))), 0, mpq_class(mpz_class("-4" + std::string(400, '0')))});
   EXPECT_DOUBLE_EQ(huge.x, 0.6);
   EXPECT_DOUBLE_EQ(huge.z, -0.8);
   EXPECT_EQ(unit_vector(Point{}), (Vec3<double>{0, 0, 0}));
-}
-
-TEST(Clipped, Segments) {
-  const auto cut = [](Dot from, Dot to) { return clipped({from, to}, false, {0, 0}, {1, 2}); };
-  auto part = cut({-3, 0}, {3, 0});
-  ASSERT_EQ(part.size(), 2u);
-  EXPECT_EQ(std::pair(part[0].x, part[1].x), std::pair(-1.0, 1.0));
-  part = cut({0, 0}, {0, 8});
-  ASSERT_EQ(part.size(), 2u);
-  EXPECT_EQ(part[1].y, 2);
-  EXPECT_TRUE(cut({-3, 0}, {0, 9}).empty()) << "past the corner";
-  EXPECT_TRUE(cut({0, 0}, {std::nan(""), 0}).empty());
-  EXPECT_TRUE(cut({0, 0}, {INFINITY, 0}).empty());
-}
-
-TEST(Clipped, PolygonsStayInTheBox) {
-  EXPECT_TRUE(rc::check("inside", [] {
-    const auto coordinate = rc::gen::inRange(-30, 31);
-    std::vector<Dot> dots;
-    for (int i = 0; i < 8; ++i) dots.push_back({*coordinate / 10.0, *coordinate / 10.0});
-    for (const Dot& d : clipped(outline(dots), true, {0, 0}, {1, 1})) RC_ASSERT(std::abs(d.x) < 1 + 1e-12 && std::abs(d.y) < 1 + 1e-12);
-  }));
-  EXPECT_EQ(clipped({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, true, {0, 0}, {1, 1}).size(), 4u);
-}
-
-TEST(Outline, HasTheCornersOfTheHullOnly) {
-  EXPECT_EQ(outline({{0, 0}, {2, 0}, {1, 0}, {1, 1}, {2, 2}, {0, 2}, {0, 0}, {1, 2}}).size(), 4u);
-  EXPECT_EQ(outline({{0, 0}, {1, 1}, {2, 2}}).size(), 2u) << "a segment";
-  EXPECT_EQ(outline({{3, 4}}).size(), 1u);
 }
 
 }  // namespace

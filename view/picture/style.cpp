@@ -52,7 +52,9 @@ svg.pair .bar{stroke:@ink;stroke-width:1.4}
 svg.pair text{fill:@ink;font-family:system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif;font-size:12px}
 svg.pair .letter{font-size:18px;font-weight:700;text-anchor:middle;paint-order:stroke;stroke:@shade;stroke-width:4px;stroke-linejoin:round}
 svg.pair .note{fill:@soft}
-svg.pair .length{text-anchor:middle}
+svg.pair .paper{fill:@ground}
+svg.pair .heading,svg.pair .answer{font-size:14px;font-weight:600}
+svg.pair .caption{font-size:13px}
 )";
 
 /// The rules with their colours as custom properties; `plain`: each after the light colour, which stays where var() is unknown.
@@ -83,7 +85,7 @@ std::string properties(std::string_view Colour::*shade) {
 
 std::string colour_style() {
   return fmt::format(
-      ":root{{color-scheme:light dark;{0}}}\n@media (prefers-color-scheme:dark){{:root{{{1}}}}}\n"
+      ":root{{color-scheme:light dark;{0}}}\n@media (prefers-color-scheme: dark){{:root{{{1}}}}}\n"
       "@media print{{:root{{color-scheme:light;{0}}}}}\n",
       properties(&Colour::light), properties(&Colour::dark));
 }

@@ -16,7 +16,7 @@ std::string colour_style();
 /// The colour that a property has in light pages: light_colour("a") is that of --a. Throws std::out_of_range for other names.
 std::string_view light_colour(std::string_view name);
 
-/// The rules for what pair_picture makes, by the colours of colour_style.
+/// The rules for what scene_panels and scene_document make, by the colours of colour_style.
 std::string picture_style();
 
 /// Both, for an SVG file. Programs that know no custom properties draw it in light colours.

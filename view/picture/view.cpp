@@ -2,8 +2,8 @@
 #include "view/picture/view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "fathom/numbers.hpp"
 
@@ -15,13 +15,11 @@ using Triple = Vec3<double>;
 /// A multiple whose greatest component is 1 or -1; zero stays.
 Point shortened(const Point& v) {
   const mpq_class largest = std::max({mpq_class(abs(v.x)), mpq_class(abs(v.y)), mpq_class(abs(v.z))});
-  if (largest == 0) return v;
-  return {mpq_class(v.x / largest), mpq_class(v.y / largest), mpq_class(v.z / largest)};
+  return largest == 0 ? v : scaled(v, mpq_class(1 / largest));
 }
 
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 Triple rounded(const Point& v) { return {v.x.get_d(), v.y.get_d(), v.z.get_d()}; }
-double length(const Triple& v) { return std::hypot(v.x, v.y, v.z); }
+double length(const Triple& v) { return std::sqrt(dot(v, v)); }
 
 Triple normalised(const Triple& v) {
   const double l = length(v);
@@ -41,23 +39,43 @@ Triple least_aligned(const Triple& u) {
   return y <= x ? Triple{0, 1, 0} : Triple{1, 0, 0};
 }
 
-double turn(const Dot& p, const Dot& q, const Dot& r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); }
+/// A turn about the way, by its cosine and sine.
+struct Turn {
+  double cosine, sine;
+};
 
-/// The part of a path where `inside` is not negative. `inside` is linear.
-template <class Inside>
-std::vector<Dot> half(const std::vector<Dot>& path, bool closed, const Inside& inside) {
-  std::vector<Dot> result;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const Dot& p = path[i];
-    if (inside(p) >= 0) result.push_back(p);
-    if (i + 1 == path.size() && !closed) break;
-    const Dot& q = path[(i + 1) % path.size()];
-    const double at_p = inside(p), at_q = inside(q);
-    if ((at_p < 0) == (at_q < 0)) continue;
-    const double share = at_p / (at_p - at_q);
-    result.push_back({p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)});
+/// Unit vectors, so that no facet of a box that stands along the axes is seen from its edge, nor two of its edges behind one another.
+/// From above, the first first.
+constexpr std::array<Turn, 8> turns{
+    {{0.92, 0.392}, {0.8, 0.6}, {0.98, 0.199}, {0.92, -0.392}, {0.6, 0.8}, {0.8, -0.6}, {0.352, 0.936}, {0.352, -0.936}}};
+
+Triple turned(const Triple& up, const Triple& beside, const Turn& turn) {
+  return normalised({turn.cosine * up.x + turn.sine * beside.x, turn.cosine * up.y + turn.sine * beside.y,
+                     turn.cosine * up.z + turn.sine * beside.z});
+}
+
+/// How much of the edge that is seen least is seen if `up` points up: from 0, end on, to 1. What lies along the way counts not.
+double seen(const Triple& right, const Triple& up, std::span<const Point> edges) {
+  double least = 1;
+  for (const Point& edge : edges) {
+    const Triple beside = normalised(across(unit_vector(edge), right));
+    if (length(beside) > 0) least = std::min(least, std::abs(dot(beside, up)));
   }
-  return result;
+  return least;
+}
+
+/// Up if nothing else lies in the plane.
+Triple free_up(const Triple& right, std::span<const Point> edges) {
+  constexpr double enough = 0.4;
+  const Triple upright = normalised(across(least_aligned(right), right)), beside = cross(upright, right);
+  Triple best = turned(upright, beside, turns.front());
+  for (const Turn& turn : turns) {
+    const double found = seen(right, best, edges);
+    if (found >= enough) return best;
+    const Triple up = turned(upright, beside, turn);
+    if (seen(right, up, edges) > found) best = up;
+  }
+  return best;
 }
 
 }  // namespace
@@ -65,46 +83,30 @@ std::vector<Dot> half(const std::vector<Dot>& path, bool closed, const Inside& i
 Triple unit_vector(const Point& v) { return normalised(rounded(shortened(v))); }
 
 Point point_of(const Vector& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
+Point exact_point(const Triple& v) { return {exact_value(v.x), exact_value(v.y), exact_value(v.z)}; }
+Point sum(const Point& p, const Point& q) { return {mpq_class(p.x + q.x), mpq_class(p.y + q.y), mpq_class(p.z + q.z)}; }
+Point scaled(const Point& p, const mpq_class& by) { return {mpq_class(p.x * by), mpq_class(p.y * by), mpq_class(p.z * by)}; }
 
-View::View(const Point& along, const std::optional<Point>& second) : right_(shortened(along)) {
+mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
+View::View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges) {
   constexpr double hardly = 1e-3;  // below this sine the second direction does not show
-  const Triple right = unit_vector(right_);
+  const Point way = shortened(along);
+  const Triple right = unit_vector(way);
   Triple up = second ? across(unit_vector(*second), right) : Triple{};
-  if (!(length(up) > hardly)) up = across(least_aligned(right), right);
-  up = normalised(up);
-  up_ = {exact_value(up.x), exact_value(up.y), exact_value(up.z)};
-  right_length_ = length(rounded(right_));
+  up = length(up) > hardly ? normalised(up) : free_up(right, edges);
+  right_ = scaled(way, mpq_class(1 / exact_value(length(rounded(way)))));
+  up_ = exact_point(up);
   towards_ = cross(right, up);
 }
 
+Place View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
+
 Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) const {
-  const Point v{mpq_class((p.x - centre.x) / unit), mpq_class((p.y - centre.y) / unit), mpq_class((p.z - centre.z) / unit)};
-  return {product(right_, v).get_d() / right_length_, product(up_, v).get_d()};
+  const Place at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
+  return {at.x.get_d(), at.y.get_d()};
 }
 
 bool View::faces_us(const Vector& normal) const { return dot(unit_vector(point_of(normal)), towards_) > 0; }
-
-std::vector<Dot> clipped(std::vector<Dot> path, bool closed, Dot centre, Dot limit) {
-  if (!std::ranges::all_of(path, [](const Dot& d) { return std::isfinite(d.x) && std::isfinite(d.y); })) return {};
-  path = half(path, closed, [&](const Dot& d) { return d.x - (centre.x - limit.x); });
-  path = half(path, closed, [&](const Dot& d) { return centre.x + limit.x - d.x; });
-  path = half(path, closed, [&](const Dot& d) { return d.y - (centre.y - limit.y); });
-  return half(path, closed, [&](const Dot& d) { return centre.y + limit.y - d.y; });
-}
-
-std::vector<Dot> outline(std::vector<Dot> dots) {
-  std::ranges::sort(dots, {}, [](const Dot& d) { return std::pair(d.x, d.y); });
-  if (dots.size() < 3) return dots;
-  std::vector<Dot> result;
-  const auto add = [&](const Dot& d, std::size_t fixed) {
-    while (result.size() >= fixed + 2 && !(turn(result[result.size() - 2], result.back(), d) > 0)) result.pop_back();
-    result.push_back(d);
-  };
-  for (const Dot& d : dots) add(d, 0);
-  const std::size_t lower = result.size() - 1;
-  for (auto d = dots.rbegin() + 1; d != dots.rend(); ++d) add(*d, lower);
-  result.pop_back();
-  return result;
-}
 
 }  // namespace fathom::picture

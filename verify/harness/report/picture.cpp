@@ -3,7 +3,7 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/judge/claim.hpp"
-#include "view/picture/pair_picture.hpp"
+#include "view/picture/scene_picture.hpp"
 #include "view/picture/view.hpp"
 
 namespace fathom::harness {
@@ -17,7 +17,7 @@ std::optional<Point> claimed_translation(const Reply& reply, const Conventions& 
 }
 
 std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label) {
-  return picture::pair_picture({truth.a, truth.b, truth.depth}, claimed, name, label);
+  return picture::scene_panels(picture::scene_of({truth.a, truth.b, truth.depth}, claimed), name, label);
 }
 
 }  // namespace fathom::harness
