@@ -54,7 +54,7 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
   const std::string pair = case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
-  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), {picture_of(single, monitor), "", "", ""}});
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), picture_of(single, monitor)});
 }
 
 }  // namespace

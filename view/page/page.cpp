@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "view/atlas/atlas.hpp"
 #include "view/page/embedded.hpp"
 #include "view/page/fill.hpp"
 #include "view/page/parts.hpp"
@@ -30,7 +31,7 @@ std::string block(const std::string& json) {
 
 /// The colours and pictures of all pages, and the layout of this one.
 const std::string& whole_style() {
-  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + std::string(style());
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + atlas::atlas_style() + std::string(style());
   return text;
 }
 
@@ -67,14 +68,13 @@ std::string html_page(const Sheet& sheet) {
        {"answer", answer},
        {"subtitle", subtitle(depth)},
        {"notes", notes_text(sheet.notes)},
-       {"picture_what", figure(sheet.stills.bodies, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+       {"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
        {"facts", facts(depth)},
        {"lead_why", lead_why(stages)},
-       {"picture_why", figure(sheet.stills.sum, "P around O.")},
        {"ranked", ranked(stages)},
        {"lead_where", lead_where(stages)},
-       {"picture_sphere", figure(sheet.stills.sphere, "The diagrams of -A and of B on the sphere.")},
-       {"picture_chart", figure(sheet.stills.chart, "The charts: longitude to the right, latitude up.")},
+       {"picture_sphere", figure(atlas::sphere_picture(stages, "still-sphere"), "The diagrams of -A and of B on the sphere.")},
+       {"picture_chart", figure(atlas::chart_picture(stages, "still-chart"), "A hemisphere as a chart: longitude to the right, latitude up.")},
        {"pairs", pairs(stages)},
        {"cutting", cutting(stages)},
        {"lead_coincided", lead_coincided(stages)},
