@@ -55,6 +55,7 @@ test("the way out is the chosen optimum's, or the facet's that is looked at; it 
   const other = wayOf(data, { facet: 1, optimum: 0 });
   assert.deepEqual(other.translation, [2, 0, 0]);
   assert.deepEqual([other.a, other.b], [[0, 2], [0, 1]]);
+  assert.deepEqual(meetingOf(data, { direction: [0, 0, 1], translation: [0, 0, 0.5], a: [3], b: [0, 1] }), [0, 0, 1.5]);
 });
 
 test("data without most of it is no error", () => {

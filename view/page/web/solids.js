@@ -166,7 +166,8 @@ export function feature(points, name, normal) {
 export function planeSquare(place, normal, half, name) {
   const T = globalThis.THREE, group = new T.Group(), x = times(across(normal), half), y = cross(unit(normal), x);
   const ring = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([i, j]) => plus(place, plus(times(x, i), times(y, j))));
-  const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 }, sides = ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]);
+  const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 };
+  const sides = ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]);
   group.add(surface(meshGeometry(triangles(ring, [[0, 1, 2, 3]])), name, layer.plane, glass));
   group.add(segments(sides, name, layer.plane + 1, { width: 1.2, opacity: 0.7, depthWrite: false }));
   return group;
