@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 2, Why no shorter way: P around O, the ball that reaches its nearest facets, and the facets that a choice lights.
-import { edgesOfPolygons, frameOf, plus, sideView, times } from "./geometry.js";
+import { creases, edgesOfPolygons, frameOf, plus, sideView, times } from "./geometry.js";
 import { element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
 import { arrow, dots, emptied, layer, meshGeometry, recolour, segments, surface, triangles } from "./solids.js";
@@ -53,7 +53,8 @@ function addSum(view, data, places, shape) {
   const nearest = meshGeometry(triangles(places, data.facets.filter((f) => f.optimal).map((f) => f.vertices)));
   const front = surface(geometry, "--soft", layer.glass, { opacity: 0.13, depthWrite: false });
   const hiding = { flat: true, colorWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-  const edges = edgesOfPolygons(polygons), ends = edges.flatMap(([v, w]) => [places[v], places[w]]);
+  const edges = data.stages.sum.kind === "sampled" ? creases(places, polygons) : edgesOfPolygons(polygons);
+  const ends = edges.flatMap(([v, w]) => [places[v], places[w]]);
   view.scene.add(front, surface(geometry, "--soft", layer.backs, { opacity: 0.16, depthWrite: false, side: T.BackSide }),
     surface(nearest, "--true", layer.glass + 1, { opacity: 0.5, depthWrite: false, side: T.DoubleSide }, 0.45),
     surface(geometry, "--soft", layer.glassDepth, hiding),
