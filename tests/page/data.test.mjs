@@ -17,7 +17,13 @@ const stages = {
     optima: [{ direction: [0, 0, 1], translation: [0, 0, 0.5], features: { a: [0, 2, 3], b: [1] }, kind: "facet-vertex" }],
   },
   pairs: [{ a: [0], b: [0] }, { a: [0, 1, 2], b: [0] }, { a: [3], b: [0] }],
-  sum: { kind: "P", facets: [{ normal: [0, 0, 1], distance: 0.5, a: [0, 2, 3], b: [1], pairs: [] }, { normal: [1, 0, 0], distance: 2, a: [0, 3], b: [0, 1], pairs: [1, 2] }] },
+  sum: {
+    kind: "P",
+    facets: [
+      { normal: [0, 0, 1], distance: 0.5, a: [0, 2, 3], b: [1], pairs: [] },
+      { normal: [1, 0, 0], distance: 2, a: [0, 3], b: [0, 1], pairs: [1, 2] },
+    ],
+  },
   coincidences: [{ kind: "parallel_edges", count: 7, listed: [{ a: [[2, 3]], b: [[0, 1]], decided_by: ["E11"] }] }],
 };
 const data = makeData({ status: "penetrating" }, stages, "case");

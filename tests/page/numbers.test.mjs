@@ -15,7 +15,8 @@ function exact(x) {
 }
 
 test("a binary64 comes back as itself, of every size and sign", () => {
-  for (const x of [0, 1, -1, 0.1, -0.1, 1 / 3, 1e300, 1e-300, 5e-324, -5e-324, 2.2250738585072014e-308, Number.MAX_VALUE, 0.47761546311385563]) {
+  const extremes = [1e300, 1e-300, 5e-324, -5e-324, 2.2250738585072014e-308, Number.MAX_VALUE];
+  for (const x of [0, 1, -1, 0.1, -0.1, 1 / 3, 0.47761546311385563, ...extremes]) {
     const [p, q] = exact(x);
     assert.equal(nearest(`${p}/${q}`), x);
     const root = nearestRoot(`${p * p}/${q * q}`);

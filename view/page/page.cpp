@@ -3,14 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "view/page/embedded.hpp"
 #include "view/page/fill.hpp"
 #include "view/page/parts.hpp"
-#include "view/page/source_hash.hpp"
 #include "view/picture/markup.hpp"
+#include "view/picture/policy.hpp"
+#include "view/picture/style.hpp"
 
 namespace fathom::page {
 namespace {
@@ -26,10 +28,10 @@ std::string block(const std::string& json) {
   return result;
 }
 
-/// Nothing is loaded from anywhere, and nothing runs that this program did not write.
-std::string policy() {
-  return fmt::format("default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
-                     source_hash(script()), source_hash(style()));
+/// The colours and pictures of all pages, and the layout of this one.
+const std::string& whole_style() {
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + std::string(style());
+  return text;
 }
 
 std::string notes_text(const std::vector<std::string>& notes) {
@@ -54,12 +56,14 @@ std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
   const std::string answer = picture::markup(answer_sentence(depth));
+  const std::array scripts{script()};
+  const std::array<std::string_view, 1> styles{whole_style()};
   return filled(
       shell(),
       {{"version", picture::markup(sheet.version)},
-       {"policy", policy()},
+       {"policy", picture::security_policy(scripts, styles)},
        {"title", answer},
-       {"style", std::string(style())},
+       {"style", whole_style()},
        {"answer", answer},
        {"subtitle", subtitle(depth)},
        {"notes", notes_text(sheet.notes)},

@@ -90,7 +90,8 @@ export function meetingPoint(a, b, normal) {
   if (b.length === 1) return b[0];
   const x = across(normal), y = cross(unit(normal), x), origin = middle([...a, ...b]);
   const flat = (points) => inOrder(points, normal).map((p) => [dot(minus(p, origin), x), dot(minus(p, origin), y)]);
-  const fa = flat(a), fb = flat(b), shared = fa.length === 2 && fb.length === 2 ? crossing(fa, fb) : fb.length > 2 ? clipped(fa, fb) : clipped(fb, fa);
+  const fa = flat(a), fb = flat(b), edges = fa.length === 2 && fb.length === 2;
+  const shared = edges ? crossing(fa, fb) : fb.length > 2 ? clipped(fa, fb) : clipped(fb, fa);
   if (shared.length === 0) return origin;
   const m = [0, 1].map((i) => shared.reduce((sum, p) => sum + p[i], 0) / shared.length);
   return plus(origin, plus(times(x, m[0]), times(y, m[1])));
