@@ -12,12 +12,21 @@
 #include "cli/output/text_result.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
-#include "fathom/signed_depth.hpp"
 #include "fathom/width.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::cli {
 namespace {
+
+/// The bits that bounds must have so that their digits can agree.
+unsigned bits_of(const Request& request) {
+  const unsigned usual = SignedDepthOptions{}.bits;
+  if (request.bits || !request.digits) return request.bits.value_or(usual);
+  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
+  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
+}
+
+}  // namespace
 
 Options options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
@@ -29,6 +38,15 @@ Options options_of(const Request& request, Monitor& monitor, Workspace& workspac
   options.workspace = &workspace;
   return options;
 }
+
+SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
+  SignedDepthOptions options;
+  options.cores = options_of(request, monitor, workspace);
+  options.bits = bits_of(request);
+  return options;
+}
+
+namespace {
 
 Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Options options = options_of(request, monitor, workspace);
@@ -78,22 +96,12 @@ struct Files {
       : certificates(request, request.certificate, "certificate", ".cert"), pictures(request, request.svg, "picture", ".svg") {}
 };
 
-/// The bits that bounds must have so that their digits can agree.
-unsigned bits_of(const Request& request) {
-  const unsigned usual = SignedDepthOptions{}.bits;
-  if (request.bits || !request.digits) return request.bits.value_or(usual);
-  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
-  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
-}
-
 /// Throws InputError if the request asks for what shapes do not have.
 ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Case& single = asked;
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
   if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
-  SignedDepthOptions options;
-  options.cores = options_of(request, monitor, workspace);
-  options.bits = bits_of(request);
+  const SignedDepthOptions options = shape_options_of(request, monitor, workspace);
   const Shape a = files::shape_of(single.a), b = has_one_body(request) ? a : files::shape_of(single.b);
   if (has_one_body(request) && std::holds_alternative<HalfSpace>(a.core))
     throw InputError(single.id, 0, "a half-space has no width: it is infinite");
