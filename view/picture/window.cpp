@@ -12,10 +12,10 @@
 namespace fathom::picture {
 namespace {
 
-constexpr int margin = 22;            // pixels
-constexpr int strip = 18;           // pixels below, where the scale bar stands
-constexpr int much_longer = 100;      // the axes are scaled apart beyond this ratio
-constexpr double safe_pixels = 1e6;   // within these, doubles are exact enough for tenths of pixels
+constexpr int margin = 22;           // pixels
+constexpr int strip = 18;            // pixels below, where the scale bar stands
+constexpr int much_longer = 100;     // the axes are scaled apart beyond this ratio
+constexpr double safe_pixels = 1e6;  // within these, doubles are exact enough for tenths of pixels
 
 Dot rounded(const Place& p) { return {p.x.get_d(), p.y.get_d()}; }
 bool is_safe(const Dot& d) { return std::abs(d.x) <= safe_pixels && std::abs(d.y) <= safe_pixels; }
