@@ -17,7 +17,7 @@
 namespace {
 
 using namespace fathom;
-using testing::cases_of_all_families;
+using fathom::testing::cases_of_all_families;
 
 std::vector<Case> polytopes() {
   std::vector<Case> cases = cases_of_all_families(2, 8);
@@ -39,18 +39,19 @@ Facets naive(const polytope::Polytope& a, const polytope::Polytope& b) {
   return facets;
 }
 
-struct Run {
+struct ExactRun {
   polytope::PlacedPair pair;
   kernels::Context context;
   std::unique_ptr<depth::ExactStages> exact;
 
-  explicit Run(const Case& input) : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
+  explicit ExactRun(const Case& input)
+      : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
 };
 
 TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
   std::size_t seen = 0;
   for (const Case& input : polytopes()) {
-    const Run run(input);
+    const ExactRun run(input);
     if (!run.exact->depth.penetration()) continue;
     ++seen;
     const auto found = stages::sum_facets(*run.exact, 100'000);
@@ -118,7 +119,8 @@ TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
       ASSERT_EQ(facet.pairs.size(), 1U) << input.id << ", law: each crossing once";
       const stages::StagedPair& pair = staged.pairs[facet.pairs.front()];
       const auto a = edges(staged.a, pair.a), b = edges(staged.b, pair.b);
-      EXPECT_TRUE(std::ranges::count(a, facet.a) == 1 && std::ranges::count(b, facet.b) == 1) << input.id << ", law: the pair holds both edges";
+      EXPECT_TRUE(std::ranges::count(a, facet.a) == 1 && std::ranges::count(b, facet.b) == 1)
+          << input.id << ", law: the pair holds both edges";
     }
   }
   EXPECT_GT(seen, 1000U);
@@ -126,7 +128,7 @@ TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
 
 TEST(Sum, StopsAtTheMostFacets) {
   const Case cubes = families::families().front().make(1, 12);
-  const Run run(cubes);
+  const ExactRun run(cubes);
   const auto all = stages::sum_facets(*run.exact, 100'000);
   ASSERT_TRUE(all);
   EXPECT_TRUE(stages::sum_facets(*run.exact, all->size()));
