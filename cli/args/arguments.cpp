@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/args/along_arguments.hpp"
 #include "cli/args/approx_arguments.hpp"
 #include "cli/args/cases_arguments.hpp"
 #include "cli/args/certify_arguments.hpp"
@@ -17,6 +18,7 @@
 #include "cli/args/parser.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/shell_words.hpp"
+#include "cli/args/sweep_arguments.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/shape_text.hpp"
@@ -70,6 +72,7 @@ std::string name(Command command) { return std::string(commands[static_cast<std:
 /// Returns what is wrong with the number of inputs, or "".
 std::string wrong_inputs(Request& request, const Texts& texts) {
   if (request.command == Command::cases) return texts.wrong_cases;
+  if (!request.sweep.family.empty()) return "";
   if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);
   const std::vector<std::string>& inputs = request.inputs;
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
@@ -93,10 +96,18 @@ std::string wrong_page(const Request& request) {
   return "";
 }
 
+/// Returns what does not go together in a request for a curve or a chart, or "".
+std::string wrong_picture(const CLI::App& asked, Request& request) {
+  if (request.svg == "-") return "--svg writes a file, found - for standard output";
+  if (request.command == Command::depth) return wrong_along(asked, request);
+  return request.command == Command::study ? wrong_sweep(asked, request) : "";
+}
+
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
+  if (!texts.wrong_picture.empty()) return refusal(texts.wrong_picture, command);
   if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
@@ -104,6 +115,7 @@ Arguments completed(Request request, const Texts& texts) {
   if (!texts.schema.empty() && !request.json) return refusal("--schema chooses the version of JSON results, and needs --json", command);
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
+  if (request.html == "-") return refusal("--html writes a file; standard output has the answers", command);
   const bool asks_exact =
       texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
   if (const std::string fault = wrong_page(request); !fault.empty()) return refusal(fault, command);
@@ -161,6 +173,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (!request.html.empty()) request.command_line = command_line(argc, argv);
   if (const std::string fault = empty_value(*asked); !fault.empty()) return refusal(fault, name(request.command));
   if (request.command == Command::cases) parser.texts.wrong_cases = wrong_cases(*asked, request.cases, request.inputs);
+  parser.texts.wrong_picture = wrong_picture(*asked, request);
   return completed(request, parser.texts);
 }
 

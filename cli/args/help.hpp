@@ -40,8 +40,10 @@ inline constexpr Example depth_examples[] = {
     {"fathom depth --pose-b 'xyz=0,0,1.5 rpy=0,0,45deg' a.off b.off", "B turned by 45 degrees about z, then moved"},
     {"fathom depth --exact-decimals a.obj b.obj", "0.1 means 1/10, not the nearest binary64"},
     {"fathom depth --certificate proof.cert a.off b.off", "with a proof that others can check"},
+    {"fathom depth --svg way_out.svg a.off b.off", "with a picture: both bodies, the way out, the contact"},
     {"fathom depth --method naive a.off b.off", "the slow independent twin"},
     {"fathom depth --method shallow a.off b.off", "the same answer, sooner for large bodies that overlap a little"},
+    {"fathom depth --along 1,0,0 --steps 64 --svg curve.svg a.off b.off", "the signed depth while A moves along x, and a chart of it"},
     {"fathom depth cases.jsonl", "a stream: one line per case"},
     {"fathom depth --certificate proofs cases.jsonl", "and one file for each case in the folder proofs"},
     {"cat cases.jsonl | fathom depth --json -", "the same from standard input"},
@@ -80,6 +82,7 @@ inline constexpr Example study_examples[] = {
     {"fathom study --html page.html a.off b.stl", "a page: a picture in which each coincidence lights its features, and the tables"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
+    {"fathom study --sweep crossed_fans --sizes 10..100 --svg growth.svg", "how the exact method's work grows with the size of a family's pairs"},
 };
 
 inline constexpr Example stages_examples[] = {
@@ -187,7 +190,7 @@ inline constexpr CommandHelp command_table[] = {
      usual_exits, usual_notes},
     {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -", metric_examples,
      usual_exits, usual_notes},
-    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | -", study_examples, usual_exits,
+    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY", study_examples, usual_exits,
      usual_notes},
     {"stages", "What the exact method makes of two bodies on its way to the depth.", "fathom stages [OPTIONS] A B | CASES.jsonl | -",
      stages_examples, usual_exits, usual_notes},

@@ -18,11 +18,11 @@ struct Shape {
 };
 
 constexpr std::array<Shape, distinct_looks> shapes{
-    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "full"},      // a disc
-    Shape{"m-3.6 -3.6h7.2v7.2h-7.2z", "full"},                 // a square
-    Shape{"m0 -4.8l4.6 8h-9.2z", "hollow"},                    // a triangle
-    Shape{"m0 -5l5 5l-5 5l-5 -5z", "hollow"},                  // a diamond
-    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "hollow"},    // a ring
+    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "full"},    // a disc
+    Shape{"m-3.6 -3.6h7.2v7.2h-7.2z", "full"},               // a square
+    Shape{"m0 -4.8l4.6 8h-9.2z", "hollow"},                  // a triangle
+    Shape{"m0 -5l5 5l-5 5l-5 -5z", "hollow"},                // a diamond
+    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "hollow"},  // a ring
     Shape{"m-4 -4l8 8m0 -8l-8 8", "cross"},
 };
 
@@ -30,7 +30,8 @@ constexpr std::array<Shape, distinct_looks> shapes{
 
 std::string mark_element(std::size_t series, double x, double y, const std::string& what) {
   const std::size_t look = series % distinct_looks;
-  const std::string start = fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill, look, x, y, shapes[look].path);
+  const std::string start =
+      fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill, look, x, y, shapes[look].path);
   return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, picture::markup(what));
 }
 

@@ -13,7 +13,8 @@ namespace fathom::plot {
 namespace {
 
 constexpr double plot_height = 300, right_room = 24, label_room = 12, letter = 7.2;  // pixels; of a letter its width
-constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20, least_left = 90;
+constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20,
+                 least_left = 90;
 constexpr unsigned most_x_labels = 8, most_y_labels = 8;
 constexpr std::size_t most_marks = 64, marks_of_many = 32;
 
@@ -67,8 +68,8 @@ std::string grid_elements(const Panel& panel, const Field& field) {
     lines += fmt::format("<line class=\"{0}\" x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"{1:.1f}\" y2=\"{1:.1f}\"/>\n", style(tick), y, field.left,
                          field.right);
     if (!tick.label.empty())
-      texts += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.left - 6, y + 4,
-                           tick.label);
+      texts +=
+          fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.left - 6, y + 4, tick.label);
   }
   lines += fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", field.left, field.top,
                        field.right - field.left, field.bottom - field.top);
@@ -84,8 +85,8 @@ std::string grid_elements(const Panel& panel, const Field& field) {
 std::string zero_elements(const Panel& panel, const Field& field) {
   if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
   const double y = field.down(0);
-  std::string result = fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", field.left,
-                                   field.right, y);
+  std::string result =
+      fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", field.left, field.right, y);
   const auto side = [&](const std::string& text, double at) {
     if (!text.empty())
       result += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.right - 6, at,
@@ -130,7 +131,8 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
   std::size_t entry = 0;
   const auto add = [&](const std::string& sample, const std::string& name) {
     const double x = left + legend_column * static_cast<double>(entry % 2), y = top + legend_row * static_cast<double>(entry / 2);
-    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample, picture::markup(name));
+    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample,
+                          picture::markup(name));
     ++entry;
   };
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -159,10 +161,12 @@ std::string left_out(const Panel& panel, const Field& field) {
 PanelPicture panel_picture(const Panel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
-  if (!panel.title.empty()) content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, picture::markup(panel.title));
+  if (!panel.title.empty())
+    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, picture::markup(panel.title));
   content += grid_elements(panel, field) + zero_elements(panel, field);
-  content += fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
-                         picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
+  content +=
+      fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
+                  picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
   content += fmt::format("<g clip-path=\"url(#{})\">\n", picture::markup(clip));
   if (panel.band) content += band_element(*panel.band, field);
   for (std::size_t i = 0; i < panel.series.size(); ++i) content += series_elements(panel.series[i], i, field);
