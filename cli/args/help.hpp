@@ -82,7 +82,8 @@ inline constexpr Example study_examples[] = {
     {"fathom study --html page.html a.off b.stl", "a page: a picture in which each coincidence lights its features, and the tables"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
-    {"fathom study --sweep crossed_fans --sizes 10..100 --svg growth.svg", "how the exact method's work grows with the size of a family's pairs"},
+    {"fathom study --sweep crossed_fans --sizes 10..100 --svg growth.svg",
+     "how the exact method's work grows with the size of a family's pairs"},
 };
 
 inline constexpr Example stages_examples[] = {
@@ -190,8 +191,8 @@ inline constexpr CommandHelp command_table[] = {
      usual_exits, usual_notes},
     {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -", metric_examples,
      usual_exits, usual_notes},
-    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY", study_examples, usual_exits,
-     usual_notes},
+    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY", study_examples,
+     usual_exits, usual_notes},
     {"stages", "What the exact method makes of two bodies on its way to the depth.", "fathom stages [OPTIONS] A B | CASES.jsonl | -",
      stages_examples, usual_exits, usual_notes},
     {"explain", "Why the depth is what it is, as a page with pictures.",

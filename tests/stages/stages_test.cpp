@@ -30,7 +30,7 @@ std::vector<Case> with_crossed(std::vector<Case> cases, unsigned size) {
 
 // C2 and C3 of the staged pairs, chart by chart.
 TEST(Pairs, AreTheCrossings) {
-  for (const Case& input : staged_cases({16})) {
+  for (const Case& input : staged_cases({14})) {
     const auto p = prepare(input);
     const Stages stages = stages_of(input.a, input.b);
     for (Index h = 0; h < 2; ++h) {
@@ -50,7 +50,7 @@ TEST(Pairs, AreTheCrossings) {
 
 TEST(Pairs, HaveTheirClosestLines) {
   std::size_t large = 0;
-  for (const Case& input : with_crossed(staged_cases({20}), 150)) {
+  for (const Case& input : with_crossed(staged_cases({14}), 100)) {
     const Stages stages = stages_of(input.a, input.b);
     const auto p = prepare(input);
     for (const StagedPair& pair : stages.pairs) {
@@ -78,7 +78,7 @@ TEST(Pairs, HaveTheirClosestLines) {
 
 // The run that the stages describe is that of the exact method: the same answer, and the same work.
 TEST(Counts, AreThoseOfTheExactMethod) {
-  for (const Case& input : with_crossed(staged_cases({24}), 300)) {
+  for (const Case& input : with_crossed(staged_cases({14}), 100)) {
     const Stages stages = stages_of(input.a, input.b);
     const Depth exact = penetration_depth(input.a, input.b, {.method = Method::exact});
     EXPECT_EQ(stages.status, exact.status()) << input.id;
@@ -184,7 +184,7 @@ void check_cutting(const Stages& stages, const std::string& id) {
 
 TEST(Cutting, PartitionsTheGrid) {
   int searched = 0, for_picture = 0, of_winner = 0;
-  for (const Case& input : with_crossed(staged_cases({24}), 300)) {
+  for (const Case& input : with_crossed(staged_cases({14}), 100)) {
     const Stages stages = stages_of(input.a, input.b);
     if (!stages.cutting) continue;
     check_cutting(stages, input.id);

@@ -44,7 +44,8 @@ struct Run {
   kernels::Context context;
   std::unique_ptr<depth::ExactStages> exact;
 
-  explicit Run(const Case& input) : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
+  explicit Run(const Case& input)
+      : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
 };
 
 TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
@@ -118,7 +119,8 @@ TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
       ASSERT_EQ(facet.pairs.size(), 1U) << input.id << ", law: each crossing once";
       const stages::StagedPair& pair = staged.pairs[facet.pairs.front()];
       const auto a = edges(staged.a, pair.a), b = edges(staged.b, pair.b);
-      EXPECT_TRUE(std::ranges::count(a, facet.a) == 1 && std::ranges::count(b, facet.b) == 1) << input.id << ", law: the pair holds both edges";
+      EXPECT_TRUE(std::ranges::count(a, facet.a) == 1 && std::ranges::count(b, facet.b) == 1)
+          << input.id << ", law: the pair holds both edges";
     }
   }
   EXPECT_GT(seen, 1000U);
