@@ -29,7 +29,7 @@ mpq_class power_of_two(long exponent) {
   return one;
 }
 
-void check_vertices(const Body& input, const StagedBody& body, const Scale& scale, const std::string& id) {
+void check_vertices(const Body& input, const StagedBody& body, const StagedScale& scale, const std::string& id) {
   double extent = 0;
   for (const Place& p : body.vertices) extent = std::max({extent, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   for (std::size_t i = 0; i < body.vertices.size(); ++i) {

@@ -121,15 +121,15 @@ TEST(Winner, IsTheFirstOptimum) {
     ++kinds[winner.kind];
     const Place& n = stages.contact.direction;
     if (winner.kind == WinnerKind::facet_of_a) {
-      ASSERT_EQ(winner.a.kind, FeatureKind::facet) << input.id;
+      ASSERT_EQ(winner.a.kind, StagedFeatureKind::facet) << input.id;
       EXPECT_NEAR(testing::dot(stages.a.nodes[winner.a.index], n), 1, 1e-12) << input.id;
     }
     if (winner.kind == WinnerKind::facet_of_b) {
-      ASSERT_EQ(winner.b.kind, FeatureKind::facet) << input.id;
+      ASSERT_EQ(winner.b.kind, StagedFeatureKind::facet) << input.id;
       EXPECT_NEAR(testing::dot(stages.b.nodes[winner.b.index], n), 1, 1e-12) << input.id;
     }
     if (winner.kind != WinnerKind::edges) continue;
-    ASSERT_TRUE(winner.a.kind == FeatureKind::edge && winner.b.kind == FeatureKind::edge) << input.id;
+    ASSERT_TRUE(winner.a.kind == StagedFeatureKind::edge && winner.b.kind == StagedFeatureKind::edge) << input.id;
     EXPECT_EQ(line_distance(*prepare(input), winner.a.index, winner.b.index), stages.squared) << input.id;
     if (!winner.pair) continue;
     const StagedPair& pair = stages.pairs[*winner.pair];
