@@ -20,7 +20,7 @@ const chart::Frame& frame() {
 Decisions::Decisions(const studies::Subjects& subjects, const kernels::Perturbation& perturbation)
     : subjects_(subjects), perturbation_(perturbation), features_{features_of(subjects.a), features_of(subjects.b)} {}
 
-Decisions::Features Decisions::features_of(const studies::StagesSource& subject) {
+Decisions::Features Decisions::features_of(const studies::Subject& subject) {
   Features result;
   for (const gaussian::ArcId i : subject.diagram.arcs.ids()) result.arcs.emplace(subject.feature(i), i);
   for (const gaussian::NodeId i : subject.diagram.nodes.ids()) result.nodes.emplace(subject.feature(i), i);

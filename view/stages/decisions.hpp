@@ -33,7 +33,7 @@ class Decisions {
     const Feature* feature;
   };
 
-  static Features features_of(const studies::StagesSource& subject);
+  static Features features_of(const studies::Subject& subject);
   static std::vector<Member> members(const Involved& involved);
   [[nodiscard]] const gaussian::Arc* arc(const Member& member) const;
   [[nodiscard]] const kernels::Direction* node(const Member& member) const;
