@@ -50,8 +50,8 @@ std::optional<std::vector<unsigned>> sizes_of(std::string_view text) {
 
 std::string check_sizes(const std::string& text) {
   if (sizes_of(text)) return "";
-  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}", largest_size,
-                     kernels::shown(text));
+  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}",
+                     largest_size, kernels::shown(text));
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ std::string longer(const mpq_class& squared, const mpq_class& least) {
 }  // namespace
 
 std::string ranked(const stages::Stages& stages) {
-  const std::vector<stages::SumFacet>& facets = stages.sum.facets;
+  const std::vector<stages::StagedFacet>& facets = stages.sum.facets;
   if (facets.empty() || stages.sum.kind == stages::SumKind::sampled) return "";
   Table table("Facets by their distance from O", {"#", "distance", "longer by", "'what", "'A's points", "'B's points"});
   const mpq_class& least = facets.front().squared;
   for (std::size_t i = 0; i < std::min(facets.size(), most_facets); ++i) {
-    const stages::SumFacet& facet = facets[i];
+    const stages::StagedFacet& facet = facets[i];
     table.add({std::to_string(i + 1), length(facet.squared), longer(facet.squared, least), std::string(words(facet.kind)), ids(facet.a),
                ids(facet.b)},
               fmt::format("data-facet=\"{}\"{}", i, facet.optimal ? " class=\"optimal\"" : ""));
