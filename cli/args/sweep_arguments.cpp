@@ -12,14 +12,14 @@
 namespace fathom::cli {
 namespace {
 
-constexpr unsigned most_size = 1'000'000;
+constexpr unsigned largest_size = 1'000'000;
 constexpr const char* usual_sizes = "10..1000";
 
 std::optional<unsigned> size_of(std::string_view text) {
   unsigned size = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && size >= 1 && size <= most_size ? std::optional(size) : std::nullopt;
+  return whole && size >= 1 && size <= largest_size ? std::optional(size) : std::nullopt;
 }
 
 /// Both ends, and 1, 2 and 5 times the powers of ten between them.
@@ -27,7 +27,7 @@ std::optional<std::vector<unsigned>> range_of(std::string_view low_text, std::st
   const std::optional<unsigned> low = size_of(low_text), high = size_of(high_text);
   if (!low || !high || *low > *high) return std::nullopt;
   std::vector<unsigned> sizes{*low};
-  for (unsigned decade = 1; decade <= most_size; decade *= 10)
+  for (unsigned decade = 1; decade <= largest_size; decade *= 10)
     for (const unsigned factor : {1U, 2U, 5U})
       if (factor * decade > *low && factor * decade < *high) sizes.push_back(factor * decade);
   if (*high > *low) sizes.push_back(*high);
@@ -50,7 +50,7 @@ std::optional<std::vector<unsigned>> sizes_of(std::string_view text) {
 
 std::string check_sizes(const std::string& text) {
   if (sizes_of(text)) return "";
-  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}", most_size,
+  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}", largest_size,
                      kernels::shown(text));
 }
 
