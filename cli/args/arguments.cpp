@@ -115,6 +115,7 @@ Arguments completed(Request request, const Texts& texts) {
   if (!texts.schema.empty() && !request.json) return refusal("--schema chooses the version of JSON results, and needs --json", command);
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
+  if (request.html == "-") return refusal("--html writes a file; standard output has the answers", command);
   const bool asks_exact =
       texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
   if (const std::string fault = wrong_page(request); !fault.empty()) return refusal(fault, command);

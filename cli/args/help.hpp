@@ -40,6 +40,7 @@ inline constexpr Example depth_examples[] = {
     {"fathom depth --pose-b 'xyz=0,0,1.5 rpy=0,0,45deg' a.off b.off", "B turned by 45 degrees about z, then moved"},
     {"fathom depth --exact-decimals a.obj b.obj", "0.1 means 1/10, not the nearest binary64"},
     {"fathom depth --certificate proof.cert a.off b.off", "with a proof that others can check"},
+    {"fathom depth --svg way_out.svg a.off b.off", "with a picture: both bodies, the way out, the contact"},
     {"fathom depth --method naive a.off b.off", "the slow independent twin"},
     {"fathom depth --method shallow a.off b.off", "the same answer, sooner for large bodies that overlap a little"},
     {"fathom depth --along 1,0,0 --steps 64 --svg curve.svg a.off b.off", "the signed depth while A moves along x, and a chart of it"},

@@ -175,6 +175,9 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
                  "write the proof of the answer to FILE; for a stream: a directory, one file for each case")
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
+  if (!of_one)
+    add_svg(app, request,
+            "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with --along: the curve");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   add_exact(app, request);
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
@@ -229,7 +232,6 @@ Parser::Parser() {
   add_options(depth, request, texts, false);
   add_optima(depth, request);
   add_along_options(depth, request);
-  add_svg(depth, request, "with --along: write a chart of the curve to FILE");
   add_case(depth, request);
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");

@@ -43,6 +43,8 @@ struct Request {
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  std::string svg;                  ///< depth: the file for the picture, or the folder for those of a stream; study --sweep, depth --along,
+                                    ///< stages: the file for charts; empty: none
   bool embed_certificate = false;   ///< as a field of each JSON result
   std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
   std::optional<Point> direction;   ///< ray
@@ -51,7 +53,6 @@ struct Request {
   bool require_convex = false;                ///< of bodies with faces
   std::optional<std::string> case_id;         ///< explain, depth --along: which case of a stream
   std::string page;                           ///< explain: the file for the page
-  std::string svg;                            ///< the file for a picture; empty: none
   AlongRequest along;                         ///< depth
   SweepRequest sweep;                         ///< study
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
-#include "cli/args/shell_words.hpp"
 #include "cli/commands/cases_json.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/exact_replies.hpp"
@@ -8,8 +7,11 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "fathom/signed_depth.hpp"
 #include "reference/files/body_json.hpp"
+#include "reference/files/shape_names.hpp"
 #include "view/page/page.hpp"
+#include "view/picture/scene_picture.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::cli {
@@ -31,6 +33,19 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
   return notes;
 }
 
+/// The bodies, seen across the way out.
+std::string picture_of(const Case& single, Monitor& monitor) {
+  constexpr const char *name = "still", *label = "A and B, and the way out of A";
+  if (!has_shape(single)) {
+    const Depth depth = penetration_depth(single.a, single.b, {.monitor = &monitor});
+    return picture::scene_panels(picture::scene_of(picture::Pair{single.a.points, single.b.points, depth}), name, label);
+  }
+  const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
+  SignedDepthOptions options;
+  options.cores.monitor = &monitor;
+  return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b, options)), name, label);
+}
+
 std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
   const AskedCase asked(single, false);
   if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
@@ -39,7 +54,7 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
   const std::string pair = case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
-  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), {}});
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), picture_of(single, monitor)});
 }
 
 }  // namespace

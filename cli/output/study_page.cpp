@@ -95,35 +95,34 @@ std::string StudyPage::totals() const {
   return picture::table_box("Coincidences of all cases", table, false);
 }
 
+std::string StudyPage::case_by_case() const {
+  std::vector<picture::Choice> kinds;
+  for (const auto& [status, style] : status_styles)
+    if (statuses_.contains(status)) kinds.push_back({status, status});
+  std::string result = "<section><h2>All cases</h2>\n" + totals() + "</section>\n<section><h2>Case by case</h2>\n";
+  result += picture::filter_bar("list", "status", kinds) + "<div id=\"list\">\n" + sections_ + "</div>\n";
+  if (shown_ < cases_) result += fmt::format("<p>{} further cases are counted above and not shown.</p>\n", cases_ - shown_);
+  return result + "</section>\n";
+}
+
+std::string StudyPage::without_study() const {
+  if (faults_.empty()) return "";
+  std::string items;
+  for (std::size_t i = 0; i < std::min(faults_.size(), most_faults); ++i)
+    items += fmt::format("<li>{}</li>\n", picture::markup(faults_[i]));
+  const std::string more =
+      faults_.size() > most_faults ? fmt::format("<p>{} more are not listed.</p>\n", faults_.size() - most_faults) : "";
+  return "<section><h2>Cases without a study</h2>\n<ul>\n" + items + "</ul>\n" + more + "</section>\n";
+}
+
 std::string StudyPage::html(const std::string& command, const std::string& cut_short) const {
-  std::string body = "<header>" + head();
-  if (!cut_short.empty())
-    body += fmt::format("<p class=\"warning\" role=\"note\">{}; this is what was studied.</p>\n", picture::markup(cut_short));
-  body += "</header>\n<main>\n";
-  if (stream_) {
-    std::vector<picture::Choice> kinds;
-    for (const auto& [status, style] : status_styles)
-      if (statuses_.contains(status)) kinds.push_back({status, status});
-    body += "<section><h2>All cases</h2>\n" + totals() + "</section>\n";
-    body +=
-        "<section><h2>Case by case</h2>\n" + picture::filter_bar("list", "status", kinds) + "<div id=\"list\">\n" + sections_ + "</div>\n";
-    if (shown_ < cases_) body += fmt::format("<p>{} further cases are counted above and not shown.</p>\n", cases_ - shown_);
-    body += "</section>\n";
-  } else {
-    body += sections_;
-  }
-  if (!faults_.empty()) {
-    body += "<section><h2>Cases without a study</h2>\n<ul>\n";
-    for (std::size_t i = 0; i < std::min(faults_.size(), most_faults); ++i)
-      body += fmt::format("<li>{}</li>\n", picture::markup(faults_[i]));
-    body += "</ul>\n";
-    if (faults_.size() > most_faults) body += fmt::format("<p>{} more are not listed.</p>\n", faults_.size() - most_faults);
-    body += "</section>\n";
-  }
-  body += fmt::format(
-      "</main>\n<footer><p class=\"soft\">Made by fathom {}. Counts are exact; features are 0-based indices of points.</p>\n"
-      "<p class=\"soft\"><code>{}</code></p></footer>\n",
-      FATHOM_VERSION, picture::markup(command));
+  const std::string warning =
+      cut_short.empty() ? ""
+                        : fmt::format("<p class=\"warning\" role=\"note\">{}; this is what was studied.</p>\n", picture::markup(cut_short));
+  const std::string body = fmt::format(
+      "<header>{}{}</header>\n<main>\n{}{}</main>\n<footer><p class=\"soft\">Made by fathom {}. Counts are exact; features are 0-based "
+      "indices of points.</p>\n<p class=\"soft\"><code>{}</code></p></footer>\n",
+      head(), warning, stream_ ? case_by_case() : sections_, without_study(), FATHOM_VERSION, picture::markup(command));
   return picture::page(stream_ ? "What coincides" : title_ + ": what coincides", body);
 }
 

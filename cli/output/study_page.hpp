@@ -36,6 +36,8 @@ class StudyPage {
   void take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline, const Names& names);
   [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string totals() const;
+  [[nodiscard]] std::string case_by_case() const;
+  [[nodiscard]] std::string without_study() const;
 
   bool stream_;
   std::size_t cases_ = 0, shown_ = 0;

@@ -3,15 +3,15 @@
 import assert from 'node:assert/strict';
 import { accessible, fathom, fits, made, onPage, prints, root } from './lib.mjs';
 
-const subject = `python3 ${root}/examples/data/mine`;
+const subject = `${process.env.PYTHON ?? 'python3'} ${root}/examples/data/mine`;
 let written;
 
 /** A run over the examples and a family each that the boxes around bodies are right and wrong about. */
 function certified() {
   if (written) return written;
   const families = ['boxes_aligned', 'random_ball', 'polygon_solid'];
-  const more = families.map((family) => fathom(['cases', '--family', family, '--count', '20'])).join('');
-  const cases = made('cases.jsonl', fathom(['cases', '--catalogue']) + more);
+  const more = families.map((family) => fathom(['cases', '--family', family, '--count', '6'])).join('');
+  const cases = made('cases.jsonl', more);
   written = made('page.html');
   fathom(['certify', '--subject', subject, '--html', written, cases], { ends: [1] });
   return written;
@@ -23,17 +23,16 @@ const facts = (page) => page.evaluate(() => ({
   rows: document.querySelectorAll('main table tr').length,
 }));
 
-for (const width of [390, 1280])
-  for (const colorScheme of ['light', 'dark'])
-    onPage(`certify at ${width} pixels, ${colorScheme}`, certified, { width, colorScheme }, async (page) => {
-      await fits(page);
-      await accessible(page);
-    });
+for (const [width, colorScheme] of [[390, 'dark'], [1280, 'light']])
+  onPage(`certify at ${width} pixels, ${colorScheme}`, certified, { width, colorScheme }, async (page) => {
+    await fits(page);
+    await accessible(page);
+  });
 
 onPage('certify: pictures and tables', certified, {}, async (page) => {
   const { pictures, rows } = await facts(page);
   assert.ok(pictures > 3, `law: failures have pictures (${pictures})`);
-  assert.ok(rows > 10, `law: verdicts are counted in tables (${rows} rows)`);
+  assert.ok(rows > 3, `law: verdicts are counted in tables (${rows} rows)`);
   const loose = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map((a) => a.getAttribute('href').slice(1))
     .filter((id) => !document.getElementById(decodeURIComponent(id))));
   assert.deepEqual(loose, [], 'law: each link leads to a place of the page');
@@ -43,7 +42,7 @@ onPage('certify: pictures and tables', certified, {}, async (page) => {
 
 onPage('certify without scripts', certified, { javaScriptEnabled: false }, async (page) => {
   const { pictures, rows } = await facts(page);
-  assert.ok(pictures > 3 && rows > 10, `law: without scripts pictures and tables remain (${pictures}, ${rows})`);
+  assert.ok(pictures > 3 && rows > 3, `law: without scripts pictures and tables remain (${pictures}, ${rows})`);
   await fits(page);
 });
 

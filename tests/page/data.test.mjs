@@ -17,7 +17,13 @@ const stages = {
     optima: [{ direction: [0, 0, 1], translation: [0, 0, 0.5], features: { a: [0, 2, 3], b: [1] }, kind: "facet-vertex" }],
   },
   pairs: [{ a: [0], b: [0] }, { a: [0, 1, 2], b: [0] }, { a: [3], b: [0] }],
-  sum: { kind: "P", facets: [{ normal: [0, 0, 1], distance: 0.5, a: [0, 2, 3], b: [1], pairs: [] }, { normal: [1, 0, 0], distance: 2, a: [0, 3], b: [0, 1], pairs: [1, 2] }] },
+  sum: {
+    kind: "P",
+    facets: [
+      { normal: [0, 0, 1], distance: 0.5, a: [0, 2, 3], b: [1], pairs: [] },
+      { normal: [1, 0, 0], distance: 2, a: [0, 3], b: [0, 1], pairs: [1, 2] },
+    ],
+  },
   coincidences: [{ kind: "parallel_edges", count: 7, listed: [{ a: [[2, 3]], b: [[0, 1]], decided_by: ["E11"] }] }],
 };
 const data = makeData({ status: "penetrating" }, stages, "case");
@@ -49,6 +55,13 @@ test("the way out is the chosen optimum's, or the facet's that is looked at; it 
   const other = wayOf(data, { facet: 1, optimum: 0 });
   assert.deepEqual(other.translation, [2, 0, 0]);
   assert.deepEqual([other.a, other.b], [[0, 2], [0, 1]]);
+  assert.deepEqual(meetingOf(data, { direction: [0, 0, 1], translation: [0, 0, 0.5], a: [3], b: [0, 1] }), [0, 0, 1.5]);
+});
+
+test("without features the way ends at the answer's witness, in the picture's units", () => {
+  const scale = { center: ["1/2", "0", "0"], exponent: 1 }, contact = { direction: [0, 0, 1], translation: [0, 0, 2], features: null, optima: [] };
+  const round = makeData({ status: "penetrating", witness_f64: { b: [1, 2, 3] } }, { ...stages, scale, contact }, "");
+  assert.deepEqual(meetingOf(round, wayOf(round, { facet: null, optimum: 0 })), [1, 4, 6]);
 });
 
 test("data without most of it is no error", () => {

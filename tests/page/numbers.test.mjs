@@ -15,7 +15,8 @@ function exact(x) {
 }
 
 test("a binary64 comes back as itself, of every size and sign", () => {
-  for (const x of [0, 1, -1, 0.1, -0.1, 1 / 3, 1e300, 1e-300, 5e-324, -5e-324, 2.2250738585072014e-308, Number.MAX_VALUE, 0.47761546311385563]) {
+  const extremes = [1e300, 1e-300, 5e-324, -5e-324, 2.2250738585072014e-308, Number.MAX_VALUE];
+  for (const x of [0, 1, -1, 0.1, -0.1, 1 / 3, 0.47761546311385563, ...extremes]) {
     const [p, q] = exact(x);
     assert.equal(nearest(`${p}/${q}`), x);
     const root = nearestRoot(`${p * p}/${q * q}`);
@@ -31,6 +32,7 @@ test("just above and below a tie go to different sides, and a tie goes to the ev
   assert.equal(nearest(`${(2n ** 53n + 3n) * big}/${big}`), 2 ** 53 + 4);
   assert.equal(nearestRoot(`${tie * tie + 1n}/${big * big}`), 2 ** 53 + 2);
   assert.equal(nearestRoot(`${tie * tie}/${big * big}`), 2 ** 53);
+  assert.equal(nearestRoot(`${(2n ** 53n + 1n) ** 2n + 1n}`), 2 ** 53 + 2);
 });
 
 test("halves of the least subnormal number are rounded once", () => {

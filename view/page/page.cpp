@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "view/atlas/atlas.hpp"
 #include "view/page/embedded.hpp"
 #include "view/page/fill.hpp"
 #include "view/page/parts.hpp"
-#include "view/page/source_hash.hpp"
 #include "view/picture/markup.hpp"
+#include "view/picture/policy.hpp"
+#include "view/picture/style.hpp"
 
 namespace fathom::page {
 namespace {
@@ -26,10 +29,10 @@ std::string block(const std::string& json) {
   return result;
 }
 
-/// Nothing is loaded from anywhere, and nothing runs that this program did not write.
-std::string policy() {
-  return fmt::format("default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
-                     source_hash(script()), source_hash(style()));
+/// The colours and pictures of all pages, and the layout of this one.
+const std::string& whole_style() {
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + atlas::atlas_style() + std::string(style());
+  return text;
 }
 
 std::string notes_text(const std::vector<std::string>& notes) {
@@ -54,23 +57,24 @@ std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
   const std::string answer = picture::markup(answer_sentence(depth));
+  const std::array scripts{script()};
+  const std::array<std::string_view, 1> styles{whole_style()};
   return filled(
       shell(),
       {{"version", picture::markup(sheet.version)},
-       {"policy", policy()},
+       {"policy", picture::security_policy(scripts, styles)},
        {"title", answer},
-       {"style", std::string(style())},
+       {"style", whole_style()},
        {"answer", answer},
        {"subtitle", subtitle(depth)},
        {"notes", notes_text(sheet.notes)},
-       {"picture_what", figure(sheet.stills.bodies, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+       {"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
        {"facts", facts(depth)},
        {"lead_why", lead_why(stages)},
-       {"picture_why", figure(sheet.stills.sum, "P around O.")},
        {"ranked", ranked(stages)},
        {"lead_where", lead_where(stages)},
-       {"picture_sphere", figure(sheet.stills.sphere, "The diagrams of -A and of B on the sphere.")},
-       {"picture_chart", figure(sheet.stills.chart, "The charts: longitude to the right, latitude up.")},
+       {"picture_sphere", figure(atlas::sphere_picture(stages, "still-sphere"), "The diagrams of -A and of B on the sphere.")},
+       {"picture_chart", figure(atlas::chart_picture(stages, "still-chart"), "A hemisphere as a chart: longitude to the right, latitude up.")},
        {"pairs", pairs(stages)},
        {"cutting", cutting(stages)},
        {"lead_coincided", lead_coincided(stages)},

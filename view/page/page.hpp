@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   what is known of a pair: its answer, its stages, the case itself; and still pictures.
+// Input   what is known of a pair: its answer, its stages, the case itself; and a picture of the bodies.
 // Output  one HTML page that shows why the depth is what it is. It holds all of the input, its script and its style, and needs no network.
 // The tables, the pictures and the answer are there without scripts; with them the pictures turn, and a choice in one is lit in all.
 #pragma once
@@ -11,14 +11,6 @@
 
 namespace fathom::page {
 
-/// Pictures as SVG elements, each ready to stand in HTML; empty: there is none.
-struct Stills {
-  std::string bodies;  ///< both bodies, seen across the translation
-  std::string sum;     ///< P around O
-  std::string sphere;  ///< both Gaussian diagrams
-  std::string chart;   ///< the charts of both hemispheres
-};
-
 /// What a page is made of.
 struct Sheet {
   std::string version;             ///< of fathom
@@ -26,7 +18,7 @@ struct Sheet {
   const stages::Stages& stages;    ///< of the same pair
   std::string pair;                ///< a line of fathom/case/1
   std::vector<std::string> notes;  ///< what a reader must know before any number: bodies that are not convex, sizes that look wrong
-  Stills stills;
+  std::string picture;             ///< both bodies as SVG, ready to stand in HTML with the style of picture_style; empty: there is none
 };
 
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON object.

@@ -50,7 +50,12 @@ article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
 .facts dl { grid-template-columns: minmax(6rem, auto) minmax(0, 1fr); }
 figure { margin: .5rem 0; } figcaption { color: var(--soft); font-size: .9rem; }
 .pairs { display: flex; flex-wrap: wrap; gap: .5rem; } .pairs svg, .card-picture svg { max-width: 100%; height: auto; }
-.mark { opacity: 0; pointer-events: none; } .mark.lit, .mark:target { opacity: 1; }
+svg.pair .mark { opacity: 0; pointer-events: none; fill: var(--lit); fill-opacity: .3; stroke: var(--lit); stroke-width: 5; stroke-linejoin: round; }
+svg.pair .body-b.mark { stroke-dasharray: 9 4; } svg.pair .mark.lit, svg.pair .mark:target { opacity: 1; }
+.key { font-weight: 700; } .key.body-a { color: var(--a); } .key.body-b { color: var(--b); } .key.true { color: var(--true); } .key.claimed { color: var(--claimed); }
+svg.chart text { fill: var(--ink); font-size: 12px; } svg.chart text.soft { fill: var(--soft); font-size: 11px; }
+svg.chart rect.bar { fill: var(--link); } svg.chart rect.bar.failing { fill: var(--claimed); } svg.chart line { stroke: var(--line); }
+svg.chart line.limit { stroke: var(--ink); stroke-dasharray: 3 3; }
 @media (min-width: 70rem) { .beside { display: grid; grid-template-columns: 27rem minmax(0, 1fr); gap: 0 1.5rem; align-items: start; }
   .beside > .picture { position: sticky; top: .5rem; } }
 @media (max-width: 36rem) { body { padding: .75rem; } article { padding: .7rem; } .facts dl { grid-template-columns: minmax(0, 1fr); gap: 0; }

@@ -71,6 +71,9 @@ void add_coincidences(const Subject& subject, Stages& stages);
 /// bounds.
 void add_bounds(const Subject& subject, Stages& stages);
 
+/// sum, of shapes: from the meshes of their outlines.
+void add_sampled_sum(Stages& stages);
+
 /// The stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
 

@@ -214,6 +214,7 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   if (depth.bounds()) stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
   stages.counters = depth.counters();
   add_answer(depth, stages);
+  add_sampled_sum(stages);
   return stages;
 }
 

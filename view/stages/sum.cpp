@@ -125,7 +125,7 @@ StagedSum inner_sum(const Subject& subject) {
 
 void add_sum(const Subject& subject, Stages& stages) {
   if (stages.status != Status::penetrating) {
-    stages.left_out.emplace_back("P is not here: O is not inside it, so no facet of it is the way out.");
+    stages.left_out.emplace_back("P is not drawn: O is not inside it, so no facet of it is the way out.");
     return;
   }
   if (const std::optional<std::vector<ExactSumFacet>> facets = sum_facets(subject.exact, most_facets)) {
@@ -133,9 +133,9 @@ void add_sum(const Subject& subject, Stages& stages) {
     return;
   }
   stages.sum = inner_sum(subject);
-  const std::string many = fmt::format("P has more than {} facets: ", most_facets);
+  const std::string many = fmt::format("P has too many facets to be drawn, more than {}: ", most_facets);
   stages.left_out.push_back(many + (stages.sum.kind == SumKind::q ? "in its place stands Q, the polytope inside P that proves the depth."
-                                                                  : "it is not here, and no smaller polytope that proves the depth was found."));
+                                                                  : "and no smaller polytope that proves the depth was found."));
 }
 
 }  // namespace fathom::stages

@@ -16,7 +16,7 @@ void write_facet(JsonText& json, const SumFacet& facet, bool exactly) {
     json.key("vertices"), json.array_of(facet.vertices);
     json.key("normal"), json.numbers(facet.normal, places_digits);
     json.key("distance"), json.number(facet.distance, places_digits);
-    if (exactly) json.key("distance_squared"), json.exact(facet.squared);
+    if (exactly && facet.squared > 0) json.key("distance_squared"), json.exact(facet.squared);
     json.key("kind"), json.string(kinds[static_cast<std::size_t>(facet.kind)]);
     json.key("a"), json.array_of(facet.a);
     json.key("b"), json.array_of(facet.b);

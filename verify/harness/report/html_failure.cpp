@@ -171,19 +171,36 @@ std::optional<Truth> truth_of(const Case& seen) {
   }
 }
 
-std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Truth& truth, const std::string& anchor) {
-  const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
-  const std::string label = "Hulls of " + markup(shown_id(outcome.id, outcome.variant));
-  std::string caption = "<span class=\"key body-a\">A</span>, <span class=\"key body-b\">B</span>, hidden edges thin";
+/// What the picture of two polytopes shows.
+std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed) {
+  std::string result = "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";
   if (truth.depth.status() == Status::penetrating)
-    caption += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it dotted";
-  if (truth.depth.distance()) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
+    result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces in contact";
+  if (truth.depth.distance()) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+  if (truth.depth.touch()) result += "; <span class=\"key true\">dot</span>: where they touch";
   if (claimed) {
-    caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
-    if (subject.conventions.moves == Conventions::Body::b) caption += ", which is that of B turned round: the subject moves B";
+    result += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
+    if (subject.conventions.moves == Conventions::Body::b) result += ", which is that of B turned round: the subject moves B";
   }
-  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n",
-                     pair_picture(truth, claimed, anchor, label), caption);
+  return result;
+}
+
+std::string figure_element(const std::string& svg, const std::string& caption) {
+  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
+}
+
+std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const std::optional<Truth>& truth, const std::string& anchor) {
+  const Outcome& outcome = failure.outcome;
+  const std::string of = markup(shown_id(outcome.id, outcome.variant));
+  if (truth) {
+    const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
+    return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of), caption(subject, *truth, claimed.has_value()));
+  }
+  if (const std::string svg = shapes_picture(failure.seen, anchor, "Shapes of " + of); !svg.empty())
+    return figure_element(svg,
+                          "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; "
+                          "<span class=\"key true\">arrow</span>: the true way of A, and A after it, dashed");
+  return "";
 }
 
 }  // namespace
@@ -194,7 +211,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
                                    markup(shown_id(outcome.id, outcome.variant)));
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
-  if (truth) result += figure(subject, outcome, *truth, anchor);
+  result += figure(subject, failure, truth, anchor);
   result += "<div class=\"facts\">\n";
   if (outcome.reply) result += claim_list(*outcome.reply, subject.conventions);
   result += truth_list(outcome, truth, failure.certificate_name);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/report/picture.hpp"
 
+#include <exception>
+
 #include "fathom/numbers.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
 #include "view/picture/scene_picture.hpp"
 #include "view/picture/view.hpp"
@@ -18,6 +22,16 @@ std::optional<Point> claimed_translation(const Reply& reply, const Conventions& 
 
 std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label) {
   return picture::scene_panels(picture::scene_of({truth.a, truth.b, truth.depth}, claimed), name, label);
+}
+
+std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label) {
+  if (!seen.a.shape && !seen.b.shape) return "";
+  try {
+    const Shape a = files::shape_of(seen.a), b = files::shape_of(seen.b);
+    return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b)), name, label);
+  } catch (const std::exception&) {
+    return "";
+  }
 }
 
 }  // namespace fathom::harness

@@ -112,13 +112,13 @@ function axisElements(plane) {
   const reach = plane ? planeReach : 90, at = (v) => ((v + reach) / (2 * reach)) * chartSide;
   const ticks = chartTicks(plane).flatMap(([value, label]) => [
     svg("path", { class: "tick", d: `M${at(value)} ${chartSide}v5M0 ${chartSide - at(value)}h-5` }),
-    svg("text", { x: at(value), y: chartSide + 18, "text-anchor": "middle" }, label),
-    svg("text", { x: -9, y: chartSide - at(value) + 4, "text-anchor": "end" }, label),
+    svg("text", { x: at(value), y: chartSide + 9, "text-anchor": "middle", "dominant-baseline": "hanging" }, label),
+    svg("text", { x: -9, y: chartSide - at(value), "text-anchor": "end", "dominant-baseline": "central" }, label),
   ]);
   const middle = chartSide / 2;
   return [svg("rect", { class: "border", x: 0, y: 0, width: chartSide, height: chartSide }), ...ticks,
-          svg("text", { x: middle, y: chartSide + 35, "text-anchor": "middle" }, plane ? "x" : "longitude"),
-          svg("text", { transform: `translate(-36 ${middle}) rotate(-90)`, "text-anchor": "middle" }, plane ? "y" : "latitude")];
+          svg("text", { x: middle, y: chartSide + 52, "text-anchor": "middle" }, plane ? "x" : "longitude"),
+          svg("text", { transform: `translate(-50 ${middle}) rotate(-90)`, "text-anchor": "middle" }, plane ? "y" : "latitude")];
 }
 
 function paintCanvas(view) {

@@ -6,7 +6,7 @@ import { dot } from "./geometry.js";
 
 /** The square of a chart in the units of its picture, and the room for labels at its left and below. */
 export const chartSide = 640;
-export const chartMargin = { left: 46, bottom: 40, right: 12, top: 8 };
+export const chartMargin = { left: 66, bottom: 58, right: 22, top: 12 };
 
 /** How far the paper's plane is shown: |x|, |y| at most. */
 export const planeReach = 4;

@@ -48,7 +48,8 @@ export function makeData(depth, stages, caseText = "") {
 function indexedBody(name, body) {
   const { vertices = [], edges = [], facets = [], nodes = [], arcs = [] } = body ?? {};
   const ids = body?.ids ?? vertices.map((_, i) => i);
-  return { ...body, name, vertices, edges, facets, nodes, arcs, ids, vertexOfId: new Map(ids.map((id, i) => [id, i])), edgesAt: edgesAtOf(vertices, edges) };
+  const vertexOfId = new Map(ids.map((id, i) => [id, i]));
+  return { ...body, name, vertices, edges, facets, nodes, arcs, ids, vertexOfId, edgesAt: edgesAtOf(vertices, edges) };
 }
 
 /** The edges at each vertex. */

@@ -8,10 +8,10 @@ import { decimalsOf, nearestRoot, gapOfRoots, roughly, textOf, unitOf, vectorTex
 export function mountFacts(root, data, selection) {
   document.getElementById("tools")?.replaceChildren(...caseTools(data));
   if (data.optima.length > 1) root.prepend(optimumStepper(data, selection));
-  const told = element("p", { class: "way" });
+  const told = element("p", { class: "way" }), written = [];
   root.append(told);
   selection.subscribe((state, changed) => {
-    if (changed.has("optimum")) showOptimum(root, data, state.optimum);
+    if (changed.has("optimum")) showOptimum(root, data, state.optimum, written);
     if (changed.has("facet")) told.replaceChildren(wayText(data, state));
     if (["optimum", "facet", "pair", "coincidence"].some((f) => changed.has(f))) announce(data, selection.chosen());
   });
@@ -32,27 +32,28 @@ function optimumStepper(data, selection) {
 }
 
 /** Writes the direction, translation and contact of an optimum where those of the first one stand; the witness is of the first alone. */
-function showOptimum(root, data, index) {
-  const optimum = data.depth.optima?.[index];
-  if (!optimum) return;
-  const first = index === 0, write = (field, text, exact) => {
-    const place = root.querySelector(`[data-field="${field}"]`);
+function showOptimum(root, data, index, written) {
+  for (const [place, nodes] of written.splice(0)) place.replaceChildren(...nodes);  // what stands there is of the first
+  const optimum = data.depth.optima?.[index], first = index === 0;
+  const write = (place, ...nodes) => {
     if (!place) return;
-    place.textContent = text;
-    const pre = place.parentElement.querySelector("pre");
-    if (pre && exact) pre.textContent = exact;
+    written.push([place, [...place.childNodes]]);
+    place.replaceChildren(...nodes);
   };
+  const field = (name) => root.querySelector(`[data-field="${name}"]`);
   const exactText = (vector) => (Array.isArray(vector) ? `(${vector.join(", ")})` : JSON.stringify(vector));
-  write("unit", vectorText(first ? data.depth.unit_f64 : unitOf(optimum.direction)), exactText(optimum.direction));
-  write("translation", vectorText(first ? data.depth.translation_f64 : decimalsOf(optimum.translation)), exactText(optimum.translation));
-  const contact = optimum.contact;
-  if (contact) {
-    const place = root.querySelector('[data-field="contact"]');
-    place?.replaceChildren(`${contact.kind}: `, element("span", { class: "key-a" }, "A"), ` at ${idsText(contact.a)}, `,
-      element("span", { class: "key-b" }, "B"), ` at ${idsText(contact.b)}`);
+  if (!first && optimum) {
+    for (const [name, decimals, exact] of [["unit", unitOf, optimum.direction], ["translation", decimalsOf, optimum.translation]]) {
+      write(field(name), vectorText(decimals(exact)));
+      write(field(name)?.parentElement.querySelector("pre"), exactText(exact));
+    }
+    const contact = optimum.contact;
+    if (contact)
+      write(field("contact"), `${contact.kind}: `, element("span", { class: "key-a" }, "A"), ` at ${idsText(contact.a)}, `,
+        element("span", { class: "key-b" }, "B"), ` at ${idsText(contact.b)}`);
   }
-  for (const field of ["witness_a", "witness_b"]) {
-    const row = root.querySelector(`[data-field="${field}"]`)?.closest("dd");
+  for (const name of ["witness_a", "witness_b"]) {
+    const row = field(name)?.closest("dd");
     if (row) row.hidden = row.previousElementSibling.hidden = !first;
   }
   for (const row of root.querySelectorAll("[data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
@@ -77,10 +78,13 @@ function announce(data, state) {
   const pair = state.pair === null ? null : data.pairs[state.pair];
   const item = state.coincidence === null ? null : data.coincidence(state.coincidence);
   const parts = [];
-  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs, ${data.facetsOfPair(state.pair).length} facets of P are lit.`);
+  const count = state.pair === null ? 0 : data.facetsOfPair(state.pair).length;
+  const ofP = `${count} ${count === 1 ? "facet" : "facets"} of P`;
+  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs; ${ofP}.`);
   if (state.facet !== null) parts.push(wayText(data, state));
   if (item) parts.push(`Coincidence: ${item.kind.replaceAll("_", " ")}.`);
-  if (!parts.length && state.optimum > 0) parts.push(`Optimum ${state.optimum + 1} of ${data.optima.length}. ${contactText(data.optima[state.optimum], data)}`);
+  if (!parts.length && state.optimum > 0)
+    parts.push(`Optimum ${state.optimum + 1} of ${data.optima.length}. ${contactText(data.optima[state.optimum], data)}`);
   const text = parts.join(" ");
   if (place.textContent !== text) place.textContent = text;
 }
@@ -89,7 +93,8 @@ function caseTools(data) {
   if (!data.caseText.trim()) return [];
   const said = element("span", { role: "status", class: "soft" });
   const say = (text) => { said.textContent = text; };
-  const copy = async () => say((await copied(data.caseText)) ? "The case is on the clipboard: fathom depth - reads it." : "The clipboard is closed to this page: save the case.");
+  const done = "The case is on the clipboard: fathom depth - reads it.", closed = "The clipboard is closed to this page: save the case.";
+  const copy = async () => say((await copied(data.caseText)) ? done : closed);
   return [
     element("button", { type: "button", onclick: copy }, "Copy this case"),
     element("button", { type: "button", onclick: () => saveText(`${fileStem(data.depth.id)}.case.json`, data.caseText) }, "Save this case"),

@@ -28,7 +28,8 @@ function takesKeys(target) {
 
 export function listenToKeys(page, data, selection) {
   page.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || (takesKeys(event.target) && event.key !== "Escape")) return;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
+    if (takesKeys(event.target) && event.key !== "Escape") return;
     // A region that scrolls sideways keeps its arrows.
     if (event.key.startsWith("Arrow") && event.target instanceof Element && event.target.closest(".wide")) return;
     const change = changeOfKey(event.key, data, selection.chosen());

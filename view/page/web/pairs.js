@@ -14,7 +14,7 @@ export function mountPairs(root, data, selection) {
   const rows = pairRows(data);
   const view = { data, selection, rows, shown: { large: 0, single: 0 }, rowOf: new Map(), open: rows.large.length === 0 || rows.single.length <= fewSingles };
   Object.assign(view, pairElements(view));
-  root.replaceChildren(element("h3", {}, `Canonical pairs (${data.pairs.length})`), view.box, view.details);
+  root.replaceChildren(element("h3", {}, `Canonical pairs (${data.pairs.length})`), element("p", { class: "soft" }, tableSentence(view)), view.box, view.details);
   growRows(view, "large", -1);
   if (view.open) growRows(view, "single", -1);
   showFold(view);
@@ -36,13 +36,13 @@ function pairElements(view) {
   const count = rows.single.length, text = `${count} pair${count === 1 ? "" : "s"} of 1 \u00d7 1`;
   const opener = element("button", { type: "button", class: "fold", "aria-expanded": "false", onclick: () => toggleFold(view) }, text);
   if (count > 0) fold.append(element("tr", {}, element("th", { colspan: pairHeadings.length, scope: "rowgroup", class: "text" }, opener)));
-  const table = element("table", { class: "pairs-table" }, element("caption", {}, tableCaption(view)), head, large, fold, single);
+  const table = element("table", { class: "pairs-table" }, head, large, fold, single);
   const box = element("div", { class: "wide pairs-box", tabindex: 0, role: "region", "aria-label": "Canonical pairs" }, table, moreLarge, moreSingle);
   const details = element("div", { class: "pair-details" });
   return { box, details, opener, bodies: { large, single }, more: { large: moreLarge, single: moreSingle } };
 }
 
-function tableCaption({ data }) {
+function tableSentence({ data }) {
   const crossings = data.pairs.reduce((sum, pair) => sum + pairSize(pair), 0);
   return `Every arc of A\u1d62 crosses every arc of B\u1d62; all ${crossings} crossing${crossings === 1 ? "" : "s"} occur once. Largest first; j and k step through them.`;
 }

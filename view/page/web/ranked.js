@@ -36,8 +36,9 @@ export function mountRanked(root, data, selection) {
   }
   grow(count);
   const head = ["#", "distance", "gap", "contact"].map((name, i) => element("th", { scope: "col", class: i === 3 ? "text" : null }, name));
-  const table = element("table", {}, element("caption", {}, "Facets by their distance from O"), element("thead", {}, element("tr", {}, ...head)), body);
-  root.replaceChildren(gapSentence(data), element("div", { class: "wide", role: "region", tabindex: 0, "aria-label": "Facets by their distance from O" }, table), rest);
+  const name = "Facets by their distance from O";
+  const table = element("table", {}, element("caption", {}, name), element("thead", {}, element("tr", {}, ...head)), body);
+  root.replaceChildren(gapSentence(data), element("div", { class: "wide", role: "region", tabindex: 0, "aria-label": name }, table), rest);
   selection.subscribe((state, changed) => {
     if (!changed.has("facet") && !changed.has("pair")) return;
     const chosen = selection.chosen().facet, ofPair = new Set(state.pair === null ? [] : data.facetsOfPair(state.pair));
@@ -57,19 +58,25 @@ function gapSentence(data) {
   const name = data.stages.sum.kind === "Q" ? "Q" : "P";
   const nearest = `Nearest: ${textOf(nearestRoot(data.facets[0].distance_squared))}${told.ties > 1 ? `, ${told.ties} facets tie` : ""}. `;
   if (told.second === null) result.append(nearest, `All facets of ${name} are equally near.`);
-  else result.append(nearest, "Second: ", textOf(told.second), ", ", element("strong", {}, `${roughly(told.gap)} farther`), ` (${roughly(100 * told.share)} %).`);
+  else {
+    const farther = element("strong", {}, `${roughly(told.gap)} farther`);
+    result.append(`${nearest}Second: ${textOf(told.second)}, `, farther, ` (${roughly(100 * told.share)} %).`);
+  }
   return result;
 }
 
 function facetRow(data, index, selection) {
   const facet = data.facets[index], gap = gapOfRoots(facet.distance_squared, data.facets[0].distance_squared);
   const choose = () => selection.set({ facet: selection.chosen().facet === index ? null : index });
-  const button = element("button", { type: "button", class: "row", "aria-pressed": "false", title: "Show the contact of this facet", onclick: choose }, String(index + 1));
-  const row = element("tr", { class: facet.optimal ? "optimal" : null }, element("th", { scope: "row" }, button),
-    element("td", {}, textOf(nearestRoot(facet.distance_squared))), element("td", {}, gap === 0 ? (index ? "tie" : "") : `+${roughly(gap)}`),
+  const title = "Show the contact of this facet";
+  const button = element("button", { type: "button", class: "row", "aria-pressed": "false", title, onclick: choose }, String(index + 1));
+  const row = element("tr", { class: facet.optimal ? "optimal" : null, "data-facet": index }, element("th", { scope: "row" }, button),
+    element("td", {}, textOf(nearestRoot(facet.distance_squared))),
+    element("td", {}, gap === 0 ? (index ? "tie" : "") : `+${roughly(gap)}`),
     element("td", { class: "text" }, kindOfFacet(facet)));
   const over = () => selection.preview({ facet: index }), out = () => selection.preview(null);
-  for (const [event, act] of [["mouseenter", over], ["mouseleave", out], ["focusin", over], ["focusout", out]]) row.addEventListener(event, act);
+  for (const event of ["mouseenter", "focusin"]) row.addEventListener(event, over);
+  for (const event of ["mouseleave", "focusout"]) row.addEventListener(event, out);
   row.addEventListener("click", (event) => { if (!event.target.closest("button")) choose(); });
   return row;
 }
@@ -77,6 +84,7 @@ function facetRow(data, index, selection) {
 function restOf(data, shown, more) {
   const left = data.facets.length - shown;
   if (left <= 0) return [];
-  if (shown >= mostRows) return [`${left} facets more are farther, and not listed.`];
-  return [`${left} facets more are farther. `, element("button", { type: "button", onclick: more }, left + shown > mostRows ? `list ${mostRows}` : "list all")];
+  if (shown >= mostRows) return [`${left} facets more are farther, and left out of the list.`];
+  const name = left + shown > mostRows ? `list ${mostRows}` : "list all";
+  return [`${left} facets more are farther. `, element("button", { type: "button", onclick: more }, name)];
 }

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in the 3-D pictures: bodies with their faces and edges, features, arrows, planes. Places are those of a frame (geometry.js).
 // One body takes one draw call for its faces from either side and one for its edges, however many it has.
-import { across, cross, fan, inOrder, minus, norm, plus, times, unit } from "./geometry.js";
+import { across, cross, fan, inOrder, minus, norm, normalOf, plus, times, unit } from "./geometry.js";
 import { colour } from "./look.js";
 
 /** In this order things are drawn, one over the other. */
-export const layer = { backs: 0, solid: 10, solidEdges: 12, glass: 20, glassDepth: 30, edges: 40, plane: 50, faint: 60, strong: 61, arrow: 70 };
+export const layer = {
+  backs: 0, solid: 10, solidEdges: 12, glass: 20, glassDepth: 30, edges: 40, plane: 50, faint: 60, strong: 61, arrow: 70,
+};
 
 /** The triangles of polygons, each with the polygon's own normal; owner[t] is the polygon of triangle t. */
 export function triangles(vertices, polygons) {
   const position = [], normal = [], owner = [];
   polygons.forEach((polygon, f) => {
-    const n = polygonNormal(polygon.map((v) => vertices[v]));
+    const n = normalOf(polygon.map((v) => vertices[v]));
     for (const corners of fan(polygon.length)) {
       for (const c of corners) {
         position.push(...vertices[polygon[c]]);
@@ -23,12 +25,6 @@ export function triangles(vertices, polygons) {
   return { position, normal, owner };
 }
 
-export function polygonNormal(corners) {
-  let sum = [0, 0, 0];
-  for (let i = 2; i < corners.length; ++i) sum = plus(sum, cross(minus(corners[i - 1], corners[0]), minus(corners[i], corners[0])));
-  return unit(sum);
-}
-
 export function meshGeometry({ position, normal }) {
   const T = globalThis.THREE, geometry = new T.BufferGeometry();
   geometry.setAttribute("position", new T.Float32BufferAttribute(position, 3));
@@ -38,12 +34,9 @@ export function meshGeometry({ position, normal }) {
 
 /** Stripes of the screen, with nearly nothing between them. */
 export function hatched(material, between = 0.25) {
-  material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = shader.fragmentShader.replace(
-      "#include <opaque_fragment>",
-      `diffuseColor.a *= mod(gl_FragCoord.x + gl_FragCoord.y, ${(8 * ratio()).toFixed(1)}) < ${(2.2 * ratio()).toFixed(1)} ? 1.0 : ${between.toFixed(2)};
-      #include <opaque_fragment>`);
-  };
+  const period = (8 * ratio()).toFixed(1), stripe = (2.2 * ratio()).toFixed(1), end = "#include <opaque_fragment>";
+  const share = `diffuseColor.a *= mod(gl_FragCoord.x + gl_FragCoord.y, ${period}) < ${stripe} ? 1.0 : ${between.toFixed(2)};`;
+  material.onBeforeCompile = (shader) => { shader.fragmentShader = shader.fragmentShader.replace(end, `${share}\n${end}`); };
   return material;
 }
 
@@ -69,7 +62,8 @@ export function segments(points, name, order, { width = 1.5, dash = 0, ...option
   }
   const geometry = new T.LineSegmentsGeometry();
   if (flat.length) geometry.setPositions(flat);
-  const material = new T.LineMaterial({ linewidth: width, transparent: true, dashed: dash > 0, dashSize: dash, gapSize: dash * 0.8, ...options });
+  const dashes = { dashed: dash > 0, dashSize: dash, gapSize: dash * 0.8 };
+  const material = new T.LineMaterial({ linewidth: width, transparent: true, ...dashes, ...options });
   const lines = new T.LineSegments2(geometry, material);
   if (dash > 0 && flat.length) lines.computeLineDistances();
   lines.visible = flat.length > 0;
@@ -80,8 +74,8 @@ export function segments(points, name, order, { width = 1.5, dash = 0, ...option
 export function dots(points, name, order, { size = 11, ...options } = {}) {
   const T = globalThis.THREE, geometry = new T.BufferGeometry();
   geometry.setAttribute("position", new T.Float32BufferAttribute(points.flat(), 3));
-  const material = new T.PointsMaterial({ size: size * ratio(), sizeAttenuation: false, transparent: true, alphaTest: 0.5, map: roundTexture(), ...options });
-  return dressed(new T.Points(geometry, material), name, order);
+  const round = { size: size * ratio(), sizeAttenuation: false, transparent: true, alphaTest: 0.5, map: roundTexture() };
+  return dressed(new T.Points(geometry, new T.PointsMaterial({ ...round, ...options })), name, order);
 }
 
 let roundOne = null;
@@ -133,7 +127,8 @@ export function arrow(view, name) {
     const length = norm(minus(to, from)), pixel = view.pixel(to);
     group.visible = length > 0.5 * pixel;
     if (!group.visible) return;
-    const headLength = Math.min(20 * pixel, 0.6 * length), way = times(minus(to, from), 1 / length), width = Math.min(2.2 * pixel, 0.12 * length);
+    const way = times(minus(to, from), 1 / length), headLength = Math.min(20 * pixel, 0.6 * length);
+    const width = Math.min(2.2 * pixel, 0.12 * length);
     const turn = new T.Quaternion().setFromUnitVectors(new T.Vector3(0, 1, 0), new T.Vector3(...way));
     shaft.scale.set(width, length - headLength, width);
     shaft.position.set(...plus(from, times(way, (length - headLength) / 2)));
@@ -151,7 +146,8 @@ export function feature(points, name, normal) {
   const seen = { depthWrite: false }, behind = { depthWrite: false, depthTest: false, opacity: 0.4 };
   if (points.length === 1) group.add(dots(points, name, layer.faint, behind), dots(points, name, layer.strong, seen));
   if (points.length < 2) return group;
-  const around = inOrder(points, normal), ends = around.flatMap((p, i) => (points.length === 2 && i > 0 ? [] : [p, around[(i + 1) % around.length]]));
+  const around = inOrder(points, normal), sides = points.length === 2 ? around.slice(0, 1) : around;
+  const ends = sides.flatMap((p, i) => [p, around[(i + 1) % around.length]]);
   group.add(segments(ends, name, layer.faint, { width: 5, ...behind }), segments(ends, name, layer.strong, { width: 5, ...seen }));
   if (points.length > 2) {
     const area = triangles(around, [around.map((_, i) => i)]);
@@ -164,7 +160,9 @@ export function feature(points, name, normal) {
 export function planeSquare(place, normal, half, name) {
   const T = globalThis.THREE, group = new T.Group(), x = times(across(normal), half), y = cross(unit(normal), x);
   const ring = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([i, j]) => plus(place, plus(times(x, i), times(y, j))));
-  group.add(surface(meshGeometry(triangles(ring, [[0, 1, 2, 3]])), name, layer.plane, { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 }));
-  group.add(segments(ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]), name, layer.plane + 1, { width: 1.2, opacity: 0.7, depthWrite: false }));
+  const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 };
+  const sides = ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]);
+  group.add(surface(meshGeometry(triangles(ring, [[0, 1, 2, 3]])), name, layer.plane, glass));
+  group.add(segments(sides, name, layer.plane + 1, { width: 1.2, opacity: 0.7, depthWrite: false }));
   return group;
 }

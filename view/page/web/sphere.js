@@ -2,29 +2,31 @@
 // Section 3, the sphere of directions with both Gaussian diagrams, lifted off a ball that hides its far side. Each colour of a hemisphere
 // is one batch of lines. The camera and the chart go together: to choose a hemisphere turns the ball to it, and while both are shown the
 // chart is that of the one in front.
-import { dot, times } from "./geometry.js";
+import { dot, norm, times } from "./geometry.js";
 import { litArcs, litInDiagrams } from "./lit.js";
-import { calm, colour, element, onLook } from "./look.js";
+import { calm, colour, element } from "./look.js";
+import { onViewLook, withView } from "./scene.js";
 import { equatorOf, facingOf, halvesOfArcs, segmentsOf, stationOf, stripOnSphere } from "./spheregeometry.js";
 
-const sphereDistance = 5.2, mostFaint = 200, greaterDepth = 6;  // three.js: GreaterDepth
+const sphereDistance = 5.1, mostFaint = 200, greaterDepth = 6;  // three.js: GreaterDepth
 const ballRadius = 0.985, litRadius = 1.006;
 
 export function mountSphere(root, data, selection) {
   if (data.charts.length === 0) return {};
-  const view = { data, selection, section: root.closest("section") ?? root, frames: data.charts.map((chart) => chart.frame), frame: 0 };
-  view.canvas = element("canvas", { class: "sphere-canvas", role: "img", "aria-label": sphereLabel(data) });
-  view.renderer = new THREE.WebGLRenderer({ canvas: view.canvas, antialias: true, alpha: true });
-  view.label = element("span", { class: "sphere-label" }, "n");
-  const stage = element("div", { class: "sphere-stage" }, view.canvas, view.label);
-  root.replaceChildren(element("figure", {}, sphereTools(view), stage, sphereCaption(data)));
+  return withView(root, sphereLabel(data), (picture) => startSphere(root, data, selection, picture));
+}
+
+function startSphere(root, data, selection, picture) {
+  const view = { data, selection, picture, camera: picture.camera, section: root.closest("section") ?? root, frames: data.charts.map((chart) => chart.frame) };
+  root.replaceChildren(element("figure", {}, sphereTools(view), picture.stage, sphereCaption(data)));
   makeSphereScene(view);
-  view.facing = facingOf(view.camera.position, view.frames[0].z);
-  view.controls.addEventListener("change", () => sphereTurned(view));
-  new ResizeObserver(() => fitSphere(view, stage)).observe(stage);
-  onLook(() => colourSphere(view));
+  view.facing = facingOf(view.camera.position.toArray(), view.frames[0].z);
+  picture.controls.addEventListener("change", () => sphereTurned(view));
+  picture.label("n", "of-true", () => placeOfLabel(view));
+  picture.resize();
+  onViewLook(picture, () => colourSphere(view));
   selection.subscribe((state, changed) => showSphere(view, state, changed));
-  return { lit: () => ({ sphere: litArcs(litInDiagrams(data, selection.get())) }), drawCalls: () => view.renderer.info.render.calls };
+  return { lit: () => ({ sphere: litArcs(litInDiagrams(data, selection.get())) }), drawCalls: picture.drawCalls };
 }
 
 function sphereLabel({ bodies }) {
@@ -35,9 +37,8 @@ function sphereTools(view) {
   const button = (text, label, onclick) => element("button", { type: "button", "aria-label": label, title: label, onclick }, text);
   const turn = (x, y) => () => swingSphere(view, stationTurned(view, x, y));
   const zoom = (factor) => () => {
-    view.camera.zoom = Math.min(40, Math.max(0.5, view.camera.zoom * factor));
-    view.camera.updateProjectionMatrix();
-    drawSphere(view);
+    const distance = Math.min(2 * sphereDistance, Math.max(1.15, factor * view.camera.position.length()));
+    view.picture.look([0, 0, 0], distance, { from: view.camera.position.toArray(), up: view.frames[0].v });
   };
   const toOptimum = () => {
     const n = view.data.optima[view.selection.get().optimum]?.direction;
@@ -45,7 +46,7 @@ function sphereTools(view) {
   };
   return element("div", { class: "bar", role: "group", "aria-label": "View of the sphere" }, button("\u2190", "turn left", turn(-0.4, 0)),
                  button("\u2192", "turn right", turn(0.4, 0)), button("\u2191", "turn up", turn(0, 0.4)), button("\u2193", "turn down", turn(0, -0.4)),
-                 button("+", "larger", zoom(1.4)), button("\u2212", "smaller", zoom(1 / 1.4)),
+                 button("+", "larger", zoom(0.8)), button("\u2212", "smaller", zoom(1.25)),
                  view.data.optima.length > 0 ? button("to n", "turn to the optimum n", toOptimum) : null);
 }
 
@@ -60,15 +61,13 @@ function sphereCaption({ bodies }) {
 
 function makeSphereScene(view) {
   const { data, frames } = view;
-  view.scene = new THREE.Scene();
-  view.camera = new THREE.PerspectiveCamera(28, 1, 0.1, 20);
-  view.camera.up.set(...frames[0].v);
-  const shown = view.selection.get(), lower = shown.hemisphere === "lower" || (shown.hemisphere === "both" && startsBelow(data, shown));
-  view.camera.position.set(...stationOf(frames[lower && frames[1] ? 1 : 0], sphereDistance));
-  view.controls = new THREE.OrbitControls(view.camera, view.canvas);
-  Object.assign(view.controls, { enablePan: false, enableZoom: false });
+  const { scene, controls } = view.picture, shown = view.selection.get();
+  const lower = shown.hemisphere === "lower" || (shown.hemisphere === "both" && startsBelow(data, shown));
+  const station = stationOf(frames[lower && frames[1] ? 1 : 0], sphereDistance);
+  view.picture.look([0, 0, 0], sphereDistance, { from: station, up: frames[0].v });
+  Object.assign(controls, { enablePan: false, minDistance: 1.1, maxDistance: 2 * sphereDistance });
   view.ball = new THREE.Mesh(new THREE.SphereGeometry(ballRadius, 96, 48), new THREE.MeshBasicMaterial());
-  view.scene.add(view.ball);
+  scene.add(view.ball);
   // Half a dozen dashes in an arc of middling length: of k arcs round the sphere that is about 3 / sqrt(k).
   const dash = Math.min(0.035, 0.35 / Math.sqrt(data.bodies.b.arcs.length));
   view.materials = { a: sphereLine("a", false), b: sphereLine("b", false, dash), faintA: sphereLine("a", true), faintB: sphereLine("b", true, dash),
@@ -81,7 +80,7 @@ function makeSphereScene(view) {
   view.equator = sphereSegments([equatorOf(frames[0])], 1, view.materials.equator);
   view.chosen = new THREE.Group();
   view.pin = spherePin(view.materials.mark);
-  view.scene.add(...view.halves, view.equator, view.chosen, view.pin);
+  scene.add(...view.halves, view.equator, view.chosen, view.pin);
 }
 
 function startsBelow(data, { pair, optimum }) {
@@ -139,11 +138,11 @@ function showSphere(view, state, changed) {
   const first = changed.has("moved") && changed.has("section");
   if (!first && changed.has("hemisphere") && state.hemisphere !== "both") faceHemisphere(view, state.hemisphere === "lower" ? 1 : 0);
   else if (!first && changed.has("pair") && state.pair !== null && state.hemisphere === "both") faceHemisphere(view, data.pairs[state.pair].chart);
-  drawSphere(view);
+  view.picture.render();
 }
 
 function faceHemisphere(view, index) {
-  if (facingOf(view.camera.position, view.frames[0].z) !== index) swingSphere(view, stationOf(view.frames[index], sphereDistance));
+  if (facingOf(view.camera.position.toArray(), view.frames[0].z) !== index) swingSphere(view, stationOf(view.frames[index], sphereDistance));
 }
 
 function litOnSphere(view, state) {
@@ -178,29 +177,27 @@ function colourSphere(view) {
   set(materials.wall, "--lit");
   set(materials.mark, "--true");
   set(view.ball.material, "--shade");
-  drawSphere(view);
 }
 
 // ---- the camera ----
 
 /** Where the camera would stand, turned about v by x and up by y. */
-function stationTurned(view, x, y) {
-  const position = view.camera.position.clone(), spherical = new THREE.Vector3().copy(position).normalize();
-  const polar = Math.min(3.1, Math.max(0.04, Math.acos(spherical.y) - y)), azimuth = Math.atan2(spherical.x, spherical.z) + x;
-  return times([Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), Math.sin(polar) * Math.cos(azimuth)], sphereDistance);
+function stationTurned({ camera }, x, y) {
+  const distance = camera.position.length(), [px, py, pz] = camera.position.toArray();
+  const polar = Math.min(3.1, Math.max(0.04, Math.acos(py / distance) - y)), azimuth = Math.atan2(px, pz) + x;
+  return times([Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), Math.sin(polar) * Math.cos(azimuth)], distance);
 }
 
 /** Turns the camera to another station, at once for a reader who asked for less motion. */
 function swingSphere(view, to) {
   const from = view.camera.position.toArray(), start = performance.now(), lasts = calm() ? 0 : 350;
+  const distance = norm(to), up = view.frames[0].v;
   const swing = (view.swing = () => {
     if (view.swing !== swing) return;
     const t = lasts > 0 ? Math.min(1, (performance.now() - start) / lasts) : 1, s = t * t * (3 - 2 * t);
-    const between = from.map((x, i) => x + s * (to[i] - x)), length = Math.hypot(...between);
+    const between = from.map((x, i) => x + s * (to[i] - x));
     // Half way between opposite stations there is no direction: pass beside it.
-    const place = length > 0.3 ? times(between, sphereDistance / length) : [sphereDistance, 0.01, 0];
-    view.camera.position.set(...place);
-    view.controls.update();
+    view.picture.look([0, 0, 0], distance, { from: norm(between) > 0.3 ? between : [1, 0.01, 0], up });
     sphereTurned(view);
     if (t < 1) requestAnimationFrame(swing);
   });
@@ -208,37 +205,14 @@ function swingSphere(view, to) {
 }
 
 function sphereTurned(view) {
-  const facing = facingOf(view.camera.position, view.frames[0].z);
-  if (facing !== view.facing) {
-    view.facing = facing;
-    view.section.dispatchEvent(new CustomEvent("facing", { detail: facing }));
-  }
-  drawSphere(view);
+  const facing = facingOf(view.camera.position.toArray(), view.frames[0].z);
+  if (facing === view.facing) return;
+  view.facing = facing;
+  view.section.dispatchEvent(new CustomEvent("facing", { detail: facing }));
 }
 
-function fitSphere(view, stage) {
-  const side = Math.max(1, Math.min(stage.clientWidth, 760));
-  view.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-  view.renderer.setSize(side, side);
-  for (const name of ["litA", "litB"]) view.materials[name].resolution.set(side, side);
-  drawSphere(view);
-}
-
-/** Draws in the next frame, once however often it is asked for. */
-function drawSphere(view) {
-  if (view.frame) return;
-  view.frame = requestAnimationFrame(() => {
-    view.frame = 0;
-    view.renderer.render(view.scene, view.camera);
-    placeSphereLabel(view);
-  });
-}
-
-function placeSphereLabel(view) {
+/** The place of the word n, beyond the head of the pin; null behind the ball. */
+function placeOfLabel(view) {
   const n = view.data.optima[view.selection.get().optimum]?.direction, camera = view.camera.position.toArray();
-  const inFront = Boolean(n) && dot(n, camera) > -0.35 * Math.hypot(...camera);
-  view.label.hidden = !inFront;
-  if (!inFront) return;
-  const tip = new THREE.Vector3(...times(n, 1.27)).project(view.camera);
-  Object.assign(view.label.style, { left: `${(50 * (1 + tip.x)).toFixed(2)}%`, top: `${(50 * (1 - tip.y)).toFixed(2)}%` });
+  return n && dot(n, camera) > -0.35 * norm(camera) ? times(n, 1.32) : null;
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
+import { bodyParts, ghostOf } from "./bodies.js";
 import { arrowOf, contactText, wayOf } from "./contact.js";
-import { frameOf, minus, norm, plus, sideView, times } from "./geometry.js";
+import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
-import { arrow, dots, emptied, feature, hatched, layer, meshGeometry, planeSquare, recolour, segments, surface, triangles } from "./solids.js";
+import { arrow, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
 
-const mostHidden = 200;  // edges: of a body with more, those behind it are not drawn
+const unseen = 0.012;  // of the picture: a shorter arrow is not seen
 
 export function mountWhat(root, data, selection) {
+  if (!data.bodies.a.vertices.length || !data.bodies.b.vertices.length) return {};
   return withView(root, whatLabel(data), (view) => whatPicture(root, view, data, selection));
 }
 
@@ -18,113 +20,96 @@ function whatLabel(data) {
   return `${seen} Shift and arrow keys turn, plus and minus zoom.`;
 }
 
-/** Faces and edges of a body that stands in a frame; A is solid, B is glass with stripes. */
-function bodyParts(view, body, frame, isB) {
-  const T = globalThis.THREE, group = new T.Group(), name = isB ? "--b" : "--a", order = isB ? layer.edges : layer.solidEdges;
-  const places = body.vertices.map(frame.place), faces = [];
-  if (body.facets.length) {
-    const geometry = meshGeometry(triangles(places, body.facets)), back = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    if (isB) {
-      faces.push(surface(geometry, name, layer.backs, { side: T.BackSide, opacity: 0.14, depthWrite: false }));
-      faces.push(surface(geometry, name, layer.glass, { opacity: 0.5, depthWrite: false }, 0.3));
-      faces.push(surface(geometry, name, layer.glassDepth, { flat: true, colorWrite: false, ...back }));
-    } else faces.push(surface(geometry, name, layer.solid, { opacity: 0.8, ...back }));
-  }
-  const edges = body.edges.flatMap(([v, w]) => [places[v], places[w]]), hidden = [];
-  const lines = segments(edges, name, order + 1, { width: body.facets.length ? 1.6 : 3, depthWrite: false });
-  if (body.facets.length && body.edges.length <= mostHidden)
-    hidden.push(segments(edges, name, order, { width: 1, dash: 0.035, opacity: 0.55, depthWrite: false, depthFunc: T.GreaterDepth }));
-  group.add(...faces, ...hidden, lines);
-  if (places.length === 1) group.add(dots(places, name, layer.strong, {}));
-  return { group, setWires(on) { for (const part of faces) part.visible = !on; } };
-}
-
-/** Outlines of A where it is not: dashed. Of many edges they would be noise; then a faint solid. */
-function ghostOf(body, frame) {
-  const T = globalThis.THREE, places = body.vertices.map(frame.place);
-  if (body.edges.length > 0 && body.edges.length <= mostHidden)
-    return segments(body.edges.flatMap(([v, w]) => [places[v], places[w]]), "--a", layer.solidEdges + 2, { width: 1, dash: 0.03, opacity: 0.6, depthWrite: false });
-  if (!body.facets.length) return new T.Group();
-  return surface(meshGeometry(triangles(places, body.facets)), "--a", layer.backs + 1, { opacity: 0.13, depthWrite: false });
+/** The way that is shown before anything is chosen; nothing to move where there is none. */
+function firstWay(data) {
+  return wayOf(data, { facet: null, optimum: 0 }) ?? { translation: [0, 0, 0], direction: [0, 0, 1], a: [], b: [], facet: null };
 }
 
 function whatPicture(root, view, data, selection) {
-  const T = globalThis.THREE, { a, b } = data.bodies;
-  const shortest = wayOf(data, { facet: null, optimum: 0 }) ?? { translation: [0, 0, 0], direction: [0, 0, 1], a: [], b: [] };
-  const frame = frameOf([...a.vertices, ...b.vertices, ...a.vertices.map((p) => plus(p, shortest.translation))]);
-  const bodyA = bodyParts(view, a, frame, false), bodyB = bodyParts(view, b, frame, true);
-  const nowhere = ghostOf(a, frame), out = ghostOf(a, frame), contactA = new T.Group(), contactB = new T.Group(), litA = new T.Group(), litB = new T.Group();
-  const movingA = new T.Group(), plane = new T.Group(), shaft = arrow(view, "--true");
-  movingA.add(bodyA.group, contactA, litA);
-  view.scene.add(bodyB.group, movingA, nowhere, out, contactB, litB, plane, shaft.group);
-
-  let way = shortest, ends = arrowOf(data, way), drawn = null, lit = [];
-  const letters = { a: labelPlace(a, frame), b: labelPlace(b, frame) };
-  view.label("A", "of-a", () => letters.a && plus(letters.a, movingA.position.toArray()));
-  view.label("B", "of-b", () => letters.b);
-
-  function drawWay(state) {
-    way = wayOf(data, state) ?? shortest;
-    ends = arrowOf(data, way);
-    const normal = frame.normal(way.direction), placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v]));
-    emptied(contactA).add(feature(placed(a, way.a), "--a", normal));
-    emptied(contactB).add(feature(placed(b, way.b), "--b", normal));
-    emptied(plane).add(planeSquare(frame.place(ends.to), normal, planeSize([a, b], frame), "--true"));
-    shaft.place(frame.place(ends.from), frame.place(ends.to));
-    out.position.set(...frame.move(way.translation));
-  }
-
-  function moveTo(share) {
-    const by = frame.move(times(way.translation, share));
-    movingA.position.set(...by);
-    nowhere.visible = share > 0.02 && norm(by) > 0;
-    out.visible = share < 0.98 && norm(frame.move(way.translation)) > 0;
-  }
-
-  function drawLit(state) {
-    lit = litEdges(data, state);
-    const draw = (group, name, body, of) => {
-      const own = lit.filter(([colour]) => colour === of).flatMap(([, e]) => body.edges[e].map((v) => frame.place(body.vertices[v])));
-      emptied(group).add(segments(own, name, layer.faint, { width: 4, opacity: 0.5, depthTest: false, depthWrite: false }), segments(own, name, layer.strong, { width: 4, depthWrite: false }));
-    };
-    draw(litA, "--lit", a, "a");
-    draw(litB, "--lit", b, "b");
-  }
-
+  const { a, b } = data.bodies, first = firstWay(data);
+  const frame = frameOf([...a.vertices, ...b.vertices, ...a.vertices.map((p) => plus(p, first.translation))]);
+  const bodies = [bodyParts(a, frame, false), bodyParts(b, frame, true)];
+  const moving = movingParts(view, data, frame, bodies);
+  view.scene.add(bodies[1].group);
   selection.subscribe((state, changed) => {
-    if (changed.has("optimum") || changed.has("facet")) drawWay(state);
-    if (changed.has("pair") || changed.has("coincidence")) drawLit(state);
-    moveTo(state.moved);
+    if (changed.has("optimum") || changed.has("facet")) moving.setWay(wayOf(data, state) ?? first);
+    if (changed.has("pair") || changed.has("coincidence")) moving.setLit(litEdges(data, state));
+    moving.moveTo(state.moved);
     view.render();
   });
+  letters(view, bodies, moving, frame);
 
-  const shown = () => [...b.vertices, ...a.vertices, ...a.vertices.map((p) => plus(p, way.translation))].map(frame.place);
-  const views = {
-    fit: () => view.fit(shown(), sideView(frame.move(way.translation))),
-    "along n": () => view.fit(shown(), { from: times(frame.normal(way.direction), 1), up: sideView(frame.move(way.translation)).up }),
-    contact: () => lookAtContact(view, frame, data, way, ends),
-  };
-  root.append(controlsOf(view, selection, views, [bodyA, bodyB], data), legend(data, frame));
+  const views = viewsOf(view, data, frame, moving);
+  root.append(controlsOf(view, selection, views, bodies, norm(first.translation) > 0), legend(data, frame, bodies, first));
   views.fit();
   onViewLook(view, () => recolour(view.scene));
-  return {
-    drawCalls: view.drawCalls,
-    lit: () => ({ bodies: lit }),
-    contact: () => contactDrawn(data, frame, way, movingA, ends),
+  return { drawCalls: view.drawCalls, lit: () => ({ bodies: moving.lit() }), contact: () => contactDrawn(data, frame, moving) };
+}
+
+/** A with what moves with it, the contact, the plane and the arrow: they follow the way that is looked at. */
+function movingParts(view, data, frame, [bodyA, bodyB]) {
+  const T = globalThis.THREE, { a, b } = data.bodies, group = () => new T.Group();
+  const movingA = group(), start = ghostOf(a, frame), out = ghostOf(a, frame), plane = group(), shaft = arrow(view, "--true");
+  const contact = { a: group(), b: group() }, litGroup = { a: group(), b: group() };
+  const half = Math.min(1.1, Math.max(0.25, 1.05 * Math.max(bodyA.size, bodyB.size)));  // of the plane's side
+  let way = firstWay(data), ends = arrowOf(data, way), lit = [], share = 0;
+  movingA.add(bodyA.group, contact.a, litGroup.a);
+  view.scene.add(movingA, start, out, contact.b, litGroup.b, plane, shaft.group);
+  const self = {
+    group: movingA,
+    way: () => way,
+    ends: () => ends,
+    lit: () => lit,
+    setWay(next) {
+      way = next;
+      ends = arrowOf(data, way);
+      const normal = frame.normal(way.direction), placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v]));
+      emptied(contact.a).add(feature(placed(a, way.a), "--a", normal));
+      emptied(contact.b).add(feature(placed(b, way.b), "--b", normal));
+      emptied(plane).add(planeSquare(frame.place(ends.to), normal, half, "--true"));
+      shaft.place(frame.place(ends.from), frame.place(ends.to));
+      out.position.set(...frame.move(way.translation));
+      self.moveTo(share);
+    },
+    moveTo(next) {
+      share = next;
+      const far = norm(frame.move(way.translation)) > 0;
+      movingA.position.set(...frame.move(times(way.translation, share)));
+      start.visible = far && share > 0.02;
+      out.visible = far && share < 0.98;
+    },
+    setLit(edges) {
+      lit = edges;
+      for (const [of, body] of [["a", a], ["b", b]]) {
+        const own = lit.filter(([colour]) => colour === of).flatMap(([, e]) => body.edges[e].map((v) => frame.place(body.vertices[v])));
+        const seen = { width: 4, depthWrite: false }, behind = { ...seen, opacity: 0.5, depthTest: false };
+        emptied(litGroup[of]).add(segments(own, "--lit", layer.faint, behind), segments(own, "--lit", layer.strong, seen));
+      }
+    },
   };
+  return self;
 }
 
-/** The middle of a body. */
-function labelPlace(body, frame) {
-  if (!body.vertices.length) return null;
-  const own = frameOf(body.vertices.map(frame.place));
-  return own.center;
+/** The letters stand in the bodies, apart along the way where the bodies' middles are one. */
+function letters(view, [bodyA, bodyB], moving, frame) {
+  const aside = (body, by) => {
+    const way = frame.move(moving.way().translation), length = norm(way);
+    const shift = length > 0 ? times(way, (by * body.size) / length) : [0, 0, by * body.size];
+    return body.middle && plus(body.middle, shift);
+  };
+  view.label("A", "of-a", () => { const at = aside(bodyA, 0.35); return at && plus(at, moving.group.position.toArray()); });
+  view.label("B", "of-b", () => aside(bodyB, -0.35));
 }
 
-/** Half of the plane's side: it reaches over both bodies' shadows on it, but not far. */
-function planeSize(bodies, frame) {
-  const halves = bodies.map((body) => 1 / Math.min(...frameOf(body.vertices.map(frame.place)).scale));
-  return Math.min(1.1, Math.max(0.25, 1.3 * Math.max(...halves)));
+function viewsOf(view, data, frame, moving) {
+  const { a, b } = data.bodies;
+  const all = () => [...b.vertices, ...a.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place);
+  const side = () => sideView(frame.move(moving.way().translation));
+  return {
+    fit: () => view.fit(all(), side()),
+    alongN: () => view.fit(all(), { from: frame.normal(moving.way().direction), up: side().up }),
+    contact: () => lookAtContact(view, frame, data, moving),
+  };
 }
 
 /** The edges that a pair, or a coincidence, is about. */
@@ -138,27 +123,26 @@ export function litEdges(data, state) {
   return ["a", "b"].flatMap((of) => [...new Set(item[of].flatMap((vertices) => data.edgesOf(of, vertices)))].map((e) => [of, e]));
 }
 
-function lookAtContact(view, frame, data, way, ends) {
-  const length = norm(frame.move(way.translation));
-  const features = [...way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), ...way.b.map((v) => data.bodies.b.vertices[v])].map(frame.place);
+function lookAtContact(view, frame, data, moving) {
+  const way = moving.way(), ends = moving.ends(), length = norm(frame.move(way.translation));
+  const ofA = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), ofB = way.b.map((v) => data.bodies.b.vertices[v]);
+  const features = [...ofA, ...ofB].map(frame.place);
   const span = Math.max(0, ...features.map((p) => norm(minus(p, frame.place(ends.to)))));
   const radius = length > 0 ? Math.max(1.3 * length, 1e-5) : Math.max(0.6 * span, 0.2);
   view.look(times(plus(frame.place(ends.from), frame.place(ends.to)), 0.5), radius * 4.4, sideView(frame.move(way.translation)));
 }
 
-/** What tests ask: the features as they are drawn, back in places of the input, with A where it is. */
-function contactDrawn(data, frame, way, movingA, ends) {
-  const by = movingA.position.toArray().map((x, i) => x / frame.scale[i]);
-  const moved = (p) => plus(p, by);
-  return {
-    a: way.a.map((v) => moved(data.bodies.a.vertices[v])),
-    b: way.b.map((v) => data.bodies.b.vertices[v]),
-    witness: { a: moved(ends.from), b: ends.to },
-    direction: way.direction,
-  };
+/** What tests ask: the features in places of the data, A's where it is drawn, and how far A's is before B's along n, in input's units. */
+function contactDrawn(data, frame, moving) {
+  const way = moving.way(), by = moving.group.position.toArray().map((x, i) => x / frame.scale[i]), moved = (p) => plus(p, by);
+  const drawn = { a: way.a.map((v) => moved(data.bodies.a.vertices[v])), b: way.b.map((v) => data.bodies.b.vertices[v]) };
+  const witness = { a: moved(moving.ends().from), b: moving.ends().to };
+  const height = (points, other) => dot(points.length ? middle(points) : other, way.direction);
+  const gap = height(drawn.b, witness.b) - height(drawn.a, witness.a);
+  return { ...drawn, witness, direction: way.direction, gap: gap * 2 ** -(data.stages.scale?.exponent ?? 0) };
 }
 
-function controlsOf(view, selection, views, bodies, data) {
+function controlsOf(view, selection, views, bodies, canMove) {
   const button = (name, title, act) => element("button", { type: "button", title, onclick: act }, name);
   const wires = button("wireframe", "Edges without faces", () => {
     const on = wires.getAttribute("aria-pressed") !== "true";
@@ -168,13 +152,10 @@ function controlsOf(view, selection, views, bodies, data) {
   });
   wires.setAttribute("aria-pressed", "false");
   const buttons = element("div", { class: "buttons", role: "group", "aria-label": "Views" },
-    button("fit", "All of both bodies, across the way out", views.fit), button("along n", "Against the direction of the way out", views["along n"]),
+    button("fit", "All of both bodies, across the way out", views.fit),
+    button("along n", "Against the direction of the way out", views.alongN),
     button("contact", "Close to where the bodies meet", views.contact), wires);
-  const slider = sliderOf(selection);
-  const bar = element("div", { class: "controls" });
-  if (norm(wayOf(data, { facet: null, optimum: 0 })?.translation ?? [0, 0, 0]) > 0) bar.append(slider);
-  bar.append(buttons);
-  return bar;
+  return element("div", { class: "controls" }, canMove ? sliderOf(selection) : null, buttons);
 }
 
 /** The slider that moves A out, and a button that lets it move by itself. */
@@ -204,14 +185,16 @@ function sliderOf(selection) {
     element("button", { type: "button", class: "plain", onclick: play(1) }, "A moved out"));
 }
 
-function legend(data, frame) {
-  const apart = data.status === "disjoint";
-  const words = [
+function legend(data, frame, bodies, way) {
+  const overlap = data.status === "penetrating", apart = data.status === "disjoint", length = norm(frame.move(way.translation));
+  const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : "Plane: it separates them.";
+  const result = element("p", { class: "soft legend" },
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"), "; where they meet is thick. ",
-    element("span", { class: "of-true" }, apart ? "Arrow: the shortest way of A to B." : data.status === "penetrating" ? "Arrow: the way out of A" : "Plane: it separates them."),
-    data.status === "penetrating" ? ", ending at the plane that then separates both; dashed: A at its end." : "",
-  ];
-  const legendText = element("p", { class: "soft legend" }, ...words);
-  if (frame.apart) legendText.append(element("strong", {}, " Axes scaled apart: the extents differ more than a hundredfold."));
-  return legendText;
+    element("span", { class: "of-true" }, arrowText),
+    overlap ? ", ending at the plane that then separates both; dashed: A at its end." : "");
+  const strong = (text) => result.append(element("strong", {}, ` ${text}`));
+  if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
+  for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);
+  if (length > 0 && length < unseen) strong("The arrow is too short to be seen from here: press contact.");
+  return result;
 }
