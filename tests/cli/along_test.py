@@ -21,7 +21,7 @@ CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 NAME = "{http://www.w3.org/2000/svg}"
 # Bodies, and a path that leads through touching: exactly at a step, or between two.
 PATHS = [(CUBE, CUBE, "2,0,0", 32), (CUBE, ICOSAHEDRON, "3,1/3,-0.1", 16), (ICOSAHEDRON, CUBE, "-5,-5,-5", 7),
-         ("sphere:r=1", "sphere:r=1/2,pose=xyz(1/2,0,0)", "3,0,0", 12), ("capsule:r=1/3,half_length=1", CUBE, "0,0,4", 9)]
+         ("sphere:r=1", "sphere:r=1/2,at=1/2:0:0", "3,0,0", 12), ("capsule:r=1/3,half_length=1", CUBE, "0,0,4", 9)]
 CURVED = ("cylinder:r=1,half_length=1", "cone:r=1,half_length=1", "3,0,1", 8)
 
 
@@ -218,7 +218,7 @@ class Misuse(CliTest):
         self.assertIn("found two bodies", self.refused("depth", "--along=1,0,0", "--case", "x", CUBE, CUBE))
         self.assertIn("standard output", self.refused("depth", "--along=1,0,0", "--svg", "-", CUBE, CUBE))
         self.assertIn("cannot write a picture", self.refused("depth", "--along=1,0,0", "--svg", self.folder / "no" / "x.svg", CUBE, CUBE))
-        self.assertIn("half-space", self.refused("depth", "--along=1,0,0", "halfspace:normal=0,0,1,offset=0", "halfspace:normal=0,0,1,offset=0"))
+        self.assertIn("half-space", self.refused("depth", "--along=1,0,0", "halfspace:normal=0:0:1,offset=0", "halfspace:normal=0:0:1,offset=0"))
 
 
 if __name__ == "__main__":
