@@ -13,9 +13,24 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
 constexpr unsigned most = 8;
 
-const std::vector<std::vector<double>> ranges{{0, 1},       {-0.3, 0.47},    {0, 0},        {5, 5},         {-7, -7},        {1e-12, 1},   {3, 7},
-                                              {48, 21000},  {1e6, 1e6 + 1},  {-1e-300, 1},  {12345678, 12345679}, {3e-7, 9e-7},    {15, 700},
-                                              {1e-300, 1e300}, {-largest, largest}, {5e-324, 5e-324}, {-1, std::nan("")}, {0.1, 0.3, 0.2}};
+const std::vector<std::vector<double>> ranges{{0, 1},
+                                              {-0.3, 0.47},
+                                              {0, 0},
+                                              {5, 5},
+                                              {-7, -7},
+                                              {1e-12, 1},
+                                              {3, 7},
+                                              {48, 21000},
+                                              {1e6, 1e6 + 1},
+                                              {-1e-300, 1},
+                                              {12345678, 12345679},
+                                              {3e-7, 9e-7},
+                                              {15, 700},
+                                              {1e-300, 1e300},
+                                              {-largest, largest},
+                                              {5e-324, 5e-324},
+                                              {-1, std::nan("")},
+                                              {0.1, 0.3, 0.2}};
 
 /// The figure m of value = m 10^k with 1 <= m < 10, to six digits.
 double figure(double value) {
@@ -66,7 +81,8 @@ TEST(Ticks, LinearAxesHaveEqualRoundSteps) {
 }
 
 TEST(Ticks, LinearEndsAreRoundUnlessTight) {
-  const Ticks loose = ticks_for(Scale::linear, std::vector{-0.3, 0.47}, most), tight = ticks_for(Scale::linear, std::vector{-0.3, 0.47}, most, true);
+  const Ticks loose = ticks_for(Scale::linear, std::vector{-0.3, 0.47}, most),
+              tight = ticks_for(Scale::linear, std::vector{-0.3, 0.47}, most, true);
   EXPECT_EQ(loose.ticks.front().label, "-0.3");
   EXPECT_EQ(loose.ticks.back().label, "0.5");
   EXPECT_EQ(tight.low, -0.3);
