@@ -25,10 +25,9 @@ export function halvesOfArcs(body, edges, pole, step = 0.06) {
   return halves;
 }
 
-/** The half of a great circle through v and a direction n in the hemisphere of the pole z: a wall. */
-export function wallOnSphere(n, { v, z }, step = 0.06) {
-  const across = unit(minus(n, times(v, dot(n, v)))), side = dot(across, z) < 0 ? times(across, -1) : across;
-  return curvePoints({ u: times(v, -1), w: side, angle: Math.PI }, 0, Math.PI, step);
+/** The half of a great circle from -v to v through a direction n: a wall. */
+export function wallOnSphere(n, { v }, step = 0.06) {
+  return curvePoints({ u: times(v, -1), w: unit(minus(n, times(v, dot(n, v)))), angle: Math.PI }, 0, Math.PI, step);
 }
 
 /** The walls on either side of a pair's strip; those at infinity are left out. */
