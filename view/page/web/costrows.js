@@ -20,7 +20,8 @@ export function costRows({ bounds = [], seconds = {} }) {
   for (const [stage, time] of Object.entries(seconds)) {
     const row = named.has(stage) ? null : rows.find((other) => other.stage === stage && other.seconds === undefined);
     if (row) row.seconds = time;
-    else if (!named.has(stage)) rows.push({ stage, what: null, count: null, bound: null, bound_value: null, source: null, seconds: time, ratio: null });
+    else if (!named.has(stage))
+      rows.push({ stage, what: null, count: null, bound: null, bound_value: null, source: null, seconds: time, ratio: null });
   }
   return rows;
 }
