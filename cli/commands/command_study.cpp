@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom study A B | CASES.jsonl | -
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
+#include "cli/io/certificate_file.hpp"
+#include "cli/io/interrupt.hpp"
 #include "cli/output/study_output.hpp"
+#include "cli/output/study_page.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/study/study.hpp"
@@ -37,21 +42,56 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
   return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
 }
 
+/// The file of the page, and what goes into it.
+class PageFile {
+ public:
+  explicit PageFile(const Request& request) : request_(request), page_(is_stream(request)) {
+    if (!request.html.empty()) file_.emplace(request.html, "page");
+  }
+
+  /// The reply, which also adds to the page, once its turn has come.
+  template <class AnyStudy>
+  CaseReply reply(const AskedCase& pair, AnyStudy found) {
+    CaseReply result{text_of(pair.input.id, found, request_)};
+    if (file_) result.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
+    return result;
+  }
+  void lose(const std::string& sentence) { page_.add_fault(sentence); }
+  void write(const std::string& cut_short) {
+    if (file_) file_->write(page_.html(request_.command_line, cut_short));
+  }
+
+ private:
+  const Request& request_;
+  StudyPage page_;
+  std::optional<CertificateFile> file_;
+};
+
 }  // namespace
 
 ExitCode run_study(const Request& request) {
+  if (!request.sweep.family.empty()) return run_sweep(request);
+  PageFile page(request);
   Replies replies;
-  replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) {
-    if (has_shape(pair)) return CaseReply{text_of(pair.id, shape_study_of(pair, request, monitor), request)};
-    return CaseReply{text_of(pair.id, study(pair.a.points, pair.b.points, options_of(request, monitor)), request)};
+  replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
+    if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor));
+    return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, monitor)));
   };
+  replies.lost = [&](const std::string& sentence) { page.lose(sentence); };
   if (request.csv) {
     replies.header = study_csv_header();
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return study_csv_error(item.id, fault); };
   } else if (request.json) {
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return study_json_error(item.id, item.line, fault); };
   }
-  return reply_to_inputs(request, replies);
+  try {
+    const ExitCode code = reply_to_inputs(request, replies);
+    page.write("");
+    return code;
+  } catch (const Interrupted&) {
+    page.write("interrupted");
+    throw;
+  }
 }
 
 }  // namespace fathom::cli

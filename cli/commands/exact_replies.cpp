@@ -7,16 +7,26 @@
 
 #include "cli/io/certificate_file.hpp"
 #include "cli/output/json_result.hpp"
+#include "cli/output/picture_output.hpp"
 #include "cli/output/shape_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
-#include "fathom/signed_depth.hpp"
 #include "fathom/width.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::cli {
 namespace {
+
+/// The bits that bounds must have so that their digits can agree.
+unsigned bits_of(const Request& request) {
+  const unsigned usual = SignedDepthOptions{}.bits;
+  if (request.bits || !request.digits) return request.bits.value_or(usual);
+  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
+  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
+}
+
+}  // namespace
 
 Options options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
@@ -28,6 +38,15 @@ Options options_of(const Request& request, Monitor& monitor, Workspace& workspac
   options.workspace = &workspace;
   return options;
 }
+
+SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
+  SignedDepthOptions options;
+  options.cores = options_of(request, monitor, workspace);
+  options.bits = bits_of(request);
+  return options;
+}
+
+namespace {
 
 Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Options options = options_of(request, monitor, workspace);
@@ -45,42 +64,44 @@ Answer answer_to(const AskedCase& asked, const Request& request, Monitor& monito
   return answer;
 }
 
-/// Where the certificates of a run go: a file, or for a stream a folder.
-class CertificatePlaces {
+/// Where the certificates of a run go, or its pictures: a file, or for a stream a folder.
+class FilePlaces {
  public:
-  explicit CertificatePlaces(const Request& request) : path_(request.certificate) {
-    if (!path_.empty() && is_stream(request)) folder_.emplace(path_);
+  FilePlaces(const Request& request, std::string path, std::string what, const std::string& ending)
+      : path_(std::move(path)), what_(std::move(what)) {
+    if (!path_.empty() && is_stream(request)) folder_.emplace(path_, what_, ending);
   }
 
-  /// Returns the file of a single case; null for a stream, or if no certificate is to be written.
-  std::unique_ptr<CertificateFile> single() const { return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_); }
-  /// Writes the certificate of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the
-  /// first gets the file.
-  void write_to_folder(const std::string& id, const std::string& certificate) {
-    if (folder_) CertificateFile(folder_->file(id)).write(certificate);
+  [[nodiscard]] bool wanted() const { return !path_.empty(); }
+  /// Returns the file of a single case; null for a stream, or if nothing is to be written.
+  [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
+    return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_, what_);
+  }
+  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the first gets
+  /// the file.
+  void write_to_folder(const std::string& id, const std::string& text) {
+    if (folder_) CertificateFile(folder_->file(id), what_).write(text);
   }
 
  private:
-  std::string path_;
+  std::string path_, what_;
   std::optional<CertificateFolder> folder_;
 };
 
-/// The bits that bounds must have so that their digits can agree.
-unsigned bits_of(const Request& request) {
-  const unsigned usual = SignedDepthOptions{}.bits;
-  if (request.bits || !request.digits) return request.bits.value_or(usual);
-  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
-  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
-}
+/// What a run writes beside its replies.
+struct Files {
+  FilePlaces certificates, pictures;
+
+  explicit Files(const Request& request)
+      : certificates(request, request.certificate, "certificate", ".cert"), pictures(request, request.svg, "picture", ".svg") {}
+};
 
 /// Throws InputError if the request asks for what shapes do not have.
 ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Case& single = asked;
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
   if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
-  SignedDepthOptions options;
-  options.cores = options_of(request, monitor, workspace);
-  options.bits = bits_of(request);
+  const SignedDepthOptions options = shape_options_of(request, monitor, workspace);
   const Shape a = files::shape_of(single.a), b = has_one_body(request) ? a : files::shape_of(single.b);
   if (has_one_body(request) && std::holds_alternative<HalfSpace>(a.core))
     throw InputError(single.id, 0, "a half-space has no width: it is infinite");
@@ -107,17 +128,23 @@ std::string text_of(const ShapeAnswer& answer, const Request& request) {
 Replies exact_replies(const Request& request) {
   Replies replies;
   replies.tells_of_dents = true;
-  replies.reply = [&request, places = std::make_shared<CertificatePlaces>(request)](const AskedCase& asked, Monitor& monitor,
-                                                                                    Workspace& workspace) -> CaseReply {
-    const std::unique_ptr<CertificateFile> file = places->single();  // an unwritable path fails early
+  replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
+                                                                       Workspace& workspace) -> CaseReply {
+    const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // an unwritable path fails early
+    const std::unique_ptr<CertificateFile> drawing = files->pictures.single();
+    const Case& single = asked;
     const auto reply_with = [&](const auto& answer) {
       CaseReply reply{text_of(answer, request)};
-      if (file) file->write(answer.certificate);
-      else if (!request.certificate.empty())
-        reply.keep = [places, id = answer.id, certificate = answer.certificate] { places->write_to_folder(id, certificate); };
+      const std::string picture = files->pictures.wanted() ? picture_text(single, answer, request) : "";
+      if (proof) proof->write(answer.certificate);
+      if (drawing) drawing->write(picture);
+      if (!proof && !drawing && (files->certificates.wanted() || files->pictures.wanted()))
+        reply.keep = [files, picture, id = answer.id, certificate = answer.certificate] {
+          files->certificates.write_to_folder(id, certificate);
+          files->pictures.write_to_folder(id, picture);
+        };
       return reply;
     };
-    const Case& single = asked;
     return single.a.shape || (single.b.shape && !has_one_body(request)) ? reply_with(shape_answer_to(asked, request, monitor, workspace))
                                                                         : reply_with(answer_to(asked, request, monitor, workspace));
   };

@@ -28,6 +28,8 @@ struct Replies {
   std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
+  /// As in StreamWork.
+  std::function<void(const std::string& sentence)> lost = {};
   /// Printed before all replies, unless empty.
   std::string header = {};
   /// As in StreamWork.
@@ -38,6 +40,10 @@ struct Replies {
 
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
+
+/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the case called `case_id`, the first of that
+/// id, and if there is no id, its only case. Throws InputError, with the ids that there are.
+Case asked_case(const Request& request);
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.
 StreamWork stream_work(const Request& request, const Replies& replies);

@@ -273,6 +273,7 @@ void Stream::report(const Passage& bad) {
   ++failures_;
   code_ = std::max(code_, bad.code);
   progress_.clear();
+  if (work_.lost) work_.lost(sentence);
   work_.error_line ? print(work_.error_line({bad.text.line, bad.id, *bad.fault}, sentence)) : talk(sentence);
 }
 

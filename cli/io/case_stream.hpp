@@ -25,6 +25,8 @@ struct StreamWork {
   std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> answer;
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
+  /// Hears of each case without an answer, in order, beside what is printed; may be empty.
+  std::function<void(const std::string& sentence)> lost = {};
   /// Printed before all results, unless empty.
   std::string header;
   /// Whether B is ignored.

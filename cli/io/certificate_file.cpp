@@ -88,20 +88,21 @@ void CertificateFile::fail() {
   throw OutputError(path_ + ": cannot write the " + what_ + ": " + why);
 }
 
-CertificateFolder::CertificateFolder(std::string path) : path_(std::move(path)) {
+CertificateFolder::CertificateFolder(std::string path, std::string what, std::string ending)
+    : path_(std::move(path)), what_(std::move(what)), ending_(std::move(ending)) {
   std::error_code fault;
   std::filesystem::create_directory(path_, fault);
-  if (!std::filesystem::is_directory(path_)) refuse(path_, fault ? fault.message() : "a stream needs a directory, and this is none");
-  if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse(path_, std::strerror(errno));
+  if (!std::filesystem::is_directory(path_)) refuse(path_, fault ? fault.message() : "a stream needs a directory, and this is none", what_);
+  if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse(path_, std::strerror(errno), what_);
 }
 
 std::string CertificateFolder::file(const std::string& id) {
-  const std::string name = certificate_file_name(id);
-  if (!names_.insert(name).second) refuse(path_ + "/" + name, "it belongs to an earlier case with the same id");
+  const std::string name = certificate_file_name(id, ending_);
+  if (!names_.insert(name).second) refuse(path_ + "/" + name, "it belongs to an earlier case with the same id", what_);
   return path_ + "/" + name;
 }
 
-std::string certificate_file_name(const std::string& id) {
+std::string certificate_file_name(const std::string& id, const std::string& ending) {
   std::string name;
   for (const char c : id) {
     const auto byte = static_cast<unsigned char>(c);
@@ -109,10 +110,9 @@ std::string certificate_file_name(const std::string& id) {
     if (is_safe(byte) && !hidden) name += c;
     else name += fmt::format("%{:02X}", byte);
   }
-  constexpr std::string_view end = ".cert";
   if (name.empty()) name = "%";
-  if (name.size() + end.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
-  return name.append(end);
+  if (name.size() + ending.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
+  return name + ending;
 }
 
 }  // namespace fathom::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where certificates go: a file, or for a stream a folder with one file per case.                                [docs/certificates.md]
+// Where certificates and pictures go: a file, or for a stream a folder with one file per case.                   [docs/certificates.md]
 #pragma once
 
 #include <set>
@@ -8,7 +8,7 @@
 
 namespace fathom::cli {
 
-/// A file for a certificate or a report, which appears with all of its content or not at all. Opened before solving, so that an unwritable
+/// A file for a certificate, a picture or a report, which appears with all of its content or not at all. Opened before solving, so that an unwritable
 /// path fails early.
 class CertificateFile {
  public:
@@ -28,22 +28,22 @@ class CertificateFile {
   int descriptor_ = -1;
 };
 
-/// A folder for the certificates of a stream; made if it is missing.
+/// A folder for the certificates, or the pictures, of a stream; made if it is missing.
 class CertificateFolder {
  public:
-  /// Throws InputError if it is not a folder and cannot be made.
-  explicit CertificateFolder(std::string path);
+  /// `what` is for messages, `ending` that of its files. Throws InputError if it is not a folder and cannot be made.
+  explicit CertificateFolder(std::string path, std::string what = "certificate", std::string ending = ".cert");
 
-  /// Returns the path for the certificate of a case. Throws InputError if the id occurred before.
+  /// Returns the path for the file of a case. Throws InputError if the id occurred before.
   std::string file(const std::string& id);
 
  private:
-  std::string path_;
+  std::string path_, what_, ending_;
   std::set<std::string> names_;
 };
 
-/// Returns the id with ".cert". Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot. Where the name
+/// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot. Where the name
 /// would be too long for a file, it is cut, and '~' and the SHA-256 of the id follow. Different ids make different names.
-std::string certificate_file_name(const std::string& id);
+std::string certificate_file_name(const std::string& id, const std::string& ending = ".cert");
 
 }  // namespace fathom::cli

@@ -176,6 +176,13 @@ void add_places(std::vector<Row>& rows, const SignedDepth& depth, const Request&
 
 }  // namespace
 
+std::string shape_length_text(const SignedDepth& depth) {
+  const std::optional<Status> status = depth.status();
+  if (!status) return "undecided: signed depth " + undecided_text(depth);
+  if (status == Status::touching) return "touching: depth 0";
+  return status == Status::disjoint ? "disjoint: distance " + value_text(depth, -1) : "penetrating: depth " + value_text(depth, 1);
+}
+
 std::string shape_json(const ShapeAnswer& answer, const Request& request) {
   const SignedDepth& depth = answer.depth;
   const std::vector<AlongNormal> translations = depth.translations();

@@ -24,4 +24,7 @@ std::string shape_block(const ShapeAnswer& answer, const Request& request);
 std::string shape_line(const ShapeAnswer& answer, const Request& request);
 std::string shape_json(const ShapeAnswer& answer, const Request& request);
 
+/// The status and the length that goes with it: "penetrating: depth 0.5", "disjoint: distance 2", "undecided: signed depth from ...".
+std::string shape_length_text(const SignedDepth& depth);
+
 }  // namespace fathom::cli

@@ -7,6 +7,7 @@
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
+#include "cli/output/study_words.hpp"
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
@@ -18,41 +19,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
-
-std::string status_text(const SignedDepth& depth) {
-  const std::string value = depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
-                                          : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
-  return fmt::format("{}; {}", status_name(depth), value);
-}
-
 // ---- text ----
-
-std::string body_text(const ShapeSize& size) {
-  Lines parts;
-  const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
-    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
-  };
-  if (size.half_space) parts.emplace_back("a half-space");
-  if (size.terms > 1) add(size.terms, "term", "terms");
-  add(size.points, "point", "points");
-  add(size.discs, "disc", "discs");
-  add(size.balls, "ball", "balls");
-  if (size.radius > 0) parts.push_back("radius " + exact_text(size.radius));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string feature_text(const ShapeFeature& feature) {
-  std::string text(feature.what);
-  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
-  if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
-  if (feature.point) text += " at " + point_text(*feature.point);
-  return text;
-}
-
-std::string involved_text(const ShapeInvolved& involved) {
-  return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
-}
 
 std::string present_text(const ShapeStudy& study) {
   Lines parts;
@@ -114,9 +81,43 @@ Json coincidences_object(const ShapeStudy& study) {
 
 }  // namespace
 
+std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
+
+std::string status_text(const SignedDepth& depth) {
+  const std::string value = depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
+                                          : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
+  return fmt::format("{}; {}", status_name(depth), value);
+}
+
+std::string size_text(const ShapeSize& size) {
+  Lines parts;
+  const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  };
+  if (size.half_space) parts.emplace_back("a half-space");
+  if (size.terms > 1) add(size.terms, "term", "terms");
+  add(size.points, "point", "points");
+  add(size.discs, "disc", "discs");
+  add(size.balls, "ball", "balls");
+  if (size.radius > 0) parts.push_back("radius " + exact_text(size.radius));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string feature_text(const ShapeFeature& feature) {
+  std::string text(feature.what);
+  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
+  if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
+  if (feature.point) text += " at " + point_text(*feature.point);
+  return text;
+}
+
+std::string involved_text(const ShapeInvolved& involved) {
+  return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
+}
+
 std::string study_block(const ShapeStudy& study, bool all) {
-  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + body_text(study.a), body_column),
-              fitted("B  " + body_text(study.b), body_column)};
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + size_text(study.a), body_column),
+              fitted("B  " + size_text(study.b), body_column)};
   if (study.contact) lines.push_back(fitted("contact  " + involved_text(*study.contact), 9));
   lines.emplace_back();
   add_coincidences(lines, study, all);

@@ -9,6 +9,7 @@
 #include "cli/io/terminal.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
+#include "cli/output/study_words.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 
@@ -24,19 +25,6 @@ using Lines = std::vector<std::string>;
 
 std::string count_text(std::uint64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-std::string body_text(const BodySize& size) {
-  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"), count_text(size.edges, "edge", "edges"),
-                     count_text(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
-}
-
-std::string status_text(const Depth& depth) {
-  std::string result(name(depth.status()));
-  if (depth.status() != Status::penetrating) return result;
-  const std::string squared = exact_text(depth.squared());
-  result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
-  return result + "; " + count_text(depth.optima().size(), "optimum", "optima");
 }
 
 /// With the gap to the column before.
@@ -104,6 +92,19 @@ void add_coincidences(Lines& lines, const Study& study, bool all) {
 
 }  // namespace
 
+std::string size_text(const BodySize& size) {
+  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"), count_text(size.edges, "edge", "edges"),
+                     count_text(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
+}
+
+std::string status_text(const Depth& depth) {
+  std::string result(name(depth.status()));
+  if (depth.status() != Status::penetrating) return result;
+  const std::string squared = exact_text(depth.squared());
+  result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
+  return result + "; " + count_text(depth.optima().size(), "optimum", "optima");
+}
+
 std::string spoken(std::string_view name) {
   std::string result(name);
   std::ranges::replace(result, '_', ' ');
@@ -113,8 +114,8 @@ std::string spoken(std::string_view name) {
 }
 
 std::string study_block(const Study& study, bool all) {
-  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + body_text(study.a), body_column),
-              fitted("B  " + body_text(study.b), body_column), ""};
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + size_text(study.a), body_column),
+              fitted("B  " + size_text(study.b), body_column), ""};
   add_predicates(lines, study.predicates);
   lines.emplace_back();
   add_coincidences(lines, study, all);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import test from "node:test";
-import { across, cross, dot, edgesOfPolygons, frameOf, inOrder, meetingPoint, norm, sideView, unit } from "../../view/page/web/geometry.js";
+import {
+  across, creases, cross, dot, edgesOfPolygons, frameOf, inOrder, meetingPoint, norm, sideView, unit,
+} from "../../view/page/web/geometry.js";
 
 const near = (p, q) => assert.ok(norm(p.map((x, i) => x - q[i])) < 1e-12, `${p} is not ${q}`);
 
@@ -20,7 +22,7 @@ test("flat, single and huge sets of points have finite frames", () => {
   for (const points of [[[1, 1, 1]], [[0, 0, 3], [1, 1, 3]], [[-1e308, 0, 0], [1e308, 1e308, 1]], [[0, 0, 0], [1e-310, 0, 0]], []]) {
     const frame = frameOf(points);
     for (const p of points) frame.place(p).forEach((x) => assert.ok(Math.abs(x) <= 1, `${x}`));
-    assert.ok(frame.scale.every(Number.isFinite));
+    assert.ok(frame.scale.every((s) => s > 0 && Number.isFinite(s)));
   }
 });
 
@@ -48,6 +50,12 @@ test("features of contact meet within both", () => {
   near(meetingPoint([[-1, 1, 0], [1, 1, 0]], square, z), [0.5, 1, 0]);
   near(meetingPoint(square, [[-1, 1, 0], [1, 1, 0]], z), [0.5, 1, 0]);
   near(meetingPoint(square, square.map(([x, y]) => [x + 1, y + 1, 0]), z), [1.5, 1.5, 0]);
+});
+
+test("of a mesh the sharp edges are seen, and those at its border", () => {
+  const corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]];
+  assert.deepEqual(creases(corners, [[0, 1, 2], [0, 2, 3]]).length, 4);  // two triangles of one square
+  assert.deepEqual(creases(corners, [[2, 1, 0], [0, 1, 4]]).length, 5);  // a right angle
 });
 
 test("edges of polygons are distinct, and corners come in order", () => {

@@ -32,6 +32,7 @@ test("just above and below a tie go to different sides, and a tie goes to the ev
   assert.equal(nearest(`${(2n ** 53n + 3n) * big}/${big}`), 2 ** 53 + 4);
   assert.equal(nearestRoot(`${tie * tie + 1n}/${big * big}`), 2 ** 53 + 2);
   assert.equal(nearestRoot(`${tie * tie}/${big * big}`), 2 ** 53);
+  assert.equal(nearestRoot(`${(2n ** 53n + 1n) ** 2n + 1n}`), 2 ** 53 + 2);
 });
 
 test("halves of the least subnormal number are rounded once", () => {

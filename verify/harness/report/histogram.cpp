@@ -114,7 +114,8 @@ std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tol
     described += fmt::format("{}{} {}", described.empty() ? "" : ", ", row.total, name(verdict));
   }
   return fmt::format(
-      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg viewBox=\"0 0 {1} {2}\" width=\"{1}\" "
+      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg class=\"chart\" viewBox=\"0 0 {1} {2}\" "
+      "width=\"{1}\" "
       "height=\"{2}\" role=\"img\" aria-labelledby=\"{3}-t {3}-d\"><title id=\"{3}-t\">Errors of the claimed depths, {0}</title>"
       "<desc id=\"{3}-d\">Numbers of cases by verdict and by the decade of the error: {4}.</desc>\n{5}{6}</svg></div>"
       "<figcaption>Magnitudes of the errors {0}, by decade; bars are as high as cases are many, in each row for itself{7}."

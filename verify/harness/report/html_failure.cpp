@@ -2,23 +2,23 @@
 // One failure of the page: pictures, the truth, the claim, and exact numbers.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/body_json.hpp"
 #include "verify/harness/report/html_parts.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/picture.hpp"
 #include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/write_shrunk.hpp"
+#include "view/picture/page.hpp"
 
 namespace fathom::harness {
 namespace {
 
 constexpr std::size_t longest_inline = 60;     // characters of an exact number beside its rounded one
 constexpr std::size_t longest_exact = 10'000;  // of one in the list of exact numbers
-constexpr std::size_t most_points = 500;
+constexpr std::size_t longest_case = 200'000;  // characters of a case as JSON
 
 std::string exact(const mpq_class& value) {
   const std::string text = exact_text(value);
@@ -30,12 +30,6 @@ std::string length_text(const mpq_class& squared) {
   const std::string text = exact_text(squared);
   const std::string behind = text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "";
   return fmt::format("{}{}{}", squared < 0 ? "-" : "", root_binary64(mpq_class(abs(squared)), Rounding::rn), behind);
-}
-
-/// A coordinate: as a decimal where that reads back as the same number.
-std::string coordinate(const mpq_class& x) {
-  const double rounded = round_binary64(x, Rounding::rn);
-  return std::isfinite(rounded) && exact_value(rounded) == x ? fmt::format("{}", rounded) : exact(x);
 }
 
 std::string rounded_text(const Point& p) {
@@ -128,14 +122,20 @@ std::string residual_list(const Judgement& judgement) {
   return facts.list("Residuals");
 }
 
-/// Its points, or its words.
-std::string body_text(const char* name, const Body& body) {
-  if (body.words) return fmt::format("{}: {}\n", name, markup(files::body_json(*body.words, files::Defaults::written)));
-  const std::vector<Point>& points = body.points;
-  std::string result = fmt::format("{}: {}\n", name, count_text(points.size(), "point", "points"));
-  for (std::size_t i = 0; i < std::min(points.size(), most_points); ++i)
-    result += fmt::format("{} {} {}\n", coordinate(points[i].x), coordinate(points[i].y), coordinate(points[i].z));
-  return points.size() > most_points ? result + fmt::format("... and {} more\n", points.size() - most_points) : result;
+/// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a page, or cannot be written.
+std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
+  const Case& seen = failure.seen;
+  if (seen.a.points.empty() && !has_words(seen)) return "";
+  try {
+    const std::string line = case_line(seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
+    if (line.size() <= longest_case)
+      return picture::copied_text(anchor + "-case", "copy this case", "The case, as the subject saw it",
+                                  std::string_view(line).substr(0, line.size() - 1));
+    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
+                       seen.a.points.size() + seen.b.points.size());
+  } catch (const std::invalid_argument&) {
+    return "";
+  }
 }
 
 /// Lines of the exact numbers that the lists round.
@@ -171,19 +171,36 @@ std::optional<Truth> truth_of(const Case& seen) {
   }
 }
 
-std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Truth& truth, const std::string& anchor) {
-  const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
-  const std::string label = "Hulls of " + markup(shown_id(outcome.id, outcome.variant));
-  std::string caption = "<span class=\"key body-a\">A</span>, <span class=\"key body-b\">B</span>, hidden edges thin";
+/// What the picture of two polytopes shows.
+std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed) {
+  std::string result = "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";
   if (truth.depth.status() == Status::penetrating)
-    caption += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it dotted";
-  if (truth.depth.distance()) caption += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it dotted";
+    result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces in contact";
+  if (truth.depth.distance()) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+  if (truth.depth.touch()) result += "; <span class=\"key true\">dot</span>: where they touch";
   if (claimed) {
-    caption += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
-    if (subject.conventions.moves == Conventions::Body::b) caption += ", which is that of B turned round: the subject moves B";
+    result += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
+    if (subject.conventions.moves == Conventions::Body::b) result += ", which is that of B turned round: the subject moves B";
   }
-  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n",
-                     pair_picture(truth, claimed, anchor, label), caption);
+  return result;
+}
+
+std::string figure_element(const std::string& svg, const std::string& caption) {
+  return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
+}
+
+std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const std::optional<Truth>& truth, const std::string& anchor) {
+  const Outcome& outcome = failure.outcome;
+  const std::string of = markup(shown_id(outcome.id, outcome.variant));
+  if (truth) {
+    const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
+    return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of), caption(subject, *truth, claimed.has_value()));
+  }
+  if (const std::string svg = shapes_picture(failure.seen, anchor, "Shapes of " + of); !svg.empty())
+    return figure_element(svg,
+                          "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; "
+                          "<span class=\"key true\">arrow</span>: the true way of A, and A after it, dashed");
+  return "";
 }
 
 }  // namespace
@@ -191,18 +208,17 @@ std::string figure(const SubjectInfo& subject, const Outcome& outcome, const Tru
 std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
   const std::optional<Truth> truth = truth_of(failure.seen);
-  std::string result = fmt::format("<article id=\"{}\" aria-labelledby=\"{}-h\"><h4 id=\"{}-h\">{}</h4>\n", anchor, anchor, anchor,
+  std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
                                    markup(shown_id(outcome.id, outcome.variant)));
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
-  if (truth) result += figure(subject, outcome, *truth, anchor);
+  result += figure(subject, failure, truth, anchor);
   result += "<div class=\"facts\">\n";
   if (outcome.reply) result += claim_list(*outcome.reply, subject.conventions);
   result += truth_list(outcome, truth, failure.certificate_name);
   if (outcome.judgement) result += residual_list(*outcome.judgement);
-  result += "</div>\n";
-  result += fmt::format(
-      "<details><summary>The exact numbers, and the bodies as they were seen</summary><pre tabindex=\"0\">{}{}{}</pre></details>\n",
-      exact_numbers(outcome, truth), body_text("A", failure.seen.a), body_text("B", failure.seen.b));
+  result += "</div>\n" + case_text(subject, failure, anchor);
+  if (const std::string exact = exact_numbers(outcome, truth); !exact.empty())
+    result += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
   return result + "</article>\n";
 }
 

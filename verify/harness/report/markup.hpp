@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as text that XML, HTML and terminals take. Ids, details and settings come from others and may hold anything.
+// Ids as reports show them, and the ways to write what others sent as text of a document.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "view/picture/markup.hpp"
+
 namespace fathom::harness {
 
-/// As character data or as a quoted attribute value of XML 1.0 or HTML, in UTF-8. Tabs and line ends become character references;
-/// what neither format may hold, and bytes that are not UTF-8, are shown as "\x1b".
-std::string markup(std::string_view text);
-
-/// Printable ASCII; other bytes as "\x1b". At most `width` >= 3 characters: what is longer ends in "...".
-std::string ascii(std::string_view text, std::size_t width = static_cast<std::size_t>(-1));
+using picture::ascii;
+using picture::markup;
 
 /// The id, and the symmetry if there is one: "id ~swap".
 std::string shown_id(std::string_view id, std::string_view variant);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of a pair: both hulls as wires, the way that A must be moved, and the way that was claimed.
+// The picture of a failure: what the truth and the reply say about the same pair.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 
@@ -15,9 +15,10 @@ namespace fathom::harness {
 /// direction, or one that is not finite.
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions);
 
-/// One or two SVG elements, ready to stand in an HTML page, with class names that the page's style colours: the whole pair seen across
-/// the true and the claimed translation, and a close-up of both where they are short. `name` begins the ids of its elements, and `label`
-/// its title; both are markup already.
+/// One or two SVG elements, as view/picture paints them.
 std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label);
+
+/// The same for a case of shapes, without a claim; empty if its depth is not found.
+std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label);
 
 }  // namespace fathom::harness

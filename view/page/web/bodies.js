@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A and B as they stand in section 1: A solid, B glass with stripes; and outlines of A where it is not.
-import { frameOf } from "./geometry.js";
+import { creases, frameOf } from "./geometry.js";
 import { dots, layer, meshGeometry, segments, surface, triangles } from "./solids.js";
 
 const mostHidden = 200;  // edges: of a body with more, those behind it are not drawn
@@ -10,9 +10,9 @@ const speck = 0.006;  // of the picture: what is smaller gets a dot
 export function bodyParts(body, frame, isB) {
   const T = globalThis.THREE, group = new T.Group(), name = isB ? "--b" : "--a", order = isB ? layer.edges : layer.solidEdges;
   const places = body.vertices.map(frame.place), faces = body.facets.length ? facesOf(places, body.facets, name, isB) : [];
-  const edges = body.edges.flatMap(([v, w]) => [places[v], places[w]]);
+  const seen = body.sampled ? creases(places, body.facets) : body.edges, edges = seen.flatMap(([v, w]) => [places[v], places[w]]);
   group.add(...faces, segments(edges, name, order + 1, { width: faces.length ? 1.6 : 3, depthWrite: false }));
-  if (faces.length && body.edges.length <= mostHidden)
+  if (faces.length && seen.length <= mostHidden)
     group.add(segments(edges, name, order, { width: 1, dash: 0.035, opacity: 0.55, depthWrite: false, depthFunc: T.GreaterDepth }));
   const own = frameOf(places), size = places.length ? 1 / Math.min(...own.scale) : 0;
   if (places.length && size < speck) group.add(dots([own.center], name, layer.strong, { depthWrite: false }));

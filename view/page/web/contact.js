@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The way out of the overlap that a selection is about: along the chosen facet of P, or along the chosen optimum; and where it ends.
+import { nearest } from "./numbers.js";
 import { dot, meetingPoint, minus, plus, times, unit } from "./geometry.js";
 
 /** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null}; null where there is nothing to show. */
@@ -11,18 +12,26 @@ export function wayOf(data, state) {
       a: data.verticesOf("a", facet.a), b: data.verticesOf("b", facet.b),
     };
   const optimum = data.optima[state.optimum];
-  if (optimum) return { ...optimum, facet: null };
+  if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0 };
   const contact = data.stages.contact;
   if (!contact) return null;
-  const way = { direction: contact.direction, translation: contact.translation ?? [0, 0, 0], kind: contact.kind ?? null, facet: null };
+  const translation = contact.translation ?? [0, 0, 0];
+  const way = { direction: contact.direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
   return { ...way, a: data.verticesOf("a", contact.features?.a), b: data.verticesOf("b", contact.features?.b) };
 }
 
-/** Where the two features meet once A has moved out: a point of B. Without features the point of B's that is farthest along the way. */
+/** Where the two features meet once A has moved out: a point of B. Without features the answer's witness, or what of B is farthest out. */
 export function meetingOf(data, way) {
   const moved = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), own = way.b.map((v) => data.bodies.b.vertices[v]);
   if (moved.length || own.length) return meetingPoint(moved, own, way.direction);
-  return farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
+  return witnessOf(data, way) ?? farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
+}
+
+/** The answer's witness of B as a place; it belongs to the first optimum, or to the distance. */
+function witnessOf(data, way) {
+  const told = data.status === "disjoint" ? data.depth.distance : data.depth, witness = told?.witness_f64?.b, scale = data.stages.scale;
+  if (!witness || !scale || !way.isFirst) return null;
+  return witness.map((x, i) => (x - nearest(scale.center[i])) * 2 ** scale.exponent);
 }
 
 function farthest(points, direction) {

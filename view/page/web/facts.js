@@ -79,7 +79,8 @@ function announce(data, state) {
   const item = state.coincidence === null ? null : data.coincidence(state.coincidence);
   const parts = [];
   const count = state.pair === null ? 0 : data.facetsOfPair(state.pair).length;
-  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs; ${count} ${count === 1 ? "facet" : "facets"} of P.`);
+  const ofP = `${count} ${count === 1 ? "facet" : "facets"} of P`;
+  if (pair) parts.push(`Canonical pair ${state.pair}: ${pair.a.length} x ${pair.b.length} arcs; ${ofP}.`);
   if (state.facet !== null) parts.push(wayText(data, state));
   if (item) parts.push(`Coincidence: ${item.kind.replaceAll("_", " ")}.`);
   if (!parts.length && state.optimum > 0)

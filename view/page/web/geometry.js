@@ -75,6 +75,25 @@ export function edgesOfPolygons(polygons) {
   return result;
 }
 
+/** The edges of a mesh where its faces turn by more than a third of a right angle, and those with one face: what one sees of it. */
+export function creases(vertices, polygons) {
+  const normals = polygons.map((polygon) => normalOf(polygon.map((v) => vertices[v]))), faces = new Map();
+  polygons.forEach((polygon, f) => polygon.forEach((v, i) => {
+    const w = polygon[(i + 1) % polygon.length], key = v < w ? `${v},${w}` : `${w},${v}`;
+    if (!faces.has(key)) faces.set(key, { edge: v < w ? [v, w] : [w, v], own: [] });
+    faces.get(key).own.push(f);
+  }));
+  const isSharp = ([f, g]) => g === undefined || dot(normals[f], normals[g]) < Math.cos(Math.PI / 6);
+  return [...faces.values()].filter(({ own }) => isSharp(own)).map(({ edge }) => edge);
+}
+
+/** The unit normal of a polygon's corners, counter-clockwise from where it points to. */
+export function normalOf(corners) {
+  let sum = [0, 0, 0];
+  for (let i = 2; i < corners.length; ++i) sum = plus(sum, cross(minus(corners[i - 1], corners[0]), minus(corners[i], corners[0])));
+  return unit(sum);
+}
+
 /** The corners of a convex polygon in space in their order round its middle, seen against the normal. */
 export function inOrder(points, normal) {
   if (points.length < 3) return points;

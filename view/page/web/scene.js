@@ -160,7 +160,8 @@ export function fitOf(points, { from, up }, tan) {
   for (let round = 0; round < 4; ++round) {
     distance = 1e-6;
     for (const p of seen)
-      for (const [i, t] of [[0, tan.x], [1, tan.y]]) distance = Math.max(distance, p[2] - center[2] + (margin * Math.abs(p[i] - center[i])) / t);
+      for (const [i, t] of [[0, tan.x], [1, tan.y]])
+        distance = Math.max(distance, p[2] - center[2] + (margin * Math.abs(p[i] - center[i])) / t);
     for (const i of [0, 1]) {  // what is near the camera takes more room: aim at the middle of what is seen
       const angles = seen.map((p) => (p[i] - center[i]) / Math.max(1e-9, distance - (p[2] - center[2])));
       const [low, high] = minMax(angles);

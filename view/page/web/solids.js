@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in the 3-D pictures: bodies with their faces and edges, features, arrows, planes. Places are those of a frame (geometry.js).
 // One body takes one draw call for its faces from either side and one for its edges, however many it has.
-import { across, cross, fan, inOrder, minus, norm, plus, times, unit } from "./geometry.js";
+import { across, cross, fan, inOrder, minus, norm, normalOf, plus, times, unit } from "./geometry.js";
 import { colour } from "./look.js";
 
 /** In this order things are drawn, one over the other. */
@@ -13,7 +13,7 @@ export const layer = {
 export function triangles(vertices, polygons) {
   const position = [], normal = [], owner = [];
   polygons.forEach((polygon, f) => {
-    const n = polygonNormal(polygon.map((v) => vertices[v]));
+    const n = normalOf(polygon.map((v) => vertices[v]));
     for (const corners of fan(polygon.length)) {
       for (const c of corners) {
         position.push(...vertices[polygon[c]]);
@@ -23,12 +23,6 @@ export function triangles(vertices, polygons) {
     }
   });
   return { position, normal, owner };
-}
-
-export function polygonNormal(corners) {
-  let sum = [0, 0, 0];
-  for (let i = 2; i < corners.length; ++i) sum = plus(sum, cross(minus(corners[i - 1], corners[0]), minus(corners[i], corners[0])));
-  return unit(sum);
 }
 
 export function meshGeometry({ position, normal }) {
@@ -166,7 +160,8 @@ export function feature(points, name, normal) {
 export function planeSquare(place, normal, half, name) {
   const T = globalThis.THREE, group = new T.Group(), x = times(across(normal), half), y = cross(unit(normal), x);
   const ring = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([i, j]) => plus(place, plus(times(x, i), times(y, j))));
-  const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 }, sides = ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]);
+  const glass = { flat: true, side: T.DoubleSide, depthWrite: false, opacity: 0.16 };
+  const sides = ring.flatMap((p, i) => [p, ring[(i + 1) % 4]]);
   group.add(surface(meshGeometry(triangles(ring, [[0, 1, 2, 3]])), name, layer.plane, glass));
   group.add(segments(sides, name, layer.plane + 1, { width: 1.2, opacity: 0.7, depthWrite: false }));
   return group;

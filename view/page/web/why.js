@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 2, Why no shorter way: P around O, the ball that reaches its nearest facets, and the facets that a choice lights.
-import { edgesOfPolygons, frameOf, plus, sideView, times } from "./geometry.js";
+import { creases, edgesOfPolygons, frameOf, plus, sideView, times } from "./geometry.js";
 import { element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
 import { arrow, dots, emptied, layer, meshGeometry, recolour, segments, surface, triangles } from "./solids.js";
@@ -11,7 +11,8 @@ export function mountWhy(root, data, selection) {
   const sum = data.stages.sum;
   if (!sum?.vertices?.length || !data.facets.length) return {};
   const names = { Q: "Q, the certificate's polytope inside P", sampled: "P, the sum of B and -A, as a mesh" };
-  const name = names[sum.kind] ?? "P, the sum of B and -A", about = "around O, with the ball whose radius is the depth; its nearest facets are marked";
+  const name = names[sum.kind] ?? "P, the sum of B and -A";
+  const about = "around O, with the ball whose radius is the depth; its nearest facets are marked";
   const label = `${name}, ${about}. Shift and arrow keys turn, plus and minus zoom.`;
   return withView(root, label, (view) => whyPicture(root, view, data, selection));
 }
@@ -49,10 +50,11 @@ function whyPicture(root, view, data, selection) {
 /** P as glass, its edges, its nearest facets striped. Returns the mesh that the pointer hits. */
 function addSum(view, data, places, shape) {
   const T = globalThis.THREE, polygons = data.facets.map((f) => f.vertices), geometry = meshGeometry(shape);
-  const optimal = data.facets.flatMap((f, i) => (f.optimal ? [i] : [])), nearest = meshGeometry(triangles(places, optimal.map((f) => polygons[f])));
+  const nearest = meshGeometry(triangles(places, data.facets.filter((f) => f.optimal).map((f) => f.vertices)));
   const front = surface(geometry, "--soft", layer.glass, { opacity: 0.13, depthWrite: false });
   const hiding = { flat: true, colorWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-  const edges = edgesOfPolygons(polygons), ends = edges.flatMap(([v, w]) => [places[v], places[w]]);
+  const edges = data.stages.sum.kind === "sampled" ? creases(places, polygons) : edgesOfPolygons(polygons);
+  const ends = edges.flatMap(([v, w]) => [places[v], places[w]]);
   view.scene.add(front, surface(geometry, "--soft", layer.backs, { opacity: 0.16, depthWrite: false, side: T.BackSide }),
     surface(nearest, "--true", layer.glass + 1, { opacity: 0.5, depthWrite: false, side: T.DoubleSide }, 0.45),
     surface(geometry, "--soft", layer.glassDepth, hiding),

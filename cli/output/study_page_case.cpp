@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One case of the page of studies.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cli/output/coordinates.hpp"
+#include "cli/output/decimal.hpp"
+#include "cli/output/study_output.hpp"
+#include "cli/output/study_page.hpp"
+#include "cli/output/study_page_parts.hpp"
+#include "cli/output/study_words.hpp"
+#include "cli/output/surd_output.hpp"
+#include "cli/output/text_rows.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/number/surd.hpp"
+#include "verify/harness/shrink/write_shrunk.hpp"
+#include "view/picture/markup.hpp"
+#include "view/picture/page.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using Rows = std::vector<CoincidenceRow>;
+using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
+
+constexpr std::size_t longest_case = 200'000;  // characters of a case as JSON
+constexpr std::size_t most_indices = 12;       // of one feature
+
+std::string indices_text(const Feature& feature) {
+  std::string result;
+  for (std::size_t i = 0; i < std::min(feature.size(), most_indices); ++i) result += fmt::format("{}{}", i > 0 ? " " : "", feature[i]);
+  return feature.size() <= most_indices ? result : fmt::format("{} ... ({} in all)", result, feature.size());
+}
+
+/// The features of one body in a coincidence, as links to their marks.
+std::string features_text(CoincidenceRow& row, Marks* marks, bool of_a, const std::vector<Feature>& features) {
+  std::string result;
+  for (const Feature& feature : features) {
+    if (!result.empty()) result += ", ";
+    const std::string id = marks ? marks->of(of_a, feature) : "";
+    if (!id.empty()) row.lights.push_back(id);
+    result += id.empty() ? indices_text(feature) : fmt::format("<a href=\"#{}\">{}</a>", id, indices_text(feature));
+  }
+  return result;
+}
+
+Rows rows_of(const Study& study, Marks* marks) {
+  Rows rows;
+  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
+    const auto& [count, listed] = study.coincidences[i];
+    for (std::size_t k = 0; k < listed.size(); ++k) {
+      CoincidenceRow row{spoken(coincidence_names[i]), k + 1, count, "", "", {}};
+      row.a = features_text(row, marks, true, listed[k].a);
+      row.b = features_text(row, marks, false, listed[k].b);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Rows rows_of(const ShapeStudy& study) {
+  Rows rows;
+  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
+    const auto& [count, listed] = study.coincidences[i];
+    for (std::size_t k = 0; k < listed.size(); ++k)
+      rows.push_back({spoken(shape_coincidence_names[i]),
+                      k + 1,
+                      count,
+                      picture::markup(feature_text(listed[k].a)),
+                      picture::markup(feature_text(listed[k].b)),
+                      {}});
+  }
+  return rows;
+}
+
+template <class AnyStudy, class Names>
+Counts counts_of(const AnyStudy& study, const Names& names) {
+  Counts counts;
+  for (std::size_t i = 0; i < names.size(); ++i) counts.emplace_back(spoken(names[i]), study.coincidences[i].count);
+  return counts;
+}
+
+void add_depth(FactList& facts, const Depth& depth) {
+  facts.add("status", name(depth.status()));
+  if (const Penetration* found = depth.penetration()) {
+    facts.add("depth", root_text(found->squared()));
+    facts.add("depth^2", exact_text(found->squared()));
+    facts.add("optima", fmt::format("{}", depth.optima_count()));
+    facts.add("translation of A", place_text(depth.translation(), false));
+  }
+  if (const Distance* apart = depth.distance()) {
+    facts.add("distance", root_text(apart->squared));
+    facts.add("distance^2", exact_text(apart->squared));
+  }
+  if (const Contact* contact = depth.contact()) facts.add("contact", contact_text(*contact));
+}
+
+FactList facts_of(const Study& study) {
+  FactList facts;
+  add_depth(facts, study.depth);
+  facts.add("A", size_text(study.a));
+  facts.add("B", size_text(study.b));
+  return facts;
+}
+
+/// The case, to be copied; a sentence if it is too long for a page; nothing for shapes without words.
+std::string case_part(const Case& pair, const std::string& anchor) {
+  try {
+    const std::string line = harness::case_line(pair);
+    if (line.size() <= longest_case)
+      return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON",
+                                  std::string_view(line).substr(0, line.size() - 1));
+    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
+                       pair.a.points.size() + pair.b.points.size());
+  } catch (const std::invalid_argument&) {
+    return "";
+  }
+}
+
+/// A picture on the left, where there is one, and what is said on the right.
+std::string beside(const std::string& figure, const std::string& said) {
+  if (figure.empty()) return said;
+  return "<div class=\"beside\">\n<div class=\"picture\">" + figure + "</div>\n<div>\n" + said + "</div>\n</div>\n";
+}
+
+std::string coincidences_heading(const std::string& tables) { return "<h3>What coincides</h3>\n" + tables; }
+std::string predicates_heading(const Study& study) {
+  return "<h3>What the perturbation decided</h3>\n" + predicates_part(study.predicates);
+}
+
+}  // namespace
+
+std::string study_section(const Case& pair, const Study& study, const std::string& anchor) {
+  Marks marks(anchor);
+  const std::string table = coincidences_part(anchor, rows_of(study, &marks), counts_of(study, coincidence_names));
+  const std::string said = facts_of(study).list() + coincidences_heading(table) + predicates_heading(study) + case_part(pair, anchor);
+  return beside(study_figure(pair, study.depth, marks, anchor), said);
+}
+
+std::string study_section(const Case& pair, const ShapeStudy& study, const std::string& anchor) {
+  FactList facts;
+  facts.add("status", status_name(study.depth));
+  if (study.depth.exact()) {
+    facts.add("signed depth", surd_text(*study.depth.exact()));
+    facts.add("exactly", kernels::exact_surd_text(*study.depth.exact()));
+  } else {
+    facts.add("signed depth", fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
+  }
+  facts.add("A", size_text(study.a));
+  facts.add("B", size_text(study.b));
+  if (study.contact) facts.add("contact", involved_text(*study.contact));
+  std::string said =
+      facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study), counts_of(study, shape_coincidence_names)));
+  if (study.cores) {
+    const Study& cores = *study.cores;
+    const std::string table = coincidences_part(anchor + "k", rows_of(cores, nullptr), counts_of(cores, coincidence_names));
+    said += "<details class=\"part\"><summary>The cores, without their radii: " + picture::markup(status_text(cores.depth)) +
+            "</summary>\n" + facts_of(cores).list() + coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
+  }
+  return beside(study_figure(pair, study.depth, anchor), said + case_part(pair, anchor));
+}
+
+}  // namespace fathom::cli

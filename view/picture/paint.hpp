@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene in frames, as SVG.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/picture/window.hpp"
+#include "view/picture/scene.hpp"
+
+namespace fathom::picture {
+
+/// A feature of a body that a page may light: a vertex, an edge or a facet by the points that span it. Seen only where the page's style says so.
+struct Mark {
+  bool of_a = true;
+  std::vector<Point> points;
+  std::string id;  ///< of its element; markup already
+};
+
+/// A window of a scene.
+struct Panel {
+  Window window;
+  bool close = false;  ///< whether it shows the ways alone
+};
+
+/// The whole scene, and a close-up of the ways if they are short in it. Curved bodies that are a million times as large get none: their
+/// sampled outlines would be wrong there. The scene must outlive the panels.
+std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size);
+
+/// The content of a panel's <svg>. `name` begins the ids of what it refers to.
+std::string painted(const PairScene& scene, const Panel& panel, const std::string& name, const std::vector<Mark>& marks = {});
+
+}  // namespace fathom::picture

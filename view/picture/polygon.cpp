@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/picture/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace fathom::picture {
+namespace {
+
+template <class P>
+using Number = std::remove_cvref_t<decltype(P::x)>;
+
+template <class P>
+Number<P> turn(const P& p, const P& q, const P& r) {
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+/// The part of a path where `inside` is not negative. `inside` is linear.
+template <class P, class Inside>
+std::vector<P> half(const std::vector<P>& path, bool closed, const Inside& inside) {
+  std::vector<P> result;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const P& p = path[i];
+    const Number<P> at_p = inside(p);
+    if (at_p >= 0) result.push_back(p);
+    if (i + 1 == path.size() && !closed) break;
+    const P& q = path[(i + 1) % path.size()];
+    const Number<P> at_q = inside(q);
+    if ((at_p < 0) == (at_q < 0)) continue;
+    const Number<P> t = at_p / (at_p - at_q);
+    result.push_back({Number<P>(p.x + t * (q.x - p.x)), Number<P>(p.y + t * (q.y - p.y))});
+  }
+  return result;
+}
+
+template <class P>
+std::vector<P> inside_box(std::vector<P> path, bool closed, const P& low, const P& high) {
+  path = half(path, closed, [&](const P& p) { return Number<P>(p.x - low.x); });
+  path = half(path, closed, [&](const P& p) { return Number<P>(high.x - p.x); });
+  path = half(path, closed, [&](const P& p) { return Number<P>(p.y - low.y); });
+  return half(path, closed, [&](const P& p) { return Number<P>(high.y - p.y); });
+}
+
+template <class P>
+std::vector<P> around(std::vector<P> places) {
+  std::ranges::sort(places, [](const P& p, const P& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  const auto last = std::unique(places.begin(), places.end(), [](const P& p, const P& q) { return p.x == q.x && p.y == q.y; });
+  places.erase(last, places.end());
+  if (places.size() < 3) return places;
+  std::vector<P> result;
+  const auto add = [&](const P& p, std::size_t fixed) {
+    while (result.size() >= fixed + 2 && !(turn(result[result.size() - 2], result.back(), p) > 0)) result.pop_back();
+    result.push_back(p);
+  };
+  for (const P& p : places) add(p, 0);
+  const std::size_t lower = result.size() - 1;
+  for (auto p = places.rbegin() + 1; p != places.rend(); ++p) add(*p, lower);
+  result.pop_back();
+  return result;
+}
+
+}  // namespace
+
+std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, const Dot& high) {
+  if (!std::ranges::all_of(path, [](const Dot& d) { return std::isfinite(d.x) && std::isfinite(d.y); })) return {};
+  return inside_box(std::move(path), closed, low, high);
+}
+
+std::vector<Place> clipped(std::vector<Place> path, bool closed, const Place& low, const Place& high) {
+  return inside_box(std::move(path), closed, low, high);
+}
+
+std::vector<Dot> outline(std::vector<Dot> dots) { return around(std::move(dots)); }
+std::vector<Place> outline(std::vector<Place> places) { return around(std::move(places)); }
+
+}  // namespace fathom::picture

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "view/picture/scene.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/shapes/core.hpp"
+
+namespace fathom::picture {
+namespace {
+
+bool is_zero(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
+Point difference(const Point& p, const Point& q) { return sum(p, scaled(q, -1)); }
+
+std::vector<Point> chosen(const std::vector<Point>& points, const std::vector<std::uint32_t>& ids) {
+  std::vector<Point> result;
+  for (const std::uint32_t id : ids) result.push_back(points[id]);
+  return result;
+}
+
+/// The directions of the faces that are edges: a look along one of them would show nothing.
+std::vector<Point> edges_of(const std::vector<Point>& touch_a, const std::vector<Point>& touch_b) {
+  std::vector<Point> result;
+  for (const std::vector<Point>* face : {&touch_a, &touch_b})
+    if (face->size() == 2) result.push_back(difference(face->front(), face->back()));
+  return result;
+}
+
+/// A way in proportion to the bodies: at most three times as long as they are far apart in any coordinate.
+std::optional<Point> in_proportion(const Pair& pair, const std::optional<Point>& way, bool& cut) {
+  const auto size = [](const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); };
+  mpq_class extent = 0;
+  for (const GivenPoints* body : {&pair.a, &pair.b})
+    for (const Point& p : *body) extent = std::max(extent, size(difference(p, pair.b.front())));
+  const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent);
+  cut = way && size(*way) > longest;
+  return cut ? scaled(*way, mpq_class(longest / size(*way))) : way;
+}
+
+/// The vector alpha n + beta n/|n|, to within a few roundings.
+Point along(const AlongNormal& v) {
+  return sum(scaled(point_of(v.normal), v.alpha), scaled(exact_point(unit_vector(point_of(v.normal))), v.beta));
+}
+
+Point place_of(const RoundedPoint& p) { return sum(p.core, along({p.normal, 0, p.distance})); }
+
+/// n/|n| times a value that is known or enclosed.
+Point enclosed_way(const SignedDepth& depth) {
+  const Bounds& bounds = *depth.bounds();
+  return along({depth.direction(), 0, mpq_class((bounds.low + bounds.high) / 2)});
+}
+
+/// The points of a core that is a polytope; none of others.
+std::vector<Point> core_points(const Shape& shape) {
+  return shapes::polytope_points(shapes::simplified(shape), most_expanded_points).value_or(std::vector<Point>{});
+}
+
+/// The face of a rounded body: that of its core, moved outward by the radius.
+std::vector<Point> rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, const Vector& outward) {
+  std::vector<Point> result;
+  const Point by = along({outward, 0, shapes::simplified(shape).radius});
+  for (const Point& p : chosen(core_points(shape), ids)) result.push_back(sum(p, by));
+  return result;
+}
+
+/// The direction of the view's x axis: that of the half-space, if there is one, which is seen from its edge.
+Point axis_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
+  if (const auto* half = std::get_if<HalfSpace>(&a.core)) return scaled(half->normal, -1);
+  if (const auto* half = std::get_if<HalfSpace>(&b.core)) return half->normal;
+  return point_of(depth.direction());
+}
+
+/// Where the way begins if no witness is known.
+Point start_of(const Shape& a, const Shape& b, const Point& axis, const Point& way) {
+  if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, scaled(axis, -1));
+  return difference(farthest(b, axis), way);
+}
+
+}  // namespace
+
+bool PairScene::approximate() const { return std::holds_alternative<Curved>(a) || std::holds_alternative<Curved>(b); }
+bool PairScene::moves() const { return !is_zero(way); }
+
+PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
+  const Depth& depth = pair.depth;
+  const Distance* distance = depth.distance();
+  const Contact* contact = depth.contact();
+  const Witness witness = distance ? distance->witness : *depth.witness();
+  std::vector<Point> touch_a{witness.a}, touch_b{witness.b};
+  if (contact) touch_a = chosen(pair.a, contact->a), touch_b = chosen(pair.b, contact->b);
+  bool cut = false;
+  const std::optional<Point> shown = in_proportion(pair, claimed, cut);
+  const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
+  const View view(point_of(depth.direction()), second, edges_of(touch_a, touch_b));
+  return {depth.status(), view,  wires_of(pair.a, view),
+          wires_of(pair.b, view), witness.a, distance ? distance->translation : depth.translation(),
+          shown, cut, std::move(touch_a), std::move(touch_b)};
+}
+
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
+  const Point axis = axis_of(a, b, depth);
+  const std::vector<AlongNormal> ways = depth.translations();
+  const Point way = ways.empty() ? enclosed_way(depth) : along(ways.front());
+  const std::optional<RoundedWitness> witness = depth.witness();
+  const Point start = witness ? place_of(witness->a) : start_of(a, b, axis, way);
+  std::vector<Point> touch_a{start}, touch_b{witness ? place_of(witness->b) : sum(start, way)};
+  if (const Contact* contact = depth.contact()) {
+    const Vector n = depth.direction();
+    touch_a = rounded_face(a, contact->a, -n);
+    touch_b = rounded_face(b, contact->b, n);
+  }
+  const View view(axis, std::nullopt, edges_of(touch_a, touch_b));
+  PairScene scene{depth.status(), view, drawn_shape(a, view), drawn_shape(b, view), start, way, std::nullopt, false, std::move(touch_a), std::move(touch_b)};
+  scene.enclosed = ways.empty();
+  return scene;
+}
+
+}  // namespace fathom::picture

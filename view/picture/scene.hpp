@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture shows: two bodies, the way out of A, the contact; and how one looks at it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fathom/body.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/shape.hpp"
+#include "fathom/signed_depth.hpp"
+#include "view/picture/drawn.hpp"
+#include "view/picture/view.hpp"
+
+namespace fathom::picture {
+
+/// The answer about two bodies, as a picture needs it. All places are exact where the answer is.
+struct PairScene {
+  std::optional<Status> status;  ///< nullopt if the bounds leave it open
+  View view;                     ///< across the way out
+  Drawn a, b;
+  Point anchor;                       ///< where the ways begin: a point of A
+  Point way;                          ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
+  std::optional<Point> claimed;       ///< the way that was claimed; cut where it is out of all proportion
+  bool cut = false;                   ///< whether it was
+  std::vector<Point> touch_a, touch_b;  ///< the faces in contact: the points that span them, or one point
+  bool enclosed = false;              ///< whether the way is known by bounds only
+
+  [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
+  [[nodiscard]] bool moves() const;        ///< whether `way` is not zero
+};
+
+/// Two bodies and what is known about them.
+struct Pair {
+  const GivenPoints& a;
+  const GivenPoints& b;
+  const Depth& depth;
+};
+
+/// Hulls of points. `claimed`: another way to be shown beside the true one, in the picture's plane too.
+PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::nullopt);
+
+/// Shapes of which one at most is a half-space; `depth` is theirs.
+PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth);
+
+}  // namespace fathom::picture
