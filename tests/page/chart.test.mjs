@@ -25,7 +25,7 @@ import {
   pathText,
   stripBorders,
 } from "../../view/page/web/chartpainter.js";
-import { litArcs, litInDiagrams } from "../../view/page/web/lit.js";
+import { hemisphereOfChoice, liesBelow, litArcs, litInDiagrams } from "../../view/page/web/lit.js";
 import { cubes, lowerFrame, pair, randomDirection, randomNumbers, upperFrame } from "./bodies.mjs";
 
 const upper = chartAxes(upperFrame),
@@ -274,4 +274,23 @@ test("a coincidence lights all its features", () => {
     ids = (vertices) => vertices.map((v) => a.ids[v]);
   data = cubes({ coincidences: [{ kind: "parallel_edges_of_a", count: 1, listed: [{ a: [ids(a.edges[0]), ids(a.edges[5])], b: [] }] }] });
   assert.deepEqual(litInDiagrams(data, { ...none, coincidence: "0.0" }), { a: { arcs: [0, 5], nodes: [] }, b: { arcs: [], nodes: [] } });
+});
+
+test("a choice asks for its hemisphere: a pair for its chart, a coincidence for where its nodes are", () => {
+  let data = cubes();
+  const { a, b } = data.bodies, ids = (body, vertices) => vertices.map((v) => body.ids[v]);
+  // Facet 4 has the outward normal (0, 0, 1): its node is above in B's diagram, below in that of -A.
+  const listed = [
+    { a: [], b: [ids(b, b.facets[4])] },
+    { a: [ids(a, a.facets[4])], b: [] },
+  ];
+  data = cubes({ pairs: [pair({ chart: 1 })], coincidences: [{ kind: "equal_normals", count: 2, listed }] });
+  const asked = (chosen, ...changed) => hemisphereOfChoice(data, { ...none, ...chosen }, new Set(changed));
+  assert.equal(asked({ pair: 0 }, "pair"), 1);
+  assert.equal(asked({ pair: 0, coincidence: "0.0" }, "coincidence"), null, "a pair stays in sight");
+  assert.equal(asked({ coincidence: "0.0" }, "coincidence"), 0);
+  assert.equal(asked({ coincidence: "0.1" }, "coincidence"), 1);
+  assert.equal(asked({ coincidence: "0.1" }, "plane"), null);
+  assert.equal(asked({}, "pair", "coincidence"), null);
+  assert.equal(liesBelow(data, { a: { arcs: [], nodes: [4] }, b: { arcs: [], nodes: [] } }), true);
 });

@@ -35,6 +35,8 @@ test("the cells of a row", () => {
   const closest = { a: 0, b: 2, distance: 0.25, distance_squared: "1/16" };
   const data = cubes({ pairs: [pair({ a: [0, 1], b: [2, 3, 4], closest, evaluated: 6, engine: null })] });
   assert.deepEqual(pairCells(data, 0), ["0", "upper", "\u2212A", "2 \u00d7 3", "0.25", "6", "\u2013"]);
+  const rough = cubes({ pairs: [pair({ closest: { a: 0, b: 2, distance: 0.5 } })], scale: { exponent: -1 } });
+  assert.equal(pairCells(rough, 0)[4], "\u2248 1", "without its exact square: to six digits, in the unit of the input");
   assert.equal(pairHeadings.length, pairCells(data, 0).length);
 });
 

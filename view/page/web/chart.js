@@ -6,7 +6,7 @@ import {
   chartMargin, chartPolylines, chartProjection, chartSide, hemisphereShown, nearestArc, nextPairOfArc, pathText, stripBorders,
 } from "./chartpainter.js";
 import { arcSentence, axisElements, chartCaption, chartNames, chartTools, mostSvgArcs, mostWalls, nodeMark } from "./chartparts.js";
-import { litArcs, litInDiagrams } from "./lit.js";
+import { hemisphereOfChoice, litArcs, litInDiagrams } from "./lit.js";
 import { colour, element, onLook, svg } from "./look.js";
 
 const hitReach = 9;
@@ -94,7 +94,7 @@ function chartElements(view) {
 
 function showChart(view, state, changed) {
   const { data } = view;
-  if (changed.has("pair") && state.pair !== null && state.hemisphere === "both") view.facing = data.pairs[state.pair].chart;
+  if (state.hemisphere === "both") view.facing = hemisphereOfChoice(data, view.selection.chosen(), changed) ?? view.facing;
   view.index = Math.min(hemisphereShown(state, view.facing), data.charts.length - 1);
   view.chart = data.charts[view.index];
   const key = `${view.index}${state.plane}`;

@@ -4,7 +4,7 @@
 import { chartPolylines, chartProjection, chartSide, pathText } from "./chartpainter.js";
 import { coincidenceKinds, coincidenceSentences, involvedText, spokenName } from "./coincidences.js";
 import { dot } from "./geometry.js";
-import { litInDiagrams } from "./lit.js";
+import { liesBelow, litInDiagrams } from "./lit.js";
 import { element, svg } from "./look.js";
 import { roughly } from "./numbers.js";
 import { infinitesimalNames, movedDiagram, seenMonomial, seenSizes, tiltedFrame } from "./perturbed.js";
@@ -159,16 +159,6 @@ function arcsNear({ bodies }, name, { arcs, nodes }) {
   return new Set([...vertices].flatMap((v) => edgesAt[v]));
 }
 
-/** Whether what is lit lies in the lower hemisphere, as far as there is a choice. */
-function liesBelow({ bodies }, lit) {
-  let sum = 0;
-  for (const name of ["a", "b"]) {
-    const { nodes, arcs } = bodies[name];
-    for (const n of [...lit[name].nodes, ...lit[name].arcs.flatMap((e) => arcs[e])]) if (n !== null) sum += Math.sign(nodes[n][2]);
-  }
-  return sum < 0;
-}
-
 function litParts(body, name, lit, projection) {
   const parts = chartPolylines(body, lit.arcs, projection).map(({ points }) =>
     svg("path", { class: `arc ${name} lit`, d: pathText(points) }),
@@ -203,5 +193,5 @@ function decidedSentence({ data, name }, sizes, lower) {
     const size = seenMonomial(monomial, sizes);
     return `${monomialText(monomial)}${size === null ? "" : `, here ${roughly(size, 2)}`}`;
   });
-  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), ": the largest monomial whose coefficient is not 0."];
+  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), ": of each sign that was asked, the largest monomial whose coefficient is not 0."];
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The canonical pairs as rows of a table: the larger ones, then those of one crossing, folded.
 
+import { nearestRoot, textOf } from "./numbers.js";
+
 export const pairSize = (pair) => pair.a.length * pair.b.length;
 
 /** The rows: {large: [pair index..], single: [pair index..]} in the order of data.order, greatest first. */
@@ -16,6 +18,11 @@ export function lengthText(distance, exponent = 0) {
   return value > 2 ** -1022 && Number.isFinite(value) ? String(Number(value.toPrecision(6))) : `${distance} \u00b7 2^${-exponent}`;
 }
 
+/** The closest distance of a pair: the nearest binary64 where the data has its exact square, else to its six digits. */
+function closestText({ distance, distance_squared: square }, exponent) {
+  return square ? textOf(nearestRoot(square)) : `\u2248 ${lengthText(distance, exponent)}`;
+}
+
 /** The cells of a pair's row, as text: #, hemisphere, stored of, |A_i| x |B_i|, closest distance, evaluated, engine. */
 export function pairCells(data, i) {
   const pair = data.pairs[i],
@@ -25,7 +32,7 @@ export function pairCells(data, i) {
     data.charts[pair.chart]?.hemisphere ?? "",
     pair.stored_of === "a" ? "\u2212A" : "B",
     `${pair.a.length} \u00d7 ${pair.b.length}`,
-    closest ? lengthText(closest.distance, data.stages.scale?.exponent) : "\u2013",
+    closest ? closestText(closest, data.stages.scale?.exponent) : "\u2013",
     String(pair.evaluated),
     pair.engine ?? "\u2013",
   ];

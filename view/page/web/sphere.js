@@ -3,7 +3,7 @@
 // is one batch of lines. The camera and the chart go together: to choose a hemisphere turns the ball to it, and while both are shown the
 // chart is that of the one in front.
 import { dot, norm, times } from "./geometry.js";
-import { litArcs, litInDiagrams } from "./lit.js";
+import { hemisphereOfChoice, litArcs, litInDiagrams } from "./lit.js";
 import { calm, colour, element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
 import { equatorOf, facingOf, halvesOfArcs, segmentsOf, stationOf, stripOnSphere } from "./spheregeometry.js";
@@ -172,9 +172,9 @@ function showSphere(view, state, changed) {
   if (n) view.pin.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...n).normalize());
   litOnSphere(view, state);
   const first = changed.has("moved") && changed.has("section");
+  const asked = state.hemisphere === "both" ? hemisphereOfChoice(data, view.selection.chosen(), changed) : null;
   if (!first && changed.has("hemisphere") && state.hemisphere !== "both") faceHemisphere(view, state.hemisphere === "lower" ? 1 : 0);
-  else if (!first && changed.has("pair") && state.pair !== null && state.hemisphere === "both")
-    faceHemisphere(view, data.pairs[state.pair].chart);
+  else if (!first && asked !== null) faceHemisphere(view, asked);
   view.picture.render();
 }
 
@@ -218,7 +218,7 @@ function colourSphere(view) {
   set(materials.equator, "--line");
   set(materials.wall, "--lit");
   set(materials.mark, "--true");
-  set(view.ball.material, "--shade");
+  set(view.ball.material, "--ground");
 }
 
 // ---- the camera ----
