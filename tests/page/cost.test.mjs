@@ -23,7 +23,7 @@ test("the ratio is count / bound, to three digits; none without a bound", () => 
 
 test("times stand beside their stage, once; stages of which only the time is known come last", () => {
   const rows = costRows({
-    bounds: [bound("charts"), bound("charts", { what: "others" }), bound("lines", { seconds: 0.5 })],
+    bounds: [bound("charts"), bound("charts", { what: "others" }), bound("lines", { seconds: 0.5 }), bound("lines", { seconds: 0.5 })],
     seconds: { charts: 0.25, lines: 0.5, hulls: 1 },
   });
   assert.deepEqual(
@@ -32,10 +32,11 @@ test("times stand beside their stage, once; stages of which only the time is kno
       ["charts", 0.25],
       ["charts", undefined],
       ["lines", 0.5],
+      ["lines", undefined],
       ["hulls", 1],
     ],
   );
-  assert.equal(rows[3].count, null);
+  assert.equal(rows[4].count, null);
   assert.deepEqual(costRows({}), []);
 });
 

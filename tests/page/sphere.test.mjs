@@ -167,3 +167,11 @@ test("a cube's diagram: twelve arcs of a quarter circle, of A opposite to those 
     );
   }
 });
+
+test("a full circle on the equator is whole in both halves", () => {
+  const circle = { ...wedge(null, null), arcs: [[null, null]], circles: [[0, 0, 1]] };
+  for (const half of halvesOfArcs(circle, [0], [0, 0, 1])) {
+    assert.equal(half.length, 1);
+    assert.ok(distance(half[0][0], half[0].at(-1)) < 1e-9, "closed");
+  }
+});

@@ -71,7 +71,7 @@ export function curvePoint({ u, w }, t) {
 export function curveAbove(curve, pole) {
   const x = dot(curve.u, pole),
     y = dot(curve.w, pole);
-  if (Math.hypot(x, y) < 1e-7) return [0, Math.min(curve.angle, Math.PI)];
+  if (Math.hypot(x, y) < 1e-7) return [0, curve.angle];
   const nearest = Math.atan2(y, x);
   if (curve.angle > 2 * Math.PI - 1e-9) return [nearest - Math.PI / 2, nearest + Math.PI / 2];
   for (const turn of [0, 2 * Math.PI]) {

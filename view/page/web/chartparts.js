@@ -49,7 +49,7 @@ export function nodeMark(place, name) {
 export function chartCaption(view) {
   const { data, chart, lists, projection } = view,
     walls = chart.walls.length;
-  const shown = (name) => `${lists[name].length} arcs of ${name === "a" ? "\u2212A" : "B"}`;
+  const shown = (name) => `${lists[name].length} arc${lists[name].length === 1 ? "" : "s"} of ${name === "a" ? "\u2212A" : "B"}`;
   const sentences = [`The ${chartNames[view.index]} hemisphere, seen from outside: `];
   const key = (name, what) => element("span", { class: `key-${name}` }, what);
   const outside = chart.a.arcs.length + chart.b.arcs.length - lists.a.length - lists.b.length;

@@ -53,7 +53,8 @@ export function mountCutting(root, data, selection) {
 
 function nothingCut({ pairs }) {
   if (pairs.every((pair) => pair.a.length * pair.b.length === 1)) return "No pair has more than one crossing: there is nothing to cut.";
-  return "No cutting was recorded.";
+  const most = Math.max(...pairs.map((pair) => pair.a.length * pair.b.length));
+  return `The largest grid has ${most} crossings: it was not cut.`;
 }
 
 function goToLevel(view, level) {
