@@ -82,6 +82,7 @@ TEST(Ranked, ListsTheNearestTwenty) {
   EXPECT_EQ(count(text, ">tie<"), 2U) << "law: exact ties are called so";
   EXPECT_NE(text.find("<td>0.5</td><td>100 %</td>"), std::string::npos) << "law: how much longer";
   EXPECT_NE(text.find("5 facets are farther"), std::string::npos);
+  EXPECT_NE(text.find("vertex-edge"), std::string::npos) << "law: A's feature first";
 }
 
 TEST(Page, HoldsItsDataWithoutAnyTag) {
