@@ -55,7 +55,8 @@ std::string wrong_along(const CLI::App& depth, const Request& request) {
   }
   for (const char* option : of_one_answer)
     if (given(option)) return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
-  if (request.shallow) return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
+  if (given("--method") && depth.get_option("--method")->as<std::string>() == "shallow")
+    return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
   if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
   return "";
 }
