@@ -71,6 +71,16 @@ TEST(Plot, TextsOfOthersAreEscaped) {
   EXPECT_NE(svg.find("&lt;b&gt;&amp;"), std::string::npos);
 }
 
+TEST(Plot, LongTextsAreCutAndEmptySeriesPassedOver) {
+  Figure figure = figure_of({{"empty", {}}, {"s", {{0, 0}, {1, 1}}}});
+  figure.title = std::string(80, 'x') + "⁵⁵⁵⁵⁵⁵⁵";
+  const std::string svg = figure_element(figure);
+  EXPECT_EQ(svg.find("empty"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"look-1 dash-1\""), std::string::npos) << "law: the look is that of the place in the list";
+  EXPECT_NE(svg.find(std::string(80, 'x') + "⁵⁵⁵⁵...</text>"), std::string::npos);
+  EXPECT_NE(svg.find(std::string(80, 'x') + "⁵⁵⁵⁵⁵⁵⁵</title>"), std::string::npos);
+}
+
 TEST(Plot, IdsHaveThePrefixAndDiffer) {
   Figure figure = figure_of({{"s", {{0, 0}, {1, 1}}}});
   figure.panels.push_back(figure.panels[0]);

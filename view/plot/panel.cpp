@@ -16,6 +16,7 @@ constexpr double plot_height = 300, right_room = 24, label_room = 12, letter = 7
 constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20,
                  least_left = 90;
 constexpr unsigned most_x_labels = 8, most_y_labels = 8;
+constexpr std::size_t most_characters = 84;  // of a line of text
 constexpr std::size_t most_marks = 64, marks_of_many = 32;
 
 std::size_t characters(const std::string& text) {  // of UTF-8
@@ -75,7 +76,7 @@ std::string grid_elements(const Panel& panel, const Field& field) {
                        field.right - field.left, field.bottom - field.top);
   const double middle = (field.top + field.bottom) / 2, turn = panel_margin + 8;
   texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (field.left + field.right) / 2,
-                       field.bottom + x_label_room + 15, picture::markup(panel.x.name));
+                       field.bottom + x_label_room + 15, fitting(panel.x.name));
   texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n", turn, middle,
                        picture::markup(panel.y.name));
   return lines + texts;
@@ -136,6 +137,7 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
     ++entry;
   };
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    if (panel.series[i].places.empty()) continue;
     std::string sample = panel.series[i].line ? fmt::format("<path class=\"{}\" d=\"M0 0H38\"/>", line_classes(i)) : "";
     if (panel.series[i].marks) sample += mark_element(i, 19, 0, "");
     add(sample, panel.series[i].name);
@@ -158,11 +160,19 @@ std::string left_out(const Panel& panel, const Field& field) {
 
 }  // namespace
 
+std::string fitting(const std::string& text) {
+  if (characters(text) <= most_characters) return picture::markup(text);
+  std::size_t end = 0;
+  for (std::size_t count = 0; count < most_characters || (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80; ++end)
+    count += (static_cast<unsigned char>(text[end]) & 0xc0U) != 0x80 ? 1 : 0;
+  return picture::markup(text.substr(0, end)) + "...";
+}
+
 PanelPicture panel_picture(const Panel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
   if (!panel.title.empty())
-    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, picture::markup(panel.title));
+    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, fitting(panel.title));
   content += grid_elements(panel, field) + zero_elements(panel, field);
   content +=
       fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",

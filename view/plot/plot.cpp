@@ -71,9 +71,9 @@ std::string svg(const Figure& figure, std::string_view attributes, std::string_v
   return fmt::format(
       "<svg {7}class=\"plot\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" height=\"{1:.0f}\" role=\"img\" aria-labelledby=\"{2}-t {2}-d\">"
       "<title id=\"{2}-t\">{3}</title><desc id=\"{2}-d\">{4}</desc>\n{5}<rect class=\"ground\" width=\"{0}\" height=\"{1:.0f}\"/>\n"
-      "<text class=\"title\" x=\"{8}\" y=\"22\">{3}</text>\n{6}</svg>\n",
+      "<text class=\"title\" x=\"{8}\" y=\"22\">{9}</text>\n{6}</svg>\n",
       panel_width, std::ceil(picture.height), id, title, picture::markup(figure.description), style, picture.content, attributes,
-      panel_margin);
+      panel_margin, fitting(figure.title));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Place {
 
 struct Series {
   std::string name;           ///< in the legend
-  std::vector<Place> places;  ///< ascending in x
+  std::vector<Place> places;  ///< ascending in x; none: it is not shown, but those after it have the looks that they would have
   bool line = true;           ///< whether neighbours are joined
   bool marks = true;          ///< whether places have markers: of very many, only some
 };
