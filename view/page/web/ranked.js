@@ -60,7 +60,7 @@ function gapSentence(data) {
   if (told.second === null) result.append(nearest, `All facets of ${name} are equally near.`);
   else {
     const farther = element("strong", {}, `${roughly(told.gap)} farther`);
-    result.append(`${nearest}Second: ${textOf(told.second)}, `, farther, ` (${roughly(100 * told.share)} %).`);
+    result.append(`${nearest}Second: ${textOf(told.second)}, `, farther, told.share > 0 ? ` (${roughly(100 * told.share)} %).` : ".");
   }
   return result;
 }
