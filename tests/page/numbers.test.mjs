@@ -55,6 +55,11 @@ test("the gap of near ties keeps its digits", () => {
   }
 });
 
+test("the gap of huge numbers may be tiny", () => {
+  const big = 10n ** 600n, gap = gapOfRoots(`${(big + 1n) ** 2n}/${10n ** 600n}`, `${big ** 2n}/${10n ** 600n}`);
+  assert.ok(Math.abs(gap * 1e300 - 1) < 1e-15);
+});
+
 test("unit vectors and translations", () => {
   assert.deepEqual(unitOf(["3", "0", "-4"]), [0.6, 0, -0.8]);
   assert.deepEqual(decimalsOf(["1/3", "-1/2", "0"]), [1 / 3, -0.5, 0]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
-import { bodyParts, ghostOf } from "./bodies.js";
+import { bodyParts, ghostOf, isFaint } from "./bodies.js";
 import { arrowOf, contactText, wayOf } from "./contact.js";
 import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
@@ -192,7 +192,7 @@ function legend(data, frame, bodies, way) {
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
     way.a.length ? "; where they meet is thick. " : ". ",
     element("span", { class: "of-true" }, arrowText),
-    overlap ? ", ending at the plane that then separates both; dashed: A at its end." : "");
+    overlap ? `, ending at the plane that then separates both; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
   if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
   for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);
