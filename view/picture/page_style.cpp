@@ -7,7 +7,7 @@ namespace fathom::picture {
 std::string_view page_style() {
   return R"(
 body { margin: 0 auto; max-width: 84rem; padding: 1.25rem; background: var(--ground); color: var(--ink);
-  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
+  font: 1rem/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 .35rem; } h2 { font-size: 1.25rem; margin: 2.25rem 0 .6rem; }
 h3 { font-size: 1.05rem; margin: 1.5rem 0 .5rem; } h4 { font-size: 1rem; margin: 0; }
 h1, h2, h3, h4, td.text, dd, p, li, summary { overflow-wrap: anywhere; } h3 a, h4 a { color: inherit; text-decoration: none; }
@@ -59,7 +59,7 @@ svg.chart line.limit { stroke: var(--ink); stroke-dasharray: 3 3; }
   .beside > .picture { position: sticky; top: .5rem; } .beside .facts { grid-template-columns: minmax(0, 1fr); } }
 @media (max-width: 36rem) { tbody th.id { min-width: 9rem; } body { padding: .75rem; } article { padding: .7rem; } .facts dl { grid-template-columns: minmax(0, 1fr); gap: 0; }
   .facts dd { margin-bottom: .3rem; } dl.settings { grid-template-columns: minmax(0, 1fr); gap: 0; } details.part > :not(summary) { margin-left: .5rem; margin-right: .5rem; } }
-@media print { body { max-width: none; padding: 0; font-size: 11px; } article, figure, tr { break-inside: avoid; }
+@media print { html { font-size: 11px; } body { max-width: none; padding: 0; } .pairs svg { width: 49%; } article, figure, tr { break-inside: avoid; }
   h2, h3, h4 { break-after: avoid; } pre, .tall { max-height: none; } .wide, .tall { overflow: visible; } thead th { position: static; }
   button, .filter { display: none; } * { print-color-adjust: exact; } }
 )";
