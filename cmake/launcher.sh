@@ -20,7 +20,7 @@ die() {
 
 # Everything that the program is built from, one line each. Any edit, addition or removal changes it.
 inputs() {
-  local from=(include kernels reference verify cli schemas cmake CMakeLists.txt CMakePresets.json)
+  local from=(include kernels reference verify view cli schemas cmake CMakeLists.txt CMakePresets.json)
   printf '%s\n' "$root"
   (cd "$root" && find "${from[@]}" -type f -printf '%p %s %T@\n' 2>/dev/null) | LC_ALL=C sort
 }
@@ -75,14 +75,18 @@ logged_or_die() {
   die 3 "$what failed; the whole log is $log"
 }
 
-# The packages of the given sections of packages.txt.
+# The packages of the given sections of packages.txt, without those whose command is there: `nodejs unless node`.
 packages() {
-  local line section='' wanted=" $* "
-  while read -r line; do
-    case $line in
+  local package unless command section='' wanted=" $* "
+  while read -r package unless command; do
+    case $package in
       '' | '#'*) ;;
-      '['*']') section=${line:1:-1} ;;
-      *) if [[ $wanted == *" $section "* ]]; then printf '%s\n' "$line"; fi ;;
+      '['*']') section=${package:1:-1} ;;
+      *)
+        if [[ $wanted != *" $section "* ]]; then continue; fi
+        if [[ $unless == unless ]] && command -v "$command" >/dev/null; then continue; fi
+        printf '%s\n' "$package"
+        ;;
     esac
   done <"$root/cmake/packages.txt"
 }

@@ -19,7 +19,9 @@ std::optional<mpq_class> typed_number(std::string_view text) {
   return parse_number(text.substr(begin, end - begin + 1), Decimals::exact).value;
 }
 
-std::optional<Point> typed_direction(std::string_view text) {
+}  // namespace
+
+std::optional<Point> typed_vector(std::string_view text) {
   const std::size_t first = text.find(','), second = first == text.npos ? first : text.find(',', first + 1);
   if (second == text.npos) return std::nullopt;
   const auto x = typed_number(text.substr(0, first)), y = typed_number(text.substr(first + 1, second - first - 1)),
@@ -28,6 +30,8 @@ std::optional<Point> typed_direction(std::string_view text) {
   return Point{*x, *y, *z};
 }
 
+namespace {
+
 std::string check_delta(const std::string& text) {
   const auto value = typed_number(text);
   return value && *value >= approximate::least_delta
@@ -35,15 +39,15 @@ std::string check_delta(const std::string& text) {
              : fmt::format("expected a positive number such as 1/100, 1e-9 or more, found {}", kernels::shown(text));
 }
 
-std::string check_direction(const std::string& text) {
-  return typed_direction(text) ? "" : fmt::format("expected three numbers such as 1,0,-1/2, not all zero, found {}", kernels::shown(text));
-}
-
 void add_json(CLI::App& app, Request& request, const std::string& schema) {
   app.add_flag("--json", request.json, "one JSON object per line, schema " + schema);
 }
 
 }  // namespace
+
+std::string check_vector(const std::string& text) {
+  return typed_vector(text) ? "" : fmt::format("expected three numbers such as 1,0,-1/2, not all zero, found {}", kernels::shown(text));
+}
 
 void add_delta(CLI::App& app, Request& request, const std::string& meaning) {
   app.add_option_function<std::string>(
@@ -62,8 +66,8 @@ void add_approx_options(CLI::App& app, Request& request) {
 
 void add_ray_options(CLI::App& app, Request& request) {
   app.add_option_function<std::string>(
-         "--direction", [&request](const std::string& text) { request.direction = typed_direction(text); }, "where A is to move")
-      ->check(CLI::Validator(check_direction, "", ""))
+         "--direction", [&request](const std::string& text) { request.direction = typed_vector(text); }, "where A is to move")
+      ->check(CLI::Validator(check_vector, "", ""))
       ->type_name("X,Y,Z");
   add_json(app, request, "fathom/ray/1");
 }

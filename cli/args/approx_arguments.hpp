@@ -3,11 +3,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/args/request.hpp"
 
 namespace fathom::cli {
+
+/// Three numbers with commas between them, not all zero: decimals are exact. Returns nullopt for anything else.
+std::optional<Point> typed_vector(std::string_view text);
+/// What is wrong with such a text, or "".
+std::string check_vector(const std::string& text);
 
 void add_delta(CLI::App& app, Request& request, const std::string& meaning);
 void add_approx_options(CLI::App& app, Request& request);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/args/along_arguments.hpp"
 #include "cli/args/approx_arguments.hpp"
 #include "cli/args/cases_arguments.hpp"
 #include "cli/args/certify_arguments.hpp"
@@ -17,6 +18,7 @@
 #include "cli/args/parser.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/shell_words.hpp"
+#include "cli/args/sweep_arguments.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/shape_text.hpp"
@@ -48,13 +50,11 @@ std::string line_with_command(const std::vector<std::string>& words) {
   return fmt::format("; did you mean: fathom {} {}", one_body ? "width" : "depth", shell_line(words));
 }
 
-/// Returns a sentence if the words ask for what this version does not have, which CLI11 would call unknown, or "".
+/// Returns a sentence if the words ask for what CLI11 would call unknown, or "".
 std::string wrong_words(const std::vector<std::string>& words) {
   const std::string& command = words[0];
   const std::vector<std::string> names(commands.begin(), commands.end());
   const bool known = command.starts_with('-') || std::find(names.begin(), names.end(), command) != names.end();
-  const bool absent = std::find(std::begin(absent_commands), std::end(absent_commands), command) != std::end(absent_commands);
-  if (absent) return fmt::format("the command '{}' is not part of this version (expected {})", command, fmt::join(commands, ", "));
   if (known) return missing_value(words);
   if (const std::string line = is_input(command) ? line_with_command(words) : ""; !line.empty())
     return fmt::format("expected a command, found the input {}{}", kernels::shown(command), line);
@@ -72,6 +72,7 @@ std::string name(Command command) { return std::string(commands[static_cast<std:
 /// Returns what is wrong with the number of inputs, or "".
 std::string wrong_inputs(Request& request, const Texts& texts) {
   if (request.command == Command::cases) return texts.wrong_cases;
+  if (!request.sweep.family.empty()) return "";
   if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);
   const std::vector<std::string>& inputs = request.inputs;
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
@@ -86,10 +87,27 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   return "";
 }
 
+/// Returns what is wrong with a request for a page, or "".
+std::string wrong_page(const Request& request) {
+  if (request.command != Command::explain) return "";
+  if (request.page.empty()) return "explain writes a page: expected -o FILE, with the name of an HTML file";
+  if (request.page == "-") return "-o writes a file, found - for standard output";
+  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
+  return "";
+}
+
+/// Returns what does not go together in a request for a curve or a chart, or "".
+std::string wrong_picture(const CLI::App& asked, Request& request) {
+  if (request.svg == "-") return "--svg writes a file, found - for standard output";
+  if (request.command == Command::depth) return wrong_along(asked, request);
+  return request.command == Command::study ? wrong_sweep(asked, request) : "";
+}
+
 /// The request, unless its parts contradict each other.
 Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
+  if (!texts.wrong_picture.empty()) return refusal(texts.wrong_picture, command);
   if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
@@ -98,9 +116,9 @@ Arguments completed(Request request, const Texts& texts) {
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
   if (request.html == "-") return refusal("--html writes a file; standard output has the answers", command);
-  if (request.svg == "-") return refusal("--svg writes files; standard output has the answers", command);
   const bool asks_exact =
       texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
+  if (const std::string fault = wrong_page(request); !fault.empty()) return refusal(fault, command);
   if (const std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return refusal(fault, command);
   if (request.exact && request.json) return refusal("--exact is about text: JSON has every number exactly, and rounded beside it", command);
   if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
@@ -155,6 +173,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (!request.html.empty()) request.command_line = command_line(argc, argv);
   if (const std::string fault = empty_value(*asked); !fault.empty()) return refusal(fault, name(request.command));
   if (request.command == Command::cases) parser.texts.wrong_cases = wrong_cases(*asked, request.cases, request.inputs);
+  parser.texts.wrong_picture = wrong_picture(*asked, request);
   return completed(request, parser.texts);
 }
 

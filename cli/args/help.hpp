@@ -22,6 +22,8 @@ inline constexpr Example general_examples[] = {
     {"fathom ray --direction 0,0,1 a.off b.stl", "how far must A move that way?"},
     {"fathom metric --ball q.off a.off b.stl", "depth in a polyhedral norm or gauge with the unit ball q.off"},
     {"fathom study a.off b.stl", "what is degenerate about two bodies, by name and in counts"},
+    {"fathom stages --json a.off b.stl", "what the exact method makes on its way: the data of all pictures"},
+    {"fathom explain a.off b.stl -o page.html", "why? one page with pictures of every stage"},
     {"fathom cases --family near_ties", "test cases by name, as input for the others"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
     {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},
@@ -41,6 +43,7 @@ inline constexpr Example depth_examples[] = {
     {"fathom depth --svg way_out.svg a.off b.off", "with a picture: both bodies, the way out, the contact"},
     {"fathom depth --method naive a.off b.off", "the slow independent twin"},
     {"fathom depth --method shallow a.off b.off", "the same answer, sooner for large bodies that overlap a little"},
+    {"fathom depth --along 1,0,0 --steps 64 --svg curve.svg a.off b.off", "the signed depth while A moves along x, and a chart of it"},
     {"fathom depth cases.jsonl", "a stream: one line per case"},
     {"fathom depth --certificate proofs cases.jsonl", "and one file for each case in the folder proofs"},
     {"cat cases.jsonl | fathom depth --json -", "the same from standard input"},
@@ -79,6 +82,22 @@ inline constexpr Example study_examples[] = {
     {"fathom study --html page.html a.off b.stl", "a page: a picture in which each coincidence lights its features, and the tables"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
+    {"fathom study --sweep crossed_fans --sizes 10..100 --svg growth.svg",
+     "how the exact method's work grows with the size of a family's pairs"},
+};
+
+inline constexpr Example stages_examples[] = {
+    {"fathom stages a.off b.stl", "diagrams, charts, canonical pairs, the crossing that won: a summary"},
+    {"fathom stages --json a.off b.stl", "everything, as one JSON object: for pictures"},
+    {"fathom stages --times a.off b.stl", "with the seconds of each stage"},
+    {"fathom stages --svg charts.svg a.off b.stl", "both charts as a picture"},
+    {"cat cases.jsonl | fathom stages --json -", "a stream: one object per case"},
+};
+
+inline constexpr Example explain_examples[] = {
+    {"fathom explain a.off b.stl -o page.html", "why is the depth what it is? one page with pictures to turn, for any browser"},
+    {"fathom explain cases.jsonl --case deep -o page.html", "of one case of a file"},
+    {"fathom explain --times a.off b.stl -o page.html", "with the seconds that each stage took"},
 };
 
 inline constexpr Example cases_examples[] = {
@@ -173,8 +192,12 @@ inline constexpr CommandHelp command_table[] = {
      usual_exits, usual_notes},
     {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -", metric_examples,
      usual_exits, usual_notes},
-    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | -", study_examples, usual_exits,
-     usual_notes},
+    {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY", study_examples,
+     usual_exits, usual_notes},
+    {"stages", "What the exact method makes of two bodies on its way to the depth.", "fathom stages [OPTIONS] A B | CASES.jsonl | -",
+     stages_examples, usual_exits, usual_notes},
+    {"explain", "Why the depth is what it is, as a page with pictures.",
+     "fathom explain [OPTIONS] A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html", explain_examples, usual_exits, usual_notes},
     {"cases", "Test cases by name, or from two meshes.",
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE", cases_examples, usual_exits,
      usual_notes},
@@ -197,8 +220,5 @@ inline constexpr auto commands = [] {
 
 /// Commands with command lines of their own.
 inline constexpr std::string_view parsed_elsewhere[] = {"check", "golden", "help", "man", "completion"};
-
-/// Commands that this version does not have yet, so that the message says so instead of calling them unknown.
-inline constexpr std::string_view absent_commands[] = {"explain"};
 
 }  // namespace fathom::cli

@@ -7,11 +7,13 @@
 #include <array>
 #include <charconv>
 
+#include "cli/args/along_arguments.hpp"
 #include "cli/args/approx_arguments.hpp"
 #include "cli/args/cases_arguments.hpp"
 #include "cli/args/certify_arguments.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/parser_words.hpp"
+#include "cli/args/sweep_arguments.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
@@ -73,12 +75,16 @@ void add_exact(CLI::App& app, Request& request) {
                "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals stand");
 }
 
+void add_require_convex(CLI::App& app, Request& request) {
+  app.add_flag("--require-convex", request.require_convex,
+               "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so");
+}
+
 /// The inputs of a command that answers two meshes, or a stream.
 void add_questions(CLI::App& app, Request& request, Texts& texts, bool of_one = false) {
   add_inputs(app, request, texts);
   add_poses(app, request, of_one);
-  app.add_flag("--require-convex", request.require_convex,
-               "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so");
+  add_require_convex(app, request);
   app.add_option_function<std::string>(
          "--threads", [&request](const std::string& text) { request.threads = threads_of(text); },
          "cases of a stream that are answered at once; as many as there are cores unless given. The output is the same with any number")
@@ -86,13 +92,47 @@ void add_questions(CLI::App& app, Request& request, Texts& texts, bool of_one = 
       ->type_name("N");
 }
 
+void add_seed(CLI::App& app, Request& request, const std::string& meaning) {
+  app.add_option_function<std::string>(
+         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); }, meaning)
+      ->check(check_seed)
+      ->type_name("N");
+}
+
+void add_svg(CLI::App& app, Request& request, const std::string& meaning) {
+  app.add_option("--svg", request.svg, meaning)->type_name("FILE");
+}
+
 void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   add_questions(app, request, texts);
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
-  app.add_flag("--csv", request.csv, "a header, then one row of counts per case");
+  app.add_flag("--csv", request.csv, "a header, then one row of counts per case, or per size");
   app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded")
       ->type_name("FILE");
+  add_sweep_options(app, request);
+  add_seed(app, request, "with --sweep: of the family's pairs; 1 unless given");
+  add_svg(app, request, "with --sweep: write a chart of the counts to FILE, on logarithmic axes, with the exponents of growth");
+}
+
+void add_case(CLI::App& app, Request& request) {
+  app.add_option("--case", request.case_id, "which case of a stream: the first with this id")->type_name("ID");
+}
+
+void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
+  add_inputs(app, request, texts);
+  add_poses(app, request, false);
+  add_require_convex(app, request);
+  add_case(app, request);
+  app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network")->type_name("FILE");
+  app.add_flag("--times", request.times, "add how long each stage took: then the page differs from run to run");
+}
+
+void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
+  add_questions(app, request, texts);
+  app.add_flag("--times", request.times, "add the seconds that each stage took, which differ from run to run");
+  app.add_flag("--json", request.json, "one JSON object per line, schema fathom/stages/1: every stage, for pictures");
+  add_svg(app, request, "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each case");
 }
 
 void add_schema(CLI::App& app, Request& request, Texts& texts) {
@@ -119,11 +159,7 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
                  "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
       ->check(one_of({"cutting", "sampled", "naive"}))
       ->type_name("NAME");
-  app.add_option_function<std::string>(
-         "--seed", [&request](const std::string& text) { request.seed = *seed_of(text); },
-         "of the closest lines' random order, which changes the work and not the answer; 1 unless given")
-      ->check(check_seed)
-      ->type_name("N");
+  add_seed(app, request, "of the closest lines' random order, which changes the work and not the answer; 1 unless given");
   app.add_option(
          "--digits", request.digits,
          "add an enclosure of the depth to N significant digits. Of curved bodies, bounds so near are looked for, unless --bits says "
@@ -141,9 +177,8 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   if (!of_one)
-    app.add_option("--svg", request.svg,
-                   "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case")
-        ->type_name("FILE");
+    add_svg(app, request,
+            "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with --along: the curve");
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   add_exact(app, request);
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
@@ -197,18 +232,23 @@ Parser::Parser() {
   CLI::App &depth = add_command(app, "depth"), &width = add_command(app, "width");
   add_options(depth, request, texts, false);
   add_optima(depth, request);
+  add_along_options(depth, request);
+  add_case(depth, request);
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");
   const auto [approx, ray, metric] = add_ray_commands(app, request, texts);
-  CLI::App& study = add_command(app, "study");
+  CLI::App &study = add_command(app, "study"), &stages = add_command(app, "stages");
   add_study_options(study, request, texts);
+  add_stages_options(stages, request, texts);
+  CLI::App& explain = add_command(app, "explain");
+  add_explain_options(explain, request, texts);
   CLI::App &cases = add_command(app, "cases"), &certify = add_command(app, "certify");
   add_certify_options(certify, request);
   add_input(certify, request, "first");
   add_cases_options(cases, request.cases);
   add_inputs(cases, request, texts);
   add_poses(cases, request, false);
-  commands = {&depth, &width, approx, ray, metric, &study, &cases, &certify};
+  commands = {&depth, &width, approx, ray, metric, &study, &stages, &explain, &cases, &certify};
 }
 
 CLI::App* Parser::asked() const {

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/args/along_request.hpp"
 #include "cli/args/cases_request.hpp"
 #include "cli/args/certify_request.hpp"
+#include "cli/args/sweep_request.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 
@@ -16,12 +18,13 @@ namespace fathom::cli {
 /// fathom/result/2. A request may ask for any older version.
 inline constexpr unsigned newest_result_schema = 2;
 
-enum class Command { depth, width, approx, ray, metric, study, cases, certify };
+enum class Command { depth, width, approx, ray, metric, study, stages, explain, cases, certify };
 
 struct Request {
   Command command = Command::depth;
   std::vector<std::string>
-      inputs;  ///< depth, approx, ray, metric, study: two meshes or one stream; width: one mesh or one stream; cases --from: two meshes
+      inputs;  ///< depth, approx, ray, metric, study, stages, explain: two meshes or one stream; width: one mesh or one stream; cases --from: two
+               ///< meshes
   Method method = Method::automatic;
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
@@ -32,20 +35,27 @@ struct Request {
   bool exact = false;                 ///< text: exact numbers where else decimals stand
   bool json = false;
   unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
-  bool csv = false;                        ///< study: rows of counts
+  bool csv = false;                        ///< study, depth --along: rows
   std::string html;                        ///< study: the file of the page; empty: none
   std::string command_line;                ///< with --html: quoted for a shell
   bool all = false;                        ///< study: list every coincidence, not the first few of each kind
+  bool times = false;                      ///< stages, explain, study --sweep: with the seconds that each took
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
-  std::string svg;                  ///< depth: the file for the picture, or the folder for those of a stream; empty: none
+  std::string svg;                  ///< depth: the file for the picture, or the folder for those of a stream; study --sweep, depth --along,
+                                    ///< stages: the file for charts; empty: none
   bool embed_certificate = false;   ///< as a field of each JSON result
   std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
   std::optional<Point> direction;   ///< ray
   std::string ball;                 ///< metric: a mesh
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces
+  std::optional<std::string> case_id;         ///< explain, depth --along: which case of a stream
+  std::string page;                           ///< explain: the file for the page
+  AlongRequest along;                         ///< depth
+  SweepRequest sweep;                         ///< study
+
   CasesRequest cases;
   CertifyRequest certify;
   Decimals decimals = Decimals::binary64;  ///< of text meshes; cases say it themselves

@@ -29,16 +29,43 @@ const std::vector<Adapter>& adapters() {
       {"bullet64-epa", "fathom-subject-bullet64", "epa", "Bullet, binary64: btGjkEpaSolver2, margin 0"},
       {"bullet64-pair", "fathom-subject-bullet64", "pair", "Bullet, binary64: btGjkPairDetector with the shapes' margin"},
       {"ode-collide", "fathom-subject-ode", "collide", "ODE: dCollide"},
+      {"jolt", "web-subjects/jolt.mjs", "radius0", "Jolt, binary32: CollideShape, convex radius 0"},
+      {"jolt-radius", "web-subjects/jolt.mjs", "radius", "Jolt, binary32: the same, convex radius 0.05 as in C++ by default"},
+      {"rapier-contact", "web-subjects/rapier.mjs", "contact", "Rapier, binary32: contactCollider (parry's query::contact)"},
+      {"rapier-world", "web-subjects/rapier.mjs", "world", "Rapier, binary32: the deepest point of a step's manifold"},
+      {"physx-gjk", "web-subjects/physx.mjs", "gjk", "PhysX, binary32: PxGjkQuery::proximityInfo"},
+      {"physx-sweep", "web-subjects/physx.mjs", "sweep", "PhysX, binary32: a sweep with PxHitFlag::eMTD"},
+      {"physx-scene", "web-subjects/physx.mjs", "scene", "PhysX, binary32: the deepest point of a step's contact report"},
+      {"havok", "web-subjects/havok.mjs", "proximity", "Havok, binary32: HP_World_ShapeProximityWithCollector"},
+      {"mujoco-native", "web-subjects/mujoco.mjs", "native", "MuJoCo: mj_collision as by default"},
+      {"mujoco-single", "web-subjects/mujoco.mjs", "single", "MuJoCo: mj_collision, multiccd disabled"},
+      {"mujoco-libccd", "web-subjects/mujoco.mjs", "libccd", "MuJoCo: mj_collision, nativeccd disabled"},
+      {"mujoco-distance", "web-subjects/mujoco.mjs", "distance", "MuJoCo: mj_geomDistance"},
+      {"cannon-sat", "web-subjects/cannon.mjs", "sat", "cannon-es, binary64: findSeparatingAxis, testSepAxis"},
+      {"cannon-contact", "web-subjects/cannon.mjs", "contact", "cannon-es, binary64: findSeparatingAxis, clipAgainstHull"},
   };
   return all;
 }
+
+namespace {
+
+bool is_script(const Adapter& adapter) { return adapter.program.ends_with(".mjs"); }
+
+// A script runs where npm has put its packages beside it.
+bool is_ready(const Adapter& adapter, const fs::path& file) {
+  std::error_code fault;
+  if (is_script(adapter)) return fs::is_regular_file(file, fault) && fs::is_directory(file.parent_path() / "node_modules", fault);
+  return ::access(file.c_str(), X_OK) == 0;
+}
+
+}  // namespace
 
 std::string program_of(const Adapter& adapter) {
   std::error_code fault;
   const fs::path folder = fs::read_symlink("/proc/self/exe", fault).parent_path();
   for (const fs::path& place : {folder, folder / ".." / "libexec" / "fathom"}) {
-    const std::string file = (place / adapter.program).string();
-    if (!fault && ::access(file.c_str(), X_OK) == 0) return file;
+    const fs::path file = place / adapter.program;
+    if (!fault && is_ready(adapter, file)) return file.string();
   }
   return "";
 }
@@ -55,8 +82,10 @@ std::string adapter_command(const std::string& words) {
   if (program.empty())
     throw InputError(
         "--adapter", 0,
-        fmt::format("{} is not beside this program: it is built where the library's Debian package is there", adapter->program));
-  std::string command = "exec " + quoted(program) + ' ' + adapter->argument;
+        fmt::format("{} is not beside this program: it is {}", adapter->program,
+                    is_script(*adapter) ? "installed with its packages by node 18 or later and npm, as verify/subjects/web says"
+                                        : "built where the library's Debian package is there"));
+  std::string command = fmt::format("exec {}{} {}", is_script(*adapter) ? "node " : "", quoted(program), adapter->argument);
   for (std::size_t comma = name.size(); comma < words.size();) {
     const std::size_t next = std::min(words.find(',', comma + 1), words.size());
     command += ' ' + quoted(words.substr(comma + 1, next - comma - 1));

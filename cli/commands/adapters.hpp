@@ -9,18 +9,19 @@ namespace fathom::cli {
 
 struct Adapter {
   std::string name;     ///< "libccd-epa"
-  std::string program;  ///< "fathom-subject-libccd"
+  std::string program;  ///< "fathom-subject-libccd"; or a script for node, "web-subjects/jolt.mjs"
   std::string argument;
   std::string description;
 };
 
 const std::vector<Adapter>& adapters();
 
-/// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from there; "" if it is in neither place.
+/// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from there; "" if it is in neither place, or a
+/// script whose packages are not there.
 std::string program_of(const Adapter& adapter);
 
 /// Returns the shell command for "NAME" or "NAME,key=value,...". Throws InputError if there is no such adapter, or its program is not
-/// built.
+/// built or has not its packages.
 std::string adapter_command(const std::string& words);
 
 }  // namespace fathom::cli

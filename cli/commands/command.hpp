@@ -18,11 +18,17 @@ ExitCode run_command(std::string_view name, const std::vector<std::string>& word
 
 /// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
 ExitCode run_depth(const Request& request);
+/// depth --along
+ExitCode run_along(const Request& request);
 ExitCode run_width(const Request& request);
 ExitCode run_approx(const Request& request);
 ExitCode run_ray(const Request& request);
 ExitCode run_metric(const Request& request);
 ExitCode run_study(const Request& request);
+ExitCode run_stages(const Request& request);
+/// study --sweep
+ExitCode run_sweep(const Request& request);
+ExitCode run_explain(const Request& request);
 ExitCode run_cases(const Request& request);
 ExitCode run_certify(const Request& request);
 

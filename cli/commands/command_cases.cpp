@@ -11,12 +11,12 @@
 #include "cli/commands/cases_fcl.hpp"
 #include "cli/commands/cases_json.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/family_names.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/near_miss.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/body_json.hpp"
 #include "verify/families/catalogue.hpp"
@@ -27,22 +27,7 @@
 namespace fathom::cli {
 namespace {
 
-constexpr std::size_t suggestions = 3, longest_name = 60;
 constexpr std::string_view every_family = "all";
-
-/// Names that hold `name` come first, then those by the fewest slips.
-std::vector<std::string_view> nearest_names(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const families::Family& family : families::families()) names.push_back(family.name);
-  for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
-  const std::string_view typed = name.substr(0, longest_name);
-  const auto distance = [typed](std::string_view other) {
-    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);
-  };
-  std::ranges::stable_sort(names, {}, distance);
-  names.resize(std::min(names.size(), suggestions));
-  return names;
-}
 
 /// "1/4", "5 - sqrt(25)".
 std::string known_text(const Surd& value) {
@@ -92,7 +77,7 @@ ExitCode print_family(const CasesRequest& request) {
   } else {
     throw InputError("--family", 0,
                      fmt::format("{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes)",
-                                 kernels::shown(request.family), fmt::join(nearest_names(request.family), ", ")));
+                                 kernels::shown(request.family), fmt::join(nearest_families(request.family), ", ")));
   }
   return fine;
 }

@@ -5,6 +5,8 @@
 
 namespace fathom::cli {
 
-ExitCode run_depth(const Request& request) { return reply_to_inputs(request, exact_replies(request)); }
+ExitCode run_depth(const Request& request) {
+  return request.along.translation ? run_along(request) : reply_to_inputs(request, exact_replies(request));
+}
 
 }  // namespace fathom::cli

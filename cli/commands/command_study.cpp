@@ -70,6 +70,7 @@ class PageFile {
 }  // namespace
 
 ExitCode run_study(const Request& request) {
+  if (!request.sweep.family.empty()) return run_sweep(request);
   PageFile page(request);
   Replies replies;
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {

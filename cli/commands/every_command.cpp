@@ -12,6 +12,8 @@ ExitCode run_command(const Request& request) {
     case Command::ray: return run_ray(request);
     case Command::metric: return run_metric(request);
     case Command::study: return run_study(request);
+    case Command::stages: return run_stages(request);
+    case Command::explain: return run_explain(request);
     case Command::cases: return run_cases(request);
     case Command::certify: return run_certify(request);
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/commands/file_places.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/picture_output.hpp"
@@ -12,12 +13,21 @@
 #include "cli/output/text_result.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
-#include "fathom/signed_depth.hpp"
 #include "fathom/width.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::cli {
 namespace {
+
+/// The bits that bounds must have so that their digits can agree.
+unsigned bits_of(const Request& request) {
+  const unsigned usual = SignedDepthOptions{}.bits;
+  if (request.bits || !request.digits) return request.bits.value_or(usual);
+  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
+  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
+}
+
+}  // namespace
 
 Options options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
   Options options;
@@ -29,6 +39,15 @@ Options options_of(const Request& request, Monitor& monitor, Workspace& workspac
   options.workspace = &workspace;
   return options;
 }
+
+SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Workspace& workspace) {
+  SignedDepthOptions options;
+  options.cores = options_of(request, monitor, workspace);
+  options.bits = bits_of(request);
+  return options;
+}
+
+namespace {
 
 Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Options options = options_of(request, monitor, workspace);
@@ -46,30 +65,6 @@ Answer answer_to(const AskedCase& asked, const Request& request, Monitor& monito
   return answer;
 }
 
-/// Where the certificates of a run go, or its pictures: a file, or for a stream a folder.
-class FilePlaces {
- public:
-  FilePlaces(const Request& request, std::string path, std::string what, const std::string& ending)
-      : path_(std::move(path)), what_(std::move(what)) {
-    if (!path_.empty() && is_stream(request)) folder_.emplace(path_, what_, ending);
-  }
-
-  [[nodiscard]] bool wanted() const { return !path_.empty(); }
-  /// Returns the file of a single case; null for a stream, or if nothing is to be written.
-  [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
-    return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_, what_);
-  }
-  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the first gets
-  /// the file.
-  void write_to_folder(const std::string& id, const std::string& text) {
-    if (folder_) CertificateFile(folder_->file(id), what_).write(text);
-  }
-
- private:
-  std::string path_, what_;
-  std::optional<CertificateFolder> folder_;
-};
-
 /// What a run writes beside its replies.
 struct Files {
   FilePlaces certificates, pictures;
@@ -78,22 +73,12 @@ struct Files {
       : certificates(request, request.certificate, "certificate", ".cert"), pictures(request, request.svg, "picture", ".svg") {}
 };
 
-/// The bits that bounds must have so that their digits can agree.
-unsigned bits_of(const Request& request) {
-  const unsigned usual = SignedDepthOptions{}.bits;
-  if (request.bits || !request.digits) return request.bits.value_or(usual);
-  const unsigned long enough = *request.digits * 3322UL / 1000 + 4;  // log2(10) < 3.322
-  return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
-}
-
 /// Throws InputError if the request asks for what shapes do not have.
 ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Case& single = asked;
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
   if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
-  SignedDepthOptions options;
-  options.cores = options_of(request, monitor, workspace);
-  options.bits = bits_of(request);
+  const SignedDepthOptions options = shape_options_of(request, monitor, workspace);
   const Shape a = files::shape_of(single.a), b = has_one_body(request) ? a : files::shape_of(single.b);
   if (has_one_body(request) && std::holds_alternative<HalfSpace>(a.core))
     throw InputError(single.id, 0, "a half-space has no width: it is infinite");

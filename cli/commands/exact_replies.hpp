@@ -3,8 +3,13 @@
 #pragma once
 
 #include "cli/commands/replies.hpp"
+#include "fathom/signed_depth.hpp"
 
 namespace fathom::cli {
+
+/// How the request wants depths to be found; of shapes too.
+Options options_of(const Request& request, Monitor& monitor, Workspace& workspace);
+SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Workspace& workspace);
 
 /// Answers with the method of the request, and with a certificate if it asks for one. `request` must outlive the replies. Throws InputError
 /// if certificates cannot be written where they should go.

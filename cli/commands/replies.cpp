@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/replies.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <stdexcept>
 
+#include "cli/io/case_input.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
@@ -11,9 +14,11 @@
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
+#include "kernels/printable.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
+#include "reference/files/unread_cases.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -39,7 +44,48 @@ Case single_case(const Request& request) {
   return single;
 }
 
+constexpr std::size_t most_ids = 12;  // that a message lists
+
+/// "a, b, c", and how many more.
+std::string ids_text(const std::vector<std::string>& ids, std::size_t count) {
+  std::string result;
+  for (const std::string& id : ids) result += (result.empty() ? "" : ", ") + kernels::shown(id);
+  return count > ids.size() ? fmt::format("{} and {} more", result, count - ids.size()) : result;
+}
+
+Case case_of_stream(const std::string& input, const std::optional<std::string>& asked) {
+  CaseInput source(input, interrupt_requested);
+  files::UnreadCases texts = source.texts();
+  files::QuickCaseReader reader;
+  std::vector<std::string> ids;
+  std::size_t count = 0;
+  std::optional<CaseItem> only;
+  while (const std::optional<files::UnreadCase> text = texts.next()) {
+    CaseItem item = files::read_case(reader, *text, texts.name());
+    if (item.id == asked) return item.ok() ? item.value() : throw item.error();
+    if (ids.size() < most_ids) ids.push_back(item.id);
+    if (++count == 1) only = std::move(item);
+    if (interrupt_requested()) throw Interrupted();
+  }
+  if (count == 1 && (!asked || !only->ok())) return only->ok() ? only->value() : throw only->error();
+  const std::string found = fmt::format("found {} case{}: {}", count, count == 1 ? "" : "s", ids_text(ids, count));
+  throw InputError(texts.name(), 0,
+                   asked ? fmt::format("expected a case with the id {}, {}", kernels::shown(*asked), found)
+                         : fmt::format("expected a single case, or --case ID with the id of one, {}", found));
+}
+
+void refuse_poses_of_stream(const Request& request) {
+  if (is_stream(request) && (request.pose_a || request.pose_b))
+    throw InputError(request.pose_a ? "--pose-a" : "--pose-b", 0,
+                     "expected bodies, found a stream of cases, which have poses of their own");
+}
+
 }  // namespace
+
+Case asked_case(const Request& request) {
+  refuse_poses_of_stream(request);
+  return is_stream(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
+}
 
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
   files::GivenPose pose = files::read_pose(text, option, decimals);
@@ -73,9 +119,7 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
 }
 
 ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
-  if (is_stream(request) && (request.pose_a || request.pose_b))
-    throw InputError(request.pose_a ? "--pose-a" : "--pose-b", 0,
-                     "expected bodies, found a stream of cases, which have poses of their own");
+  refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = single_case(request);
   if (const std::string fault = wrong_shapes(single, has_one_body(request), replies.refuses_shapes); !fault.empty())

@@ -76,7 +76,7 @@ class CanonicalBuilder {
     for (const chart::ChartArcId i : stored_arcs_.ids()) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
     if (!list_.empty()) {
       for (Query& q : queries) ask(root_, q.arc, q.left, q.right);
-      file();
+      file(root_);
     }
     std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     descend(root_, std::move(partial), std::move(queries));
@@ -125,7 +125,7 @@ class CanonicalBuilder {
         ask(children[side], q.arc, side == 0 || q.strips.first >= middle ? q.left : at_middle[i],
             side == 1 || q.strips.last <= middle ? q.right : at_middle[i]);
       }
-      file();
+      file(children[side]);
     }
     std::array<std::vector<Query>, 2> inside;
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -208,11 +208,11 @@ class CanonicalBuilder {
   }
 
   // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset and sense of crossing.
-  void file() {
+  void file(Strip strip) {
     if (filing_.empty()) return;
     const std::uint64_t base = append(stored_of_, list_).first;
     filing_.take(list_.size(), [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
-      CanonicalSubsets::Record record{stored_of_, rising, {}};
+      CanonicalSubsets::Record record{stored_of_, rising, strip, {}};
       record.arcs[stored_of_] = {base + first, base + last};
       record.arcs[query_of_] = append(query_of_, entries, &Filing::Entry::query);
       out_.records_.push_back(record);
@@ -243,7 +243,7 @@ class CanonicalBuilder {
 
 CanonicalPair CanonicalSubsets::operator[](std::size_t i) const {
   const Record& r = records_[i];
-  return {r.stored_of, r.rising, std::span(a_).subspan(r.arcs.a.first, r.arcs.a.last - r.arcs.a.first),
+  return {r.stored_of, r.rising, r.strip, std::span(a_).subspan(r.arcs.a.first, r.arcs.a.last - r.arcs.a.first),
           std::span(b_).subspan(r.arcs.b.first, r.arcs.b.last - r.arcs.b.first)};
 }
 

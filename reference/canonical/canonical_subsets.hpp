@@ -18,13 +18,24 @@
 
 namespace fathom::canonical {
 
+/// A range [first, last) of elementary strips: strip i lies between walls i - 1 and i, the first and the last one reach infinity.
+struct Strip {
+  std::uint32_t first, last;
+
+  [[nodiscard]] bool within(Strip s) const { return s.first <= first && last <= s.last; }
+  [[nodiscard]] bool overlaps(Strip s) const { return first < s.last && s.first < last; }
+  /// Whether an end of this range lies strictly inside s.
+  [[nodiscard]] bool ends_inside(Strip s) const { return (s.first < first && first < s.last) || (s.first < last && last < s.last); }
+};
+
 /// One (A_i, B_i), by the arcs of the chart. The arcs of colour `stored_of` are a canonical subset of a node of T_A or T_B, in height order
 /// from the lowest to the highest; the others are the queries to which the node's query returned it and that cross the stored arcs in one
-/// sense. All stored arcs span one strip, in which each query meets all of them. Queries that cross a stored arc further left come first:
+/// sense. All stored arcs span `strip`, in which each query meets all of them. Queries that cross a stored arc further left come first:
 /// the order is the same along every stored arc, so the crossings form a grid.                    [proofs/canonical_subsets.md]
 struct CanonicalPair {
   gaussian::Colour stored_of;
   bool rising;  ///< going right, the query arcs cross from below the stored ones to above them
+  Strip strip;  ///< of the node of T_A or T_B: all crossings of the pair lie in it
   std::span<const chart::ChartArcOfA> a;
   std::span<const chart::ChartArcOfB> b;
 
@@ -51,6 +62,7 @@ class CanonicalSubsets {
   struct Record {
     gaussian::Colour stored_of;
     bool rising;
+    Strip strip;
     gaussian::PerColour<Range> arcs;
   };
   std::vector<chart::ChartArcOfA> a_;
@@ -66,7 +78,8 @@ CanonicalSubsets canonical_subsets(kernels::Context& context, const chart::Chart
 std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> crossings_naive(const chart::Charts& charts);
 
 /// C1: ids are arcs of the chart, each at most once in a set. C2, C3: the pairs are exactly the crossings of the naive twin, each once.
-/// The grid: every pair crosses in the sense stated, stored arcs are in height order, queries in their order along every stored arc.
+/// The strip: all stored arcs span it, and every crossing lies in it. The grid: every pair crosses in the sense stated, stored arcs are in
+/// height order, queries in their order along every stored arc.
 /// O(m n).
 [[nodiscard]] kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& charts);
 

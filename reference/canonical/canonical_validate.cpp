@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reference/canonical/canonical_subsets.hpp"
+#include "reference/canonical/query_filing.hpp"
 #include "reference/chart/chart_predicates.hpp"
 
 namespace fathom::canonical {
@@ -49,6 +50,42 @@ void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel,
   }
 }
 
+// In the strip the query comes from one side of the stored arc and leaves on the other, unless it ends in there.
+bool crosses_inside(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
+                    const chart::ChartArc& query, Strip of_query, const chart::ChartArc& stored) {
+  const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
+  const auto above_at = [&](std::uint32_t wall) {
+    const chart::Wall& w = charts.walls[chart::WallId(wall - 1)];
+    return chart::above_on_wall(kernel, charts, of_queries, query, pair.stored_of, stored, w) == kernels::Sign::positive;
+  };
+  const bool from = pair.strip.first <= of_query.first || above_at(pair.strip.first) != pair.rising;
+  const bool to = pair.strip.last >= of_query.last || above_at(pair.strip.last) == pair.rising;
+  return from && to && of_query.overlaps(pair.strip);
+}
+
+void check_strip(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair) {
+  const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
+  const auto ids = [&](gaussian::Colour colour) {
+    std::vector<chart::ChartArcId> result;
+    const auto copy = [&](const auto& arcs) {
+      for (const auto arc : arcs) result.emplace_back(arc.value);
+    };
+    colour == gaussian::Colour::a ? copy(pair.a) : copy(pair.b);
+    return result;
+  };
+  const std::vector<chart::ChartArcId> queries = ids(of_queries);
+  const bool inside = pair.strip.first < pair.strip.last && pair.strip.last <= charts.walls.size() + 1;
+  if (!report.expect(inside, "a strip is none of the chart")) return;
+  for (const chart::ChartArcId s : ids(pair.stored_of)) {
+    report.expect(pair.strip.within(strips_of(charts, pair.stored_of, s)), "a stored arc does not span the strip");
+    for (const chart::ChartArcId q : queries) {
+      report.expect(crosses_inside(kernel, charts, pair, charts.of[of_queries].arcs[q], strips_of(charts, of_queries, q),
+                                   charts.of[pair.stored_of].arcs[s]),
+                    "a crossing is outside the strip");
+    }
+  }
+}
+
 void check_once(kernels::Report& report, const std::vector<const chart::ChartArc*>& arcs) {
   report.expect(std::set(arcs.begin(), arcs.end()).size() == arcs.size(), "C1: an edge occurs twice in a set");
 }
@@ -67,6 +104,7 @@ kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& c
     if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(), "C1: an id is not an arc of the chart")) continue;
     check_once(report, arcs.a);
     check_once(report, arcs.b);
+    check_strip(report, kernel, charts, pair);
     check_grid(report, kernel, charts, pair, arcs);
     for (const chart::ChartArc* e : arcs.a) {
       for (const chart::ChartArc* f : arcs.b) ++reported[{gaussian::EdgeOfA(e->arc.value), gaussian::EdgeOfB(f->arc.value)}];

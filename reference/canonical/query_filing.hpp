@@ -6,19 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "reference/chart/chart.hpp"
+#include "reference/canonical/canonical_subsets.hpp"
 
 namespace fathom::canonical {
-
-/// A range [first, last) of elementary strips.
-struct Strip {
-  std::uint32_t first, last;
-
-  [[nodiscard]] bool within(Strip s) const { return s.first <= first && last <= s.last; }
-  [[nodiscard]] bool overlaps(Strip s) const { return first < s.last && s.first < last; }
-  /// Whether an end of this range lies strictly inside s.
-  [[nodiscard]] bool ends_inside(Strip s) const { return (s.first < first && first < s.last) || (s.first < last && last < s.last); }
-};
 
 /// The strips over which a chart arc runs. An end at infinity lies strictly inside no strip.
 Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::ChartArcId arc);

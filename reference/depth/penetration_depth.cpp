@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PENETRATION-DEPTH, step by step. What the paper says of the sphere of directions is done in two charts, one for each hemisphere.
+// exact_stages of exact_stages.hpp is the same run, whose stages are kept.
 #include "reference/depth/penetration_depth.hpp"
 
-#include <array>
+#include <utility>
 #include <vector>
 
 #include "kernels/parallel.hpp"
-#include "reference/canonical/canonical_subsets.hpp"
-#include "reference/chart/chart.hpp"
-#include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/gaussian/gaussian_diagram.hpp"
+#include "reference/depth/exact_stages.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/lines/grid.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
@@ -20,9 +18,6 @@ namespace {
 
 constexpr std::size_t worth_a_thread = 4096;  // edges
 
-template <class T>
-using PerHemisphere = std::array<T, 2>;
-
 using Diagrams = gaussian::PerColour<gaussian::GaussianDiagram>;  // those of -A and of B
 
 /// What every step gets beside the results of the steps before it.
@@ -30,6 +25,9 @@ struct Run {
   kernels::Context& context;
   const ExactOptions& options;
   bool two_threads;
+
+  Run(kernels::Context& used, const ExactOptions& wanted, const Hulls& hulls)
+      : context(used), options(wanted), two_threads(hulls.a.edges.size() + hulls.b.edges.size() >= worth_a_thread) {}
 };
 
 template <class Work>
@@ -102,34 +100,63 @@ struct LinesOfEdges {
 
 // The facet spanned by two crossing edges is as far from O as their lines are from each other (Lemma 2.2).
 void offer_closest_lines(const Run& run, const LinesOfEdges& of_edges, const PerHemisphere<chart::Charts>& charts,
-                         const PerHemisphere<canonical::CanonicalSubsets>& subsets, kernels::NearestPlanes& nearest) {
+                         const PerHemisphere<canonical::CanonicalSubsets>& subsets, kernels::NearestPlanes& nearest,
+                         PerHemisphere<lines::SearchTrace>* traces) {
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const lines::LineScene scene(charts[i], of_edges.a, of_edges.b);
     if (run.options.validate) insist_on_grids(subsets[i], charts[i], scene);
     const double share = 0.5 * static_cast<double>(i);
-    lines::closest_lines(run.context, subsets[i], scene, nearest, {run.options.closest_lines, run.options.seed, share, share + 0.5});
+    lines::ClosestLinesOptions options{run.options.closest_lines, run.options.seed, share, share + 0.5};
+    if (traces) options.trace = &(*traces)[i];
+    lines::closest_lines(run.context, subsets[i], scene, nearest, options);
   }
+}
+
+// Fills in the stages and the answer; of bodies that do not penetrate, only the answer. If `traced`, keeps what the search does.
+void run_exact(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options, bool traced, ExactStages& stages) {
+  Depth& depth = stages.depth = {facts_of(pair), {}, Method::exact, {}};
+  if (!answer_apart(context, pair, options.validate, depth)) {
+    // O is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of the other, or it is spanned by an edge of
+    // each: steps 1 and 2 offer the planes of these two kinds.
+    const Hulls& hulls = stages.hulls = hulls_of(context, pair, options.validate, depth);
+    const Run run(context, options, hulls);
+    stages.diagrams = gaussian_diagrams(run, hulls);
+    stages.charts = make_charts(run, stages.diagrams);
+    kernels::NearestPlanes nearest;
+    offer_vertex_facet_pairs(run, hulls, stages.charts, nearest);  // step 1
+    if (traced) stages.of_facets = nearest;
+    stages.subsets = canonical_subsets(run, stages.charts);
+    offer_closest_lines(run, {hulls, pair.exponent()}, stages.charts, stages.subsets, nearest,
+                        traced ? &stages.traces : nullptr);                                                               // step 2
+    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()}, options.optima);  // step 3
+  }
+  depth.counters = context.counters;
+}
+
+// What a run over bodies that do not penetrate leaves out, but for the search; counted apart.
+void add_topology(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options, ExactStages& stages) {
+  kernels::Context own = context.worker();
+  BodyFacts uncounted;
+  stages.hulls = hulls_of(own, pair, options.validate, uncounted);
+  const Run run(own, options, stages.hulls);
+  stages.diagrams = gaussian_diagrams(run, stages.hulls);
+  stages.charts = make_charts(run, stages.diagrams);
+  stages.subsets = canonical_subsets(run, stages.charts);
 }
 
 }  // namespace
 
 Depth penetration_depth(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options) {
-  Depth depth{facts_of(pair), {}, Method::exact, {}};
-  if (!answer_apart(context, pair, options.validate, depth)) {
-    // O is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of the other, or it is spanned by an edge of
-    // each: steps 1 and 2 offer the planes of these two kinds.
-    const Hulls hulls = hulls_of(context, pair, options.validate, depth);
-    const Run run{context, options, hulls.a.edges.size() + hulls.b.edges.size() >= worth_a_thread};
-    const Diagrams diagrams = gaussian_diagrams(run, hulls);
-    const PerHemisphere<chart::Charts> charts = make_charts(run, diagrams);
-    kernels::NearestPlanes nearest;
-    offer_vertex_facet_pairs(run, hulls, charts, nearest);  // step 1
-    const PerHemisphere<canonical::CanonicalSubsets> subsets = canonical_subsets(run, charts);
-    offer_closest_lines(run, {hulls, pair.exponent()}, charts, subsets, nearest);                                         // step 2
-    depth.outcome = penetration_along(pair, {nearest.directions().begin(), nearest.directions().end()}, options.optima);  // step 3
-  }
-  depth.counters = context.counters;
-  return depth;
+  ExactStages stages;
+  run_exact(context, pair, options, false, stages);
+  return std::move(stages.depth);
+}
+
+std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options) {
+  auto stages = std::make_unique<ExactStages>();
+  run_exact(context, pair, options, true, *stages);
+  if (!stages->depth.penetration()) add_topology(context, pair, options, *stages);
+  return stages;
 }
 
 }  // namespace fathom::depth

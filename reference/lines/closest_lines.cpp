@@ -28,12 +28,18 @@ class Family {
  public:
   Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene, kernels::NearestPlanes& nearest,
          const ClosestLinesOptions& options)
-      : context_(context), subsets_(subsets), scene_(scene), search_(context, scene, nearest, options.seed), options_(options) {}
+      : context_(context),
+        subsets_(subsets),
+        scene_(scene),
+        search_(context, scene, nearest, options.seed, options.trace),
+        options_(options) {
+    if (options.trace) options.trace->pairs.resize(subsets.size());
+  }
 
   void scan_all() {
     for (std::size_t i = 0; i < subsets_.size(); ++i) {
       if (i % 1024 == 0) report(i, subsets_.size());
-      search_.scan(subsets_[i].a, subsets_[i].b);
+      scan(i);
     }
   }
 
@@ -73,13 +79,31 @@ class Family {
 
   Grid grid(std::size_t i) const { return Grid(subsets_[i], scene_); }
 
-  bool clears(std::size_t i) { return vertex_clears(grid(i), search_.nearest(), search_.bound()); }
+  bool clears(std::size_t i) {
+    const bool clear = vertex_clears(grid(i), search_.nearest(), search_.bound());
+    if (clear) note(i, Treatment::cleared, 0);
+    return clear;
+  }
+
+  void scan(std::size_t i) {
+    const canonical::CanonicalPair pair = subsets_[i];
+    search_.scan(pair.a, pair.b);
+    note(i, Treatment::scanned, pair.crossings());
+  }
+
+  // In the trace: how pair i was dealt with, and how many pairs of lines that took beside those before.
+  void note(std::size_t i, Treatment treatment, std::uint64_t evaluated) {
+    if (!options_.trace) return;
+    SearchTrace::OfPair& pair = options_.trace->pairs[i];
+    pair.treatment = treatment;
+    pair.evaluated += evaluated;
+  }
 
   // Deals with a pair that is small; tells whether it is large.
   bool start(std::size_t i) {
     const canonical::CanonicalPair pair = subsets_[i];
     if (pair.crossings() > options_.scanned) return true;
-    if (pair.crossings() <= tiny || !clears(i)) search_.scan(pair.a, pair.b);
+    if (pair.crossings() <= tiny || !clears(i)) scan(i);
     return false;
   }
 
@@ -89,6 +113,7 @@ class Family {
     const std::vector<chart::ChartArcOfA> of_a = strided(pair.a, search_.random());
     const std::vector<chart::ChartArcOfB> of_b = strided(pair.b, search_.random());
     search_.scan(of_a, of_b);
+    note(i, Treatment::cut, std::uint64_t{of_a.size()} * of_b.size());
     double least = std::numeric_limits<double>::infinity();
     for (const chart::ChartArcOfA e : of_a) {
       for (const chart::ChartArcOfB f : of_b) {
@@ -99,11 +124,14 @@ class Family {
   }
 
   void cut(std::size_t i) {
+    const std::uint64_t before = context_.counters.pairs_evaluated;
+    if (options_.trace) options_.trace->pair = i;
     if (options_.engine == ClosestLines::cutting) {
       closest_by_cutting(grid(i), search_, options_.cutting_size);
     } else {
       closest_by_sampling(grid(i), search_, options_.sampled_size);
     }
+    note(i, Treatment::cut, context_.counters.pairs_evaluated - before);
   }
 
   kernels::Context& context_;

@@ -10,6 +10,7 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/lines/engines.hpp"
 #include "reference/lines/line_scene.hpp"
+#include "reference/lines/search_trace.hpp"
 
 namespace fathom::lines {
 
@@ -23,6 +24,8 @@ struct ClosestLinesOptions {
   std::uint64_t scanned = 2048;
   CuttingSize cutting_size = {};
   SampledSize sampled_size = {};
+  /// Gets what the search does; may be null.
+  SearchTrace* trace = nullptr;
 };
 
 /// Offers the nearest planes of all canonical pairs to `nearest`, which holds one global best; what it already holds helps. Reports the

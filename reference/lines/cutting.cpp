@@ -10,6 +10,16 @@ using Node = CellNode;
 
 int level(Node k) { return std::bit_width(k); }
 
+// Notes what became of a block, if the search has a trace.
+void note(const Blocks& blocks, GridAxis side, Node cell, Node run, std::uint32_t level, GridAxis cut, Treatment treatment,
+          LineSearch& search) {
+  SearchTrace* const trace = search.trace();
+  if (!trace) return;
+  const auto [row, column] = rows_and_columns(side, cell, run);
+  trace->blocks.push_back(
+      {trace->pair, level, cut, blocks.tree(GridAxis::rows).run(row), blocks.tree(GridAxis::columns).run(column), treatment});
+}
+
 // One cutting in the making.
 class Cutter {
  public:
@@ -60,7 +70,10 @@ class Cutter {
     while (!pending.empty()) {
       const Node run = pending.back();
       pending.pop_back();
-      if (blocks_.clears(side_, cell, run, search_)) continue;
+      if (blocks_.clears(side_, cell, run, search_)) {
+        note_cleared(cell, run);
+        continue;
+      }
       if (level(run) < level(cell) && opposite().size(run) > size_.few && !blocks_.exhausted(search_)) {
         pending.push_back(2 * run + 1);
         pending.push_back(2 * run);
@@ -69,6 +82,10 @@ class Cutter {
       }
     }
     return kept;
+  }
+
+  void note_cleared(Node cell, Node run) {
+    if (search_.trace()) note(blocks_, side_, cell, run, search_.trace()->level + 1, side_, Treatment::cleared, search_);
   }
 
   double nearest_estimate(Node cell, const std::vector<Node>& list) {
@@ -90,11 +107,11 @@ class Engine {
  public:
   Engine(const Grid& grid, LineSearch& search, const CuttingSize& size) : blocks_(grid, size.allowance), search_(search), size_(size) {}
 
-  void run() { solve(GridAxis::rows, CellTree::root, {CellTree::root}); }
+  void run() { solve(GridAxis::rows, CellTree::root, {CellTree::root}, 0); }
 
  private:
   // Recursion as deep as both trees.
-  void solve(GridAxis side, Node cell, const std::vector<Node>& list) {
+  void solve(GridAxis side, Node cell, const std::vector<Node>& list, std::uint32_t level) {
     std::uint64_t lines = 0, longest = blocks_.tree(side).size(cell);
     const std::uint64_t across = longest;
     for (const Node run : list) {
@@ -103,9 +120,14 @@ class Engine {
       longest = std::max(longest, along);
     }
     if (across * lines <= size_.base || longest <= size_.few || blocks_.exhausted(search_)) {
-      for (const Node run : list) scan(side, cell, run);
+      for (const Node run : list) {
+        note(blocks_, side, cell, run, level, cut_before(side, level), Treatment::scanned, search_);
+        scan(side, cell, run);
+      }
       return;
     }
+    for (const Node run : list) note(blocks_, side, cell, run, level, cut_before(side, level), Treatment::cut, search_);
+    if (search_.trace()) search_.trace()->level = level;
     std::vector<Cell> cells = cut(blocks_, side, cell, list, size_, search_);
     // The nearest cell comes first; the order of the others is random, so that improvements of the best are few.
     if (cells.size() > 2) std::shuffle(cells.begin() + 1, cells.end(), search_.random());
@@ -113,11 +135,17 @@ class Engine {
     for (const Cell& part : cells) {
       for (const Node run : part.conflicts) {
         // Can it still beat the best?
-        if (search_.improvements() != known && blocks_.clears(side, part.cell, run, search_)) continue;
-        solve(other(side), run, {part.cell});
+        if (search_.improvements() != known && blocks_.clears(side, part.cell, run, search_)) {
+          note(blocks_, side, part.cell, run, level + 1, side, Treatment::cleared, search_);
+          continue;
+        }
+        solve(other(side), run, {part.cell}, level + 1);
       }
     }
   }
+
+  // The cut that led to blocks which are now to be cut along `side`.
+  static GridAxis cut_before(GridAxis side, std::uint32_t level) { return level == 0 ? GridAxis::rows : other(side); }
 
   void scan(GridAxis side, Node cell, Node run) {
     const auto [row, column] = rows_and_columns(side, cell, run);

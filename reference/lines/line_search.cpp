@@ -12,8 +12,9 @@ constexpr std::uint64_t few_farther = 64;
 
 }  // namespace
 
-LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed)
-    : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed) {
+LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed,
+                       SearchTrace* trace)
+    : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed), trace_(trace) {
   counters().seed = seed;
   tighten();
 }
@@ -61,6 +62,7 @@ void LineSearch::offer(chart::ChartArcOfA e, chart::ChartArcOfB f) {
   // A tie comes as one more direction; only a nearer plane leaves a single one.
   if (nearest_.directions().size() == 1) {
     ++improvements_;
+    if (trace_) trace_->nearest = {e, f};
     tighten();
   }
 }

@@ -7,13 +7,15 @@
 
 #include "kernels/context.hpp"
 #include "reference/lines/clearing.hpp"
+#include "reference/lines/search_trace.hpp"
 
 namespace fathom::lines {
 
-/// One for each hemisphere. `nearest` holds the best so far of all.
+/// One for each hemisphere. `nearest` holds the best so far of all. A trace, which may be null, is written and never read.
 class LineSearch {
  public:
-  LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed);
+  LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed,
+             SearchTrace* trace = nullptr);
 
   /// All pairs of two sets of arcs.
   void scan(std::span<const chart::ChartArcOfA> of_a, std::span<const chart::ChartArcOfB> of_b);
@@ -32,6 +34,7 @@ class LineSearch {
   /// How often the best has become nearer.
   [[nodiscard]] std::uint64_t improvements() const { return improvements_; }
   [[nodiscard]] std::mt19937_64& random() { return random_; }
+  [[nodiscard]] SearchTrace* trace() const { return trace_; }
 
   /// Notes a piece of work. From time to time it throws Interrupted if the search is to stop.
   void work(std::uint64_t amount);
@@ -52,6 +55,7 @@ class LineSearch {
   std::mt19937_64 random_;
   std::uint64_t improvements_ = 0;
   std::uint64_t since_check_ = 0;
+  SearchTrace* trace_;
 };
 
 }  // namespace fathom::lines

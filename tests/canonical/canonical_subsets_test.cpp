@@ -19,7 +19,7 @@ using testing::prepare;
 using testing::Prepared;
 using testing::text;
 
-static_assert(!std::is_constructible_v<CanonicalPair, gaussian::Colour, bool, std::span<const chart::ChartArcOfB>,
+static_assert(!std::is_constructible_v<CanonicalPair, gaussian::Colour, bool, Strip, std::span<const chart::ChartArcOfB>,
                                        std::span<const chart::ChartArcOfA>>,
               "the arcs of A and of B exchanged");
 

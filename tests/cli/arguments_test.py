@@ -6,7 +6,7 @@ from harness import DATA, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json", "--help")
-COMMANDS = "depth, width, approx, ray, metric, study, cases, certify, check, golden, help, man, completion"
+COMMANDS = "depth, width, approx, ray, metric, study, stages, cases, certify, check, golden, help, man, completion"
 
 
 class Help(CliTest):
@@ -15,7 +15,7 @@ class Help(CliTest):
             out = self.answer(*arguments)
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
             out = " ".join(out.split())
-            for word in ("depth", "width", "approx", "ray", "metric", "study", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
+            for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
                          "130 interrupted"):
                 self.assertIn(word, out)
         for command in ("depth", "width"):
@@ -75,10 +75,6 @@ class Misuse(CliTest):
                             (["sphere:r=1", A], f"depth sphere:r=1 {A}"), (["a b.obj", "it's.off"], "depth 'a b.obj' 'it'\\''s.off'")):
             self.assertIn(f"; did you mean: fathom {line}\n", self.refused(*words))
         self.assertIn("expected a command, found the input", self.refused(A, B))
-
-    def test_what_comes_later_is_refused_by_name(self):
-        for command in ("explain",):
-            self.assertIn(f"the command '{command}' is not part of this version", self.refused(command, A, B))
 
     def test_no_value_is_no_value(self):
         """Neither the next word, nor as if the option were not there."""

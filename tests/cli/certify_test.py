@@ -275,6 +275,15 @@ class Runs(CertifyTest):
         self.assertIn("libccd-epa", names)
         self.refused("certify", "--adapter", "libccd", DATA / "real_cases.jsonl")
 
+    def test_adapter_without_its_packages(self):
+        """A copy of the program has nothing beside it."""
+        shutil.copy(EXECUTABLE, self.folder / "fathom")
+        for adapter, why in (("jolt", "verify/subjects/web"), ("libccd-epa", "Debian package")):
+            done = subprocess.run([self.folder / "fathom", "certify", "--adapter", adapter, "-"], input="", capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"--adapter: {'web-subjects/jolt.mjs' if adapter == 'jolt' else 'fathom-subject-libccd'} is not beside", done.stderr)
+            self.assertIn(why, " ".join(done.stderr.split()))
+
     def test_output_that_cannot_be_written(self):
         for option in ("--report", "--junit", "--html", "--write-expect-fail"):
             err = self.refused("certify", option, "/nowhere/file", "--subject", liar("honest"), "-", stdin=boxes(0))

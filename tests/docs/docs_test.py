@@ -83,8 +83,8 @@ class Scratch:
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
         path = pathlib.Path(self.folder.name)
-        for copied in ("examples", "include", "tests/data", "verify"):  # what commands read
-            shutil.copytree(ROOT / copied, path / copied)
+        for copied in ("docs/gallery", "examples", "include", "tests/data", "verify"):  # what commands read
+            shutil.copytree(ROOT / copied, path / copied, ignore=shutil.ignore_patterns("*.png"))
         (path / "fathom").symlink_to(EXECUTABLE)
         (path / "build").mkdir()
         (path / "build" / "release").symlink_to(EXECUTABLE.parent)

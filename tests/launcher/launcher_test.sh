@@ -79,7 +79,8 @@ CMAKE
 program one >"$tree/cli/main.cpp"
 program small >"$tree/kernels/depth.cpp"
 packages() {
-  printf '# comment\n[depth]\nbash\n%s\n[build]\nbash\n%s\n[test]\n%s\n[subjects]\n%s\n[python]\n%s\n' "$@" >"$tree/cmake/packages.txt"
+  printf '# comment\n[depth]\nbash\n%s\n[build]\nbash\n%s\n[test]\n%s\n[subjects]\n%s\n[python]\n%s\n' "${@:1:5}" >"$tree/cmake/packages.txt"
+  printf '[browser]\nbash\n' >>"$tree/cmake/packages.txt"
 }
 packages no-such-package no-such-build-package no-such-test-package bash no-such-python-package
 
@@ -95,6 +96,12 @@ expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom" depth
 expect_talk 'apt-get install -y --no-install-recommends no-such-package'
 [[ $talk != *build-package* ]] || broken 'depth asks for packages that it does not need'
 [[ ! -e $tree/build ]] || broken 'something was built'
+
+law='a package is not asked for where its command is there, and by its own name where it is not'
+packages bash bash bash bash bash
+printf '%s\n' 'no-such-shell unless bash' 'no-such-node  unless  no-such-command' '# no-such-comment' >>"$tree/cmake/packages.txt"
+expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/check"
+[[ $talk == *'apt-get install -y --no-install-recommends no-such-node' ]] || broken 'other packages than no-such-node'
 
 law='the first answer of depth builds, without the packages of the rest, what depth needs, says so, and says where the log is'
 packages bash no-such-build-package no-such-test-package bash

@@ -30,10 +30,12 @@ class Hung(Exception):
 
 
 class Client:
-    """with Client("libccd", "epa") as subject: subject.hello; subject.ask(a, b)"""
+    """with Client("libccd", "epa") as subject: subject.hello; subject.ask(a, b). An adapter for node has a name that ends with .mjs."""
 
     def __init__(self, program, *arguments):
-        self.process = subprocess.Popen([FOLDER / f"fathom-subject-{program}", *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        script = program.endswith(".mjs")
+        command = ["node", FOLDER / "web-subjects" / program] if script else [FOLDER / f"fathom-subject-{program}"]
+        self.process = subprocess.Popen([*command, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
         self.lines, self.talk, self.asked = queue.Queue(), [], 0
         self.readers = [threading.Thread(target=self.read, args=(self.process.stdout, self.lines.put)),

@@ -57,24 +57,6 @@ svg.pair .heading,svg.pair .answer{font-size:14px;font-weight:600}
 svg.pair .caption{font-size:13px}
 )";
 
-/// The rules with their colours as custom properties; `plain`: each after the light colour, which stays where var() is unknown.
-std::string with_colours(std::string_view text, bool plain) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '@') {
-      result += text[i];
-      continue;
-    }
-    const std::size_t end = text.find_first_of(";}", i);
-    const std::string_view name = text.substr(i + 1, end - i - 1);
-    const std::string property = result.substr(result.find_last_of("{;") + 1);
-    if (plain) result += fmt::format("{};{}", light_colour(name), property);
-    result += fmt::format("var(--{})", name);
-    i = end - 1;
-  }
-  return result;
-}
-
 std::string properties(std::string_view Colour::*shade) {
   std::string result;
   for (const Colour& colour : colours) result += fmt::format("--{}:{};", colour.name, colour.*shade);
@@ -96,8 +78,25 @@ std::string_view light_colour(std::string_view name) {
   return found->light;
 }
 
-std::string picture_style() { return with_colours(rules, false); }
+std::string coloured(std::string_view rules, bool plain) {
+  std::string result;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (rules[i] != '@') {
+      result += rules[i];
+      continue;
+    }
+    const std::size_t end = rules.find_first_of(";}", i);
+    const std::string_view name = rules.substr(i + 1, end - i - 1);
+    const std::string property = result.substr(result.find_last_of("{;") + 1);
+    if (plain) result += fmt::format("{};{}", light_colour(name), property);
+    result += fmt::format("var(--{})", name);
+    i = end - 1;
+  }
+  return result;
+}
 
-std::string document_style() { return colour_style() + with_colours(rules, true); }
+std::string picture_style() { return coloured(rules, false); }
+
+std::string document_style() { return colour_style() + coloured(rules, true); }
 
 }  // namespace fathom::picture

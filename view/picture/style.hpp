@@ -16,6 +16,10 @@ std::string colour_style();
 /// The colour that a property has in light pages: light_colour("a") is that of --a. Throws std::out_of_range for other names.
 std::string_view light_colour(std::string_view name);
 
+/// The rules, in which "@name" stands for a colour of that name, with custom properties in their place; `plain`: each after the light colour,
+/// which stays where var() is unknown.
+std::string coloured(std::string_view rules, bool plain);
+
 /// The rules for what scene_panels and scene_document make, by the colours of colour_style.
 std::string picture_style();
 

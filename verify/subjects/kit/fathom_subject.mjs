@@ -67,6 +67,7 @@ function replyOf(answer) {
   if (isGiven(answer.depth)) reply.depth = number(answer.depth);
   if (isGiven(answer.direction)) reply.direction = vector(answer.direction);
   if (isGiven(answer.witness)) reply.witness = { a: vector(answer.witness.a), b: vector(answer.witness.b) };
+  if (isGiven(answer.microseconds)) reply.microseconds = Number(answer.microseconds);
   return reply;
 }
 
@@ -76,7 +77,7 @@ async function answerTo(solve, message) {
   try {
     const answer = await solve(a, b);
     const microseconds = Number(process.hrtime.bigint() - start) / 1000;
-    return { ...replyOf(answer), microseconds };
+    return { microseconds, ...replyOf(answer) };
   } catch (why) {
     if (why instanceof Unsupported) return { unsupported: why.message };
     return { failed: String(why) };
@@ -103,7 +104,8 @@ function divertPrints() {
 
 /**
  * Answers cases until there are no more. solve(a, b) returns, now or by a promise, { overlap, depth, direction, witness: { a, b } }; all but
- * `overlap` may be left out, and what is there is judged. What the subject declares:
+ * `overlap` may be left out, and what is there is judged. `microseconds` says how long the answer took, where solve measured a part of its
+ * time itself. What the subject declares:
  *
  * name, version   of what is tested
  * precision       'binary64' or 'binary32': in which it computes. Bodies are rounded to it before they are sent

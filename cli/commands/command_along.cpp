@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom depth A B --along X,Y,Z --steps N | CASES.jsonl --case ID --along X,Y,Z
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "cli/commands/command.hpp"
+#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/replies.hpp"
+#include "cli/io/certificate_file.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/output/along_output.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
+
+namespace fathom::cli {
+namespace {
+
+/// Answers for A at each place of the path.
+class Walk {
+ public:
+  Walk(const Case& pair, Request request, Monitor& monitor) : pair_(pair), request_(std::move(request)), monitor_(monitor) {
+    request_.optima = 1;  // ties are not shown
+    if (!has_shape(pair)) return;
+    a_ = files::shape_of(pair.a);
+    b_ = files::shape_of(pair.b);
+    require_depth(pair.id, *a_, *b_);
+  }
+
+  AlongStep at(std::uint32_t number) {
+    const mpq_class share = quotient(number, request_.along.steps);
+    const Point& t = *request_.along.translation;
+    const files::GivenPose pose{.place = {mpq_class(share * t.x), mpq_class(share * t.y), mpq_class(share * t.z)}};
+    if (a_)
+      return along_step(number, share,
+                        signed_depth(moved(*a_, files::exact_pose(pose)), *b_, shape_options_of(request_, monitor_, workspace_)));
+    Body a = pair_.a;
+    files::place(a, pose);
+    return along_step(number, share, penetration_depth(a, pair_.b, options_of(request_, monitor_, workspace_)));
+  }
+
+ private:
+  static mpq_class quotient(std::uint32_t number, std::uint32_t of) {
+    mpq_class result(number, of);
+    result.canonicalize();
+    return result;
+  }
+
+  const Case& pair_;
+  Request request_;
+  Monitor& monitor_;
+  std::optional<Shape> a_, b_;  // unless both are polytopes
+  Workspace workspace_;
+};
+
+/// Prints rows as soon as they are known; JSON, which is one object, in the end.
+void print_row(const Path& path, const AlongStep& step, const Request& request) {
+  if (request.csv) print(along_csv_row(step));
+  else if (!request.json) print(along_text_row(path, step));
+}
+
+}  // namespace
+
+ExitCode run_along(const Request& request) {
+  std::unique_ptr<CertificateFile> picture;
+  if (!request.svg.empty()) picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
+  const Case pair = asked_case(request);
+  const Working working;
+  Progress progress("steps");
+  const AskedCase asked(pair, false);
+  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
+    throw InputError(pair.id, 0, fault);
+  const Path path{pair.id, *request.along.translation, request.along.steps};
+  Walk walk(pair, request, progress);
+  std::vector<AlongStep> steps;
+  if (!request.json) print(request.csv ? along_csv_header() : along_text_header(path));
+  for (std::uint32_t i = 0; i <= path.steps; ++i) {
+    steps.push_back(walk.at(i));
+    progress.answered();
+    print_row(path, steps.back(), request);
+    progress.count({i + 1, std::size_t{path.steps} + 1});
+  }
+  progress.clear();
+  if (request.json) print(along_json(path, steps));
+  if (picture) picture->write(along_svg(path, steps));
+  if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty()) talk(dents);
+  return fine;
+}
+
+}  // namespace fathom::cli

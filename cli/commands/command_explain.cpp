@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
+#include "cli/commands/cases_json.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/exact_replies.hpp"
+#include "cli/io/certificate_file.hpp"
+#include "cli/io/interrupt.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/files/body_json.hpp"
+#include "reference/files/shape_names.hpp"
+#include "view/page/page.hpp"
+#include "view/picture/scene_picture.hpp"
+#include "view/stages/stages.hpp"
+
+namespace fathom::cli {
+namespace {
+
+/// What `fathom depth --json` prints about the case.
+std::string depth_json(const AskedCase& asked, const Request& request, Monitor& monitor) {
+  Request of_depth = request;
+  of_depth.command = Command::depth;
+  of_depth.json = true;
+  Workspace workspace;
+  return exact_replies(of_depth).reply(asked, monitor, workspace).text;
+}
+
+std::vector<std::string> notes_on(const AboutBodies& bodies) {
+  std::vector<std::string> notes;
+  if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
+  if (const std::optional<std::string> sizes = shapes::sizes_note(bodies.sizes)) notes.push_back(*sizes);
+  return notes;
+}
+
+/// The bodies, seen across the way out.
+std::string picture_of(const Case& single, Monitor& monitor) {
+  constexpr const char *name = "still", *label = "A and B, and the way out of A";
+  if (!has_shape(single)) {
+    const Depth depth = penetration_depth(single.a, single.b, {.monitor = &monitor});
+    return picture::scene_panels(picture::scene_of(picture::Pair{single.a.points, single.b.points, depth}), name, label);
+  }
+  const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
+  SignedDepthOptions options;
+  options.cores.monitor = &monitor;
+  return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b, options)), name, label);
+}
+
+std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
+  const AskedCase asked(single, false);
+  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
+    throw InputError(single.id, 0, fault);
+  const std::string depth = depth_json(asked, request, monitor);
+  stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
+  stages.id = single.id;
+  const std::string pair = case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), picture_of(single, monitor)});
+}
+
+}  // namespace
+
+ExitCode run_explain(const Request& request) {
+  CertificateFile file(request.page, "page");  // an unwritable path fails early
+  const Case single = asked_case(request);
+  std::string page;
+  {
+    const Working working;
+    Progress progress;
+    page = page_of(single, request, progress);
+  }
+  file.write(page);
+  return fine;
+}
+
+}  // namespace fathom::cli

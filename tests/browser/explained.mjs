@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages of `fathom explain` for the tests, each with the data that it was made of.
+import { cases, fathom, made } from './lib.mjs';
+
+const known = new Map();
+
+/** The page of a case, a line of JSON: {page, depth, stages, id}. Made once. */
+export function explained(line, words = []) {
+  const { id } = JSON.parse(line);
+  if (!known.has(id)) {
+    const file = made(`${id.replace(/\W+/g, '_')}.jsonl`, `${line}\n`);
+    const page = file.replace(/\.jsonl$/, '.html');
+    fathom(['explain', file, '-o', page, ...words]);
+    const answer = (command) => JSON.parse(fathom([command, file, '--json', ...(command === 'depth' ? ['--method', 'exact'] : [])]));
+    known.set(id, { id, page, depth: answer('depth'), stages: answer('stages') });
+  }
+  return known.get(id);
+}
+
+/** A case of a family: `drawn('random_ball', 20)`. */
+export const drawn = (family, size, seed = 1) =>
+  fathom(['cases', '--family', family, '--size', `${size}`, '--count', '1', '--seed', `${seed}`]).trim();
+
+/** A case of two mesh files. */
+export const meshes = (id, a, b) => JSON.stringify({ ...JSON.parse(fathom(['cases', '--from', a, b])), id });
+
+/** The case of a file by its id. */
+export const stored = (file, id) => JSON.stringify(cases(file).find((each) => each.id === id));

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The adapters of one engine for the web, FATHOM_SUBJECT, in its modes: hello, pairs with known answers that prove the conventions, shapes,
+wrong command lines, and the verdicts on the real cases, which the table of verify/subjects/web/README.md tells. Skipped where node, npm or
+the network is absent."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from itertools import islice
+
+import shapes_test as shapes
+from client import HELLO, ROOT, Client
+from subject_test import APART, CUBE, PENETRATING, TRIANGLE, dot
+
+ENGINE = os.environ["FATHOM_SUBJECT"]
+WEB = ROOT / "verify" / "subjects" / "web"
+README = WEB / "README.md"
+SKIPPED = 77
+OFFLINE = re.compile("ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENETUNREACH|EHOSTUNREACH|ERR_SOCKET_TIMEOUT|network")
+MODES = {"jolt": ["radius0", "radius"], "rapier": ["contact", "world"], "physx": ["gjk", "sweep", "scene"], "havok": ["proximity"],
+         "mujoco": ["native", "single", "libccd", "distance"], "cannon": ["sat", "contact"]}[ENGINE]
+PRECISION = {"cannon": "binary64"}.get(ENGINE, "binary32")
+ROUND = ["sphere", "box", "capsule"]
+NAMES = {"jolt": [*ROUND, "cylinder", "frustum", "cone", "tapered_capsule"], "rapier": [*ROUND, "cylinder", "cone", "margin"],
+         "physx": [*ROUND, "cylinder", "cone", "ellipsoid", "margin"], "havok": [*ROUND, "cylinder"],
+         "mujoco": [*ROUND, "cylinder", "ellipsoid"], "cannon": ["box"], "physx-sweep": ROUND}
+# How far from the exact depth of a simple pair a mode may be; where it rounds its hulls, how much it takes off.
+TOLERANCES = {"jolt-radius": 0.05, "havok-proximity": 2e-2, "rapier-world": 5e-3}
+# Which share of the simple pairs of shapes a mode must know the depth of, to a quarter. What is below 1 was measured, and is rounded down.
+SHARES = {"rapier-contact": 0.98, "rapier-world": 0.98}
+# A step's contact report is a manifold and no minimum translation: it misses the way out across two edges.
+NO_EDGES = ["physx-scene"]
+EVERY = 3  # of the pairs of shapes, so that the test ends soon; both orders and all bodies are among them
+MODULE = pathlib.Path(__file__).name
+
+
+def install():
+    """The engines' packages beside their adapters, or the reason why they cannot be there."""
+    node, npm = shutil.which("node") or shutil.which("nodejs"), shutil.which("npm")
+    if not node or not npm:
+        return "node 18 or later and npm are not here"
+    folder = pathlib.Path(os.environ["FATHOM_SUBJECTS"])
+    lock = os.open(folder / "web-subjects.lock", os.O_CREAT | os.O_WRONLY)
+    os.lockf(lock, os.F_LOCK, 0)  # the tests of several engines start at once
+    try:
+        done = subprocess.run(["cmake", f"-DFROM={WEB.parent}", f"-DTO={folder / 'web-subjects'}", f"-DNODE={node}", f"-DNPM={npm}", "-P",
+                               WEB / "install.cmake"], capture_output=True, text=True, check=False)
+    finally:
+        os.close(lock)
+    if done.returncode == 0:
+        return None
+    if OFFLINE.search(done.stderr):
+        return done.stderr
+    sys.exit(done.stderr)
+
+
+def subject(mode, *settings):
+    return Client(f"{ENGINE}.mjs", mode, *settings)
+
+
+class Web(unittest.TestCase):
+    maxDiff = None
+
+    def each_mode(self):
+        for mode in MODES:
+            with self.subTest(mode=mode), subject(mode) as client:
+                yield mode, client
+
+    @staticmethod
+    def declared(mode):
+        return NAMES.get(f"{ENGINE}-{mode}", NAMES[ENGINE])
+
+    def check(self, hello, a, b, depth, reply, tolerance):
+        """The depth is right, and A is behind a plane across the direction once it has moved as the conventions say."""
+        self.assertEqual(reply.get("overlap"), True, reply)
+        sign = -1 if hello["conventions"]["depth"] == "negative" else 1
+        self.assertAlmostEqual(sign * reply["depth"], depth, delta=tolerance)
+        self.assertGreaterEqual(reply["microseconds"], 0)
+        moves = {"a": 1, "b": -1}[hello["conventions"]["moves"]]
+        ways = []
+        if "direction" in reply:
+            length = dot(reply["direction"], reply["direction"])**0.5
+            if hello["conventions"]["unit"]:
+                self.assertAlmostEqual(length, 1, delta=1e-5)
+            ways.append([moves * x / length for x in reply["direction"]])
+        if "witness" in reply:
+            way = [y - x for x, y in zip(reply["witness"]["a"], reply["witness"]["b"])]
+            length = dot(way, way)**0.5
+            self.assertAlmostEqual(length, depth, delta=tolerance)
+            ways.append([x / length for x in way])
+        self.assertTrue(ways)
+        for way in ways:
+            lowest, highest = min(dot(way, v) for v in a) + depth, max(dot(way, v) for v in b)
+            self.assertAlmostEqual(lowest, highest, delta=20 * tolerance)
+
+    def test_hello(self):
+        for mode, client in self.each_mode():
+            hello = client.hello
+            self.assertEqual({key: hello[key] for key in HELLO}, HELLO)
+            self.assertEqual(hello["name"], f"{ENGINE}-{mode}")
+            self.assertEqual(hello["precision"], PRECISION)
+            self.assertRegex(hello["version"], r"\d\.\d")
+            self.assertEqual(sorted(hello["capabilities"]["shapes"]), sorted(self.declared(mode)))
+            self.assertIs(hello["capabilities"]["faces"], True)
+            self.assertEqual({str}, {type(text) for text in hello["settings"].values()})
+            self.assertTrue(hello["settings"]["call"])
+
+    def test_penetrating(self):
+        for mode, client in self.each_mode():
+            tolerance = TOLERANCES.get(f"{ENGINE}-{mode}", 1e-4)
+            for name, a, b, depth in PENETRATING[:-1] if f"{ENGINE}-{mode}" in NO_EDGES else PENETRATING:
+                for one, two in ((a, b), (b, a)):
+                    with self.subTest(name, swapped=one is b):
+                        self.check(client.hello, one, two, depth, client.ask(one, two), tolerance)
+
+    def test_apart(self):
+        for _, client in self.each_mode():
+            for name, a, b in APART:
+                with self.subTest(name):
+                    self.assertEqual(client.ask(a, b)["overlap"], False)
+                    self.assertEqual(client.ask(b, a)["overlap"], False)
+
+    def test_flat_bodies(self):
+        """What an engine makes of a flat body is its own; it declines or answers, and answers the next pair all the same."""
+        for mode, client in self.each_mode():
+            for a, b in ((TRIANGLE, CUBE), (CUBE, TRIANGLE)):
+                reply = client.ask(a, b)
+                self.assertTrue("overlap" in reply or "flat" in reply.get("unsupported", ""), reply)
+                name, one, two, depth = PENETRATING[0]
+                with self.subTest(name):
+                    self.check(client.hello, one, two, depth, client.ask(one, two), TOLERANCES.get(f"{ENGINE}-{mode}", 1e-4))
+
+    def test_repeated(self):
+        """The pairs before do not change an answer."""
+        for _, client in self.each_mode():
+            questions = [(a, b) for _, a, b, *_ in PENETRATING + APART]
+            first = [client.ask(a, b) for a, b in questions]
+            again = [client.ask(a, b) for a, b in reversed(questions)]
+            for one, two in zip(first, reversed(again)):
+                self.assertEqual(*({k: v for k, v in reply.items() if k not in ("id", "microseconds")} for reply in (one, two)))
+
+    def test_shapes(self):
+        for mode, client in self.each_mode():
+            names, right, asked = self.declared(mode), 0, 0
+            for a, b, away, _ in islice(shapes.pairs(names, shapes.DEPTH), 0, None, EVERY):
+                reply, asked = client.ask(a, b), asked + 1
+                right += self.knows(client.hello, reply, away)
+            self.assertGreater(asked, 0)
+            self.assertGreaterEqual(right, SHARES.get(f"{ENGINE}-{mode}", 1) * asked, f"{right} of {asked}")
+            for a, b, _, _ in islice(shapes.pairs(names, -shapes.DEPTH), 0, None, EVERY):
+                with self.subTest(a=a, b=b):
+                    self.assertIs(client.ask(a, b).get("overlap"), False)
+
+    @staticmethod
+    def knows(hello, reply, away):
+        if reply.get("overlap") is not True:
+            return False
+        sign, moves = -1 if hello["conventions"]["depth"] == "negative" else 1, {"a": -1, "b": 1}[hello["conventions"]["moves"]]
+        near = abs(sign * reply["depth"] - shapes.DEPTH) < shapes.DEPTH / 4
+        if "direction" not in reply:
+            way = [x - y for x, y in zip(reply["witness"]["a"], reply["witness"]["b"])]
+            return near and dot(way, away) > 0.8 * shapes.DEPTH
+        return near and moves * dot(reply["direction"], away) > 0.8 * dot(reply["direction"], reply["direction"])**0.5
+
+    def test_margin(self):
+        brick, slab = shapes.BRICK, shapes.posed(shape="box", half=[8, 8, 4], translation=[0, 0, 4])
+        for mode, client in self.each_mode():
+            low = {**shapes.moved(brick, [0, 0, -0.5 - 1.5]), "margin": 0.5 + shapes.DEPTH}
+            if "margin" in self.declared(mode):
+                self.assertTrue(self.knows(client.hello, client.ask(low, slab), [0, 0, 1]))
+                self.assertIs(client.ask({**low, "margin": 0.5 - shapes.DEPTH}, slab)["overlap"], False)
+            else:
+                self.assertIn("margin", client.ask(low, slab)["unsupported"])
+
+    def test_declined(self):
+        turned = {**shapes.BRICK, "pose": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]}
+        mirrored = {**shapes.BRICK, "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]]}
+        for mode, client in self.each_mode():
+            for word, body in (("sum", shapes.posed(shape="sum", terms=[])), ("rotation", turned), ("rotation", mirrored)):
+                self.assertIn(word, client.ask(body, shapes.BRICK)["unsupported"])
+            for shape in (shapes.HAT, shapes.EGG, shapes.CAP):
+                self.assertEqual("unsupported" in client.ask(shapes.BRICK, shape), shape["shape"] not in self.declared(mode))
+
+    def test_wrong_command_lines(self):
+        for words in ([], ["all"], [MODES[0], "speed=1"], [MODES[0], "margin"], [MODES[0], "=1"], [MODES[0], "a=1", "a=1"]):
+            client = Client(f"{ENGINE}.mjs", *words)
+            code, talk = client.wait()
+            self.assertEqual((code, client.line()), (2, ""), talk)
+            self.assertIn(f"{ENGINE}: ", talk)
+
+    def test_real_cases(self):
+        """The passes of the table, from what users run; it is exact, as WebAssembly answers alike on every machine."""
+        for mode in MODES:
+            name = ENGINE if mode in ("radius0", "proximity") else f"{ENGINE}-{mode}"
+            with self.subTest(adapter=name):
+                row = re.search(rf"^\| {name} \|.*$", README.read_text(encoding="utf-8"), re.MULTILINE)
+                told = int(row.group().strip("| ").split("|")[-1])
+                done = subprocess.run([os.environ["FATHOM_EXECUTABLE"], "certify", "--adapter", name, "--json",
+                                       ROOT / "tests" / "data" / "real_cases.jsonl"], capture_output=True, text=True, check=False)
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                lines = [json.loads(line) for line in done.stdout.splitlines()]
+                cases = [line for line in lines if "verdict" in line and "unattributed" not in line]
+                self.assertEqual(len(cases), 63)
+                self.assertEqual(sum(line["verdict"] == "pass" for line in cases), told)
+
+
+if __name__ == "__main__":
+    missing = install()
+    if missing:
+        print(f"{MODULE}: skipped: {missing}", file=sys.stderr)
+        sys.exit(SKIPPED)
+    unittest.main()

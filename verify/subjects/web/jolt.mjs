@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Jolt Physics: TransformedShape.CollideShape, which NarrowPhaseQuery and the simulation call for one pair.
+//   radius0   convex radius 0, so that the hull is the one that was asked for
+//   radius    convex radius 0.05, which the C++ library has by default: hulls are shrunk and rounded by it where they can be
+import Jolt from 'jolt-physics/wasm-compat';
+import { mode, quiet, Refused, serve, setting, turnFrom, versionOf } from './engine.mjs';
+
+const J = await Jolt(quiet);
+const radius = setting('max_convex_radius', mode === 'radius' ? 0.05 : 0);
+const hullTolerance = setting('hull_tolerance', 1e-3);
+const maxErrorOfRadius = setting('max_error_convex_radius', 0.05);
+const query = new J.CollideShapeSettings();
+query.mPenetrationTolerance = setting('penetration_tolerance', 1e-4);
+query.mCollisionTolerance = setting('collision_tolerance', 1e-4);
+query.mMaxSeparationDistance = setting('max_separation_distance', 0);
+
+registerShapes();
+const plain = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+const one = new J.Vec3(1, 1, 1), zero = new J.RVec3(0, 0, 0), filter = new J.ShapeFilter();
+
+// Shapes enter the collision dispatch only when a JoltInterface is made.
+function registerShapes() {
+  const layers = new J.JoltSettings();
+  const pairs = new J.ObjectLayerPairFilterTable(1), phases = new J.BroadPhaseLayerInterfaceTable(1, 1);
+  phases.MapObjectToBroadPhaseLayer(0, new J.BroadPhaseLayer(0));
+  layers.mObjectLayerPairFilter = pairs;
+  layers.mBroadPhaseLayerInterface = phases;
+  layers.mObjectVsBroadPhaseLayerFilter = new J.ObjectVsBroadPhaseLayerFilterTable(phases, 1, pairs, 1);
+  return new J.JoltInterface(layers);
+}
+
+function hull(points) {
+  const settings = new J.ConvexHullShapeSettings(), p = new J.Vec3();
+  settings.mMaxConvexRadius = radius;
+  settings.mMaxErrorConvexRadius = maxErrorOfRadius;
+  settings.mHullTolerance = hullTolerance;
+  for (const v of points) {
+    p.Set(...v);
+    settings.mPoints.push_back(p);
+  }
+  J.destroy(p);
+  return settings;
+}
+
+function primitive({ shape, radius: r, half_length: h, half, radius_low: low, radius_high: high }) {
+  switch (shape) {
+    case 'sphere': return new J.SphereShapeSettings(r);
+    case 'box': return new J.BoxShapeSettings(new J.Vec3(...half), Math.min(radius, ...half));
+    case 'capsule': return new J.CapsuleShapeSettings(h, r);
+    case 'cylinder': return new J.CylinderShapeSettings(h, r, Math.min(radius, h, r));
+    case 'frustum': return new J.TaperedCylinderShapeSettings(h, high, low, Math.min(radius, high, low));
+    case 'cone': return new J.TaperedCylinderShapeSettings(h, 0, r, 0);
+    case 'tapered_capsule': return new J.TaperedCapsuleShapeSettings(h, high, low);
+    default: throw new TypeError(shape);
+  }
+}
+
+const ask = (a, b) => {
+  b.collector.Reset();
+  b.placed.CollideShape(a.shape, one, a.placed.GetCenterOfMassTransform(), query, zero, b.collector, filter);
+  if (!b.collector.HadHit()) return { overlap: false };
+  const hit = b.collector.mHit;
+  return { overlap: hit.mPenetrationDepth >= 0, depth: hit.mPenetrationDepth, direction: plain(hit.mPenetrationAxis),
+           witness: { a: plain(hit.mContactPointOn1), b: plain(hit.mContactPointOn2) } };
+};
+const conventions = { call: 'TransformedShape.CollideShape', depth: 'positive', moves: 'b', unit: false,
+                      shapes: ['sphere', 'box', 'capsule', 'cylinder', 'frustum', 'cone', 'tapered_capsule'], ask };
+
+await serve({
+  name: 'jolt', version: versionOf('jolt-physics'), precision: 'binary32',
+  modes: { radius0: conventions, radius: conventions },
+  make(body) {
+    const settings = body.shape ? primitive(body) : hull(body.points);
+    const result = settings.Create();
+    const error = result.HasError() ? result.GetError().c_str() : null;
+    const shape = error === null ? result.Get() : null;
+    shape?.AddRef();
+    J.destroy(settings);
+    if (error !== null) throw new Refused(`ShapeSettings.Create: ${error}`);
+    const [w, x, y, z] = body.shape ? turnFrom(body, 'y') : body.turn;
+    const placed = new J.TransformedShape(), position = new J.RVec3(...body.at), turn = new J.Quat(x, y, z, w);
+    placed.mShape = shape;
+    placed.SetWorldTransform(position, turn, one);
+    J.destroy(position);
+    J.destroy(turn);
+    return { shape, placed, collector: new J.CollideShapeClosestHitCollisionCollector() };
+  },
+  free({ shape, placed, collector }) {
+    J.destroy(placed);
+    J.destroy(collector);
+    shape.Release();
+  },
+});

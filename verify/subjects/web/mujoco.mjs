@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MuJoCo: two free bodies of one geom each, compiled as a model; meshes from their vertices alone.
+//   native     the deepest contact that mj_collision finds, by its own GJK and EPA with several contacts, as by default
+//   single     the same with one contact: multiccd disabled
+//   libccd     the same with nativeccd disabled: libccd's MPR
+//   distance   mj_geomDistance, which gives points and no direction
+import M0 from '@mujoco/mujoco';
+import { deepest, mode, note, quiet, Refused, serve, setting, turnFrom } from './engine.mjs';
+
+const M = await M0(quiet);
+const tolerance = setting('ccd_tolerance', 1e-6);
+const iterations = setting('ccd_iterations', 35);
+const farthest = mode === 'distance' ? setting('distmax', 1) : 0;
+note('multiccd', mode === 'single' ? 'disable' : 'default');
+note('nativeccd', mode === 'libccd' ? 'disable' : 'enable');
+const flags = `nativeccd="${mode === 'libccd' ? 'disable' : 'enable'}"${mode === 'single' ? ' multiccd="disable"' : ''}`;
+const ends = M.DoubleBuffer.FromArray([0, 0, 0, 0, 0, 0]);
+
+function geometry(body, name) {
+  const { shape, radius: r, half_length: h, half, radii } = body;
+  const size = { sphere: [r], box: half, capsule: [r, h], cylinder: [r, h], ellipsoid: radii }[shape];
+  if (shape === null) return `type="mesh" mesh="${name}"`;
+  return `type="${shape}" size="${size.join(' ')}" quat="${turnFrom(body, 'z').join(' ')}"`;
+}
+
+const meshOf = (body, name, inertia) =>
+  body.shape ? '' : `<mesh name="${name}" vertex="${body.points.flat().join(' ')}"${inertia ? ` inertia="${inertia}"` : ''}/>`;
+const bodyOf = (body, name) => `<body pos="${body.at.join(' ')}"><freejoint/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>` +
+  `<geom ${geometry(body, name)}/></body>`;
+
+function compile(a, b, inertia) {
+  const model = M.MjModel.from_xml_string(
+    `<mujoco><option ccd_tolerance="${tolerance}" ccd_iterations="${iterations}"><flag ${flags}/></option>` +
+    `<asset>${meshOf(a, 'a', inertia)}${meshOf(b, 'b', inertia)}</asset>` +
+    `<worldbody>${bodyOf(a, 'a')}${bodyOf(b, 'b')}</worldbody></mujoco>`);
+  if (!model) throw new Error('no model');
+  const data = new M.MjData(model);
+  M.mj_kinematics(model, data);
+  M.mj_comPos(model, data);
+  return { model, data };
+}
+
+const reason = (why) => (typeof why === 'number' && M.getExceptionMessage ? M.getExceptionMessage(why).join(' ') : String(why?.message ?? why));
+
+// A body without volume is compiled as a shell, as MuJoCo's own message advises.
+function modelOf(a, b) {
+  try {
+    return compile(a, b);
+  } catch (first) {
+    try {
+      return compile(a, b, 'shell');
+    } catch (second) {
+      throw new Refused(`${reason(first)}; as a shell: ${reason(second)}`.replace(/\s+/g, ' ').slice(0, 200));
+    }
+  }
+}
+
+function contacts({ model, data }) {
+  M.mj_collision(model, data);
+  const found = [], list = data.contact;
+  for (let i = 0; i < data.ncon; ++i) {
+    const contact = list.get(i), sign = contact.geom1 === 0 ? 1 : -1;
+    found.push({ depth: contact.dist, direction: Array.from(contact.frame).slice(0, 3).map((x) => sign * x) });
+    contact.delete?.();
+  }
+  list.delete?.();
+  return deepest(found);
+}
+
+function distance({ model, data }) {
+  const depth = M.mj_geomDistance(model, data, 0, 1, farthest, ends);
+  if (depth > 0) return { overlap: false };
+  const [p, q] = [0, 3].map((k) => Array.from(ends.GetView().subarray(k, k + 3)));
+  return { overlap: true, depth, witness: { a: p, b: q } };
+}
+
+const conventions = { depth: 'negative', moves: 'b', shapes: ['sphere', 'box', 'capsule', 'cylinder', 'ellipsoid'] };
+// The model holds both bodies: it is made with the second one, and asked with it.
+let first = null;
+
+await serve({
+  name: 'mujoco', version: M.mj_versionString(), precision: 'binary32',
+  modes: {
+    native: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
+    single: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
+    libccd: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
+    distance: { ...conventions, call: 'mj_geomDistance', ask: (a, b) => distance(b) },
+  },
+  make(body) {
+    if (!first) return (first = body);
+    const a = first;
+    first = null;
+    return modelOf(a, body);
+  },
+  free(made) {
+    first = null;
+    made.data?.delete();
+    made.model?.delete();
+  },
+});

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the page that are made of the answer: parts.hpp.
+#include <fmt/format.h>
+
+#include "view/page/html.hpp"
+#include "view/picture/markup.hpp"
+
+namespace fathom::page {
+namespace {
+
+constexpr std::size_t most_optima = 20;
+
+bool is(const Data& depth, std::string_view status) { return at(depth, "status") == status; }
+
+/// The object with the length that the answer is about.
+const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint") ? "distance" : "depth"); }
+
+/// The length as a decimal, or what is known of it in its place.
+std::string length_text(const Data& depth) {
+  const Data& length = length_of(depth);
+  if (at(length, "value").is_number()) return at(length, "value").dump();
+  if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
+    return at(rounded, "rn") == "inf" ? "more than the largest binary64" : "less than the least positive binary64";
+  const Data& bounds = at(depth, "signed_depth");
+  const bool apart = is(depth, "disjoint");
+  const auto bound = [&](std::string_view key) {
+    const Data& value = at(bounds, key);
+    if (!value.is_number()) return std::string("infinity");
+    return apart ? Data(-value.get<double>()).dump() : value.dump();
+  };
+  return apart ? fmt::format("{} to {}", bound("high"), bound("low")) : fmt::format("{} to {}", bound("low"), bound("high"));
+}
+
+std::string exact_length(const Data& length) {
+  std::string text;
+  if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
+  if (const Data& exact = at(length, "exact"); !exact.is_null()) text += "exactly  " + picture::markup(exact.dump()) + "\n";
+  if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
+    text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")), shown(at(rounded, "rd")),
+                        shown(at(rounded, "ru")));
+  return text.empty() ? "" : on_demand("exact", text);
+}
+
+/// Exact numbers of shapes are objects.
+std::string exact_place(const Data& value) {
+  if (value.is_null()) return "";
+  return on_demand("exact", value.is_array() ? shown(value) : picture::markup(value.dump()));
+}
+
+std::string contact_text(const Data& contact) {
+  if (contact.is_null()) return "";
+  return fmt::format("{}: <span class=\"key-a\">A</span> at {}, <span class=\"key-b\">B</span> at {}", shown(at(contact, "kind")),
+                     points(at(contact, "a")), points(at(contact, "b")));
+}
+
+std::string size_text(const Data& lengths) {
+  if (!lengths.is_array() || lengths.size() != 3) return "not finite";
+  return fmt::format("{} x {} x {}", shown(lengths[0]), shown(lengths[1]), shown(lengths[2]));
+}
+
+void add_about(Rows& rows, const Data& depth) {
+  const Data& sizes = at(depth, "sizes");
+  if (sizes.is_object()) {
+    rows.add("size_a", "size of A", size_text(at(sizes, "a")));
+    rows.add("size_b", "size of B", size_text(at(sizes, "b")));
+  }
+  if (const Data& flat = at(depth, "flat"); flat.is_array() && !flat.empty())
+    rows.add("flat", "no interior", flat.size() == 2 ? "A and B" : flat[0] == "a" ? "A" : "B");
+  rows.add("method", "method", shown(at(depth, "method")));
+}
+
+std::uint64_t optima_count(const Data& depth) {
+  const Data& count = at(depth, "optima_count");
+  return count.is_number() ? count.get<std::uint64_t>() : at(depth, "optima").size();
+}
+
+std::string optima_table(const Data& depth) {
+  const Data& optima = at(depth, "optima");
+  if (optima.size() < 2) return "";
+  Table table("Shortest ways out", {"#", "'contact", "'A's points", "'B's points", "'direction"});
+  for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_optima); ++i) {
+    const Data& contact = at(optima[i], "contact");
+    table.add({std::to_string(i + 1), shown(at(contact, "kind")), points(at(contact, "a")), points(at(contact, "b")),
+               shown(at(optima[i], "direction"))},
+              fmt::format("data-optimum=\"{}\"", i));
+  }
+  const std::uint64_t count = optima_count(depth);
+  const std::string more = count > most_optima ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", count - most_optima) : "";
+  return table.text() + more;
+}
+
+}  // namespace
+
+std::string answer_sentence(const Data& depth) {
+  if (is(depth, "penetrating")) return "A overlaps B by " + length_text(depth);
+  if (is(depth, "touching")) return "A and B touch";
+  if (is(depth, "disjoint")) return fmt::format("A and B are apart by {}", length_text(depth));
+  return "The bounds leave open whether A and B overlap: signed depth " + length_text(depth);
+}
+
+std::string subtitle(const Data& depth) {
+  std::string result = shown(at(depth, "id"));
+  if (const Data& contact = at(depth, "contact"); contact.is_object()) result += " &middot; contact " + shown(at(contact, "kind"));
+  if (is(depth, "penetrating")) {
+    const std::uint64_t count = optima_count(depth);
+    result += " &middot; " + (count > 1 ? counted(count, "shortest way out", "shortest ways out") : std::string("one shortest way out"));
+  }
+  return result;
+}
+
+std::string facts(const Data& depth) {
+  const bool apart = is(depth, "disjoint"), overlap = is(depth, "penetrating");
+  const Data& told = apart ? at(depth, "distance") : depth;
+  Rows rows;
+  rows.add("status", "status", shown(at(depth, "status")));
+  if (is(depth, "touching")) rows.add("depth", "depth", length_text(depth));
+  else if (overlap || apart) rows.add(apart ? "distance" : "depth", apart ? "distance" : "depth", length_text(depth), exact_length(length_of(depth)));
+  else rows.add("signed_depth", "signed depth", length_text(depth));
+  if (const Data& unit = at(told, "unit_f64"); !unit.is_null())
+    rows.add("unit", overlap ? "unit normal n" : "unit direction n", shown(unit), exact_place(at(told, "direction")));
+  if (const Data& way = at(told, "translation_f64"); !way.is_null() && (overlap || apart))
+    rows.add("translation", overlap ? "A moves out by" : "A touches if moved by", shown(way), exact_place(at(told, "translation")));
+  if (const std::string contact = contact_text(at(depth, "contact")); !contact.empty()) rows.add("contact", "contact", contact);
+  if (const Data& witness = at(told, "witness_f64"); witness.is_object()) {
+    const Data& exact = at(told, "witness");
+    rows.add("witness_a", "point of A", shown(at(witness, "a")), exact_place(at(exact, "a")));
+    rows.add("witness_b", "point of B", shown(at(witness, "b")), exact_place(at(exact, "b")));
+  }
+  if (overlap) rows.add("optima", "optima", std::to_string(optima_count(depth)));
+  add_about(rows, depth);
+  return rows.list() + optima_table(depth);
+}
+
+}  // namespace fathom::page

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way out of the overlap that a selection is about: along the chosen facet of P, or along the chosen optimum; and where it ends.
+import { nearest } from "./numbers.js";
+import { dot, meetingPoint, minus, plus, times, unit } from "./geometry.js";
+
+/** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null}; null where there is nothing to show. */
+export function wayOf(data, state) {
+  const facet = state.facet === null ? null : data.facets[state.facet];
+  if (facet)
+    return {
+      direction: facet.normal, translation: times(facet.normal, facet.distance), kind: facet.kind, facet: state.facet,
+      a: data.verticesOf("a", facet.a), b: data.verticesOf("b", facet.b),
+    };
+  const optimum = data.optima[state.optimum];
+  if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0 };
+  const contact = data.stages.contact;
+  if (!contact) return null;
+  const translation = contact.translation ?? [0, 0, 0];
+  const way = { direction: contact.direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
+  return { ...way, a: data.verticesOf("a", contact.features?.a), b: data.verticesOf("b", contact.features?.b) };
+}
+
+/** Where the two features meet once A has moved out: a point of B. Without features the answer's witness, or what of B is farthest out. */
+export function meetingOf(data, way) {
+  const moved = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), own = way.b.map((v) => data.bodies.b.vertices[v]);
+  if (moved.length || own.length) return meetingPoint(moved, own, way.direction);
+  return witnessOf(data, way) ?? farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
+}
+
+/** The answer's witness of B as a place; it belongs to the first optimum, or to the distance. */
+function witnessOf(data, way) {
+  const told = data.status === "disjoint" ? data.depth.distance : data.depth, witness = told?.witness_f64?.b, scale = data.stages.scale;
+  if (!witness || !scale || !way.isFirst) return null;
+  return witness.map((x, i) => (x - nearest(scale.center[i])) * 2 ** scale.exponent);
+}
+
+function farthest(points, direction) {
+  let best = null, most = -Infinity;
+  for (const p of points) {
+    const height = dot(p, unit(direction));
+    if (height > most) [best, most] = [p, height];
+  }
+  return best;
+}
+
+/** The arrow of the way, in places of the input: from a point of A now to where it ends. */
+export function arrowOf(data, way) {
+  const to = meetingOf(data, way);
+  return { from: minus(to, way.translation), to };
+}
+
+/** What a way is called: "edge 1 3 of A on edge 2 4 of B". */
+export function contactText(way, data) {
+  const named = (body, vertices) => {
+    const word = ["", "point", "edge"][vertices.length] ?? "facet";
+    const ids = vertices.map((v) => data.bodies[body].ids[v]);
+    const few = ids.length > 8 ? `${ids.slice(0, 8).join(" ")} ... (${ids.length} points)` : ids.join(" ");
+    return `${body.toUpperCase()}'s ${word} ${few}`;
+  };
+  if (!way || !way.a.length || !way.b.length) return "";
+  return `${named("a", way.a)} meets ${named("b", way.b)}`;
+}

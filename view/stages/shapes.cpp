@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of shapes: outlines, sampled, and the contact. The exact method's topology is that of polytopes.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fathom/signed_depth.hpp"
+#include "kernels/context.hpp"
+#include "kernels/number/surd.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "view/stages/parts.hpp"
+
+namespace fathom::stages {
+namespace {
+
+// The sampled directions: circles of latitude, and points on each.
+constexpr int latitudes = 16, longitudes = 32;
+// Samples lie on a lattice of so many steps across the body, so that flat parts are flat.
+constexpr double steps = 1 << 20;
+
+Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }
+Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
+double dot(const Place& p, const Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+
+mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
+Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+
+const std::vector<Term>* terms_of(const Shape& shape) { return std::get_if<std::vector<Term>>(&shape.core); }
+
+// A point of the core: the sum of the first atoms' centers.
+Point base_of(const std::vector<Term>& terms) {
+  Point base;
+  for (const Term& term : terms) {
+    const Point& p = term.atoms.front().center;
+    base = {base.x + p.x, base.y + p.y, base.z + p.z};
+  }
+  return base;
+}
+
+// How far from the base a coordinate of the body can be.
+mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
+  mpq_class reach = shape.radius;
+  for (const Term& term : terms) {
+    mpq_class most;
+    for (const Atom& atom : term.atoms) {
+      mpq_class far = largest(minus(atom.center, term.atoms.front().center));
+      for (const Point& axis : atom.axes) far += largest(axis);
+      most = std::max(most, far);
+    }
+    reach += most;
+  }
+  return reach;
+}
+
+// A body in binary64, on the scale of places, seen from its base.
+class Outline {
+ public:
+  Outline(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) : radius_(scaled(shape.radius, scale)) {
+    const auto place = [&](const Point& p) -> Place { return {scaled(p.x, scale), scaled(p.y, scale), scaled(p.z, scale)}; };
+    for (const Term& term : terms) {
+      std::vector<Piece>& pieces = terms_.emplace_back();
+      for (const Atom& atom : term.atoms) {
+        Piece& piece = pieces.emplace_back();
+        piece.center = place(minus(atom.center, term.atoms.front().center));
+        for (const Point& axis : atom.axes) piece.axes.push_back(place(axis));
+      }
+    }
+  }
+
+  // A point of the body that is extreme in a unit direction.
+  [[nodiscard]] Place extreme(const Place& u) const {
+    Place sum = times(radius_, u);
+    for (const std::vector<Piece>& pieces : terms_) {
+      const auto best = std::ranges::max_element(pieces, {}, [&](const Piece& piece) { return dot(u, piece.extreme(u)); });
+      sum = plus(sum, best->extreme(u));
+    }
+    return sum;
+  }
+
+ private:
+  struct Piece {
+    Place center{};
+    std::vector<Place> axes;
+
+    [[nodiscard]] Place extreme(const Place& u) const {
+      double square = 0;
+      for (const Place& axis : axes) square += dot(axis, u) * dot(axis, u);
+      Place point = center;
+      if (square == 0) return point;
+      for (const Place& axis : axes) point = plus(point, times(dot(axis, u) / std::sqrt(square), axis));
+      return point;
+    }
+  };
+
+  std::vector<std::vector<Piece>> terms_;
+  double radius_;
+};
+
+std::vector<Place> directions() {
+  std::vector<Place> result{{0, 0, 1}, {0, 0, -1}};
+  for (int i = 1; i < latitudes; ++i) {
+    const double polar = std::numbers::pi * i / latitudes;
+    for (int j = 0; j < longitudes; ++j) {
+      const double turn = 2 * std::numbers::pi * j / longitudes;
+      result.push_back({std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
+    }
+  }
+  return result;
+}
+
+// The hull of the samples.
+StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) {
+  const Outline outline(shape, terms, scale);
+  const double reach = scaled(reach_of(shape, terms), scale), step = reach > 0 ? reach / steps : 1;
+  std::vector<Vector> samples;
+  for (const Place& u : directions()) {
+    const Place p = outline.extreme(u);
+    samples.push_back({mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
+  }
+  const polytope::Polytope hull = polytope::convex_hull(samples);
+  const Point base = minus(base_of(terms), scale.center);
+  const Place at{scaled(base.x, scale), scaled(base.y, scale), scaled(base.z, scale)};
+  StagedBody body;
+  for (const Vector& v : hull.vertices) body.vertices.push_back(plus(at, {v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step}));
+  for (const polytope::Facet& facet : hull.facets) {
+    Indices& corners = body.facets.emplace_back();
+    for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.corners[i].value);
+  }
+  body.rank = hull.rank;
+  return body;
+}
+
+StagedBody outline_of(std::string_view name, const Shape& shape, Stages& stages) {
+  StagedBody body;
+  body.rank = 3;
+  if (const std::vector<Term>* const terms = terms_of(shape)) {
+    body = mesh_of(shape, *terms, stages.scale);
+  } else {
+    stages.left_out.push_back(std::string(name) + " is a half-space, which has no end: it is not drawn.");
+  }
+  body.sampled = true;
+  return body;
+}
+
+StagedScale scale_of_shapes(const Shape& a, const Shape& b) {
+  const std::vector<Term>*const of_a = terms_of(a), *const of_b = terms_of(b);
+  const Point origin = base_of(of_b ? *of_b : *of_a);
+  mpq_class extent = of_b ? reach_of(b, *of_b) : mpq_class(0);
+  if (of_a) extent = std::max(extent, mpq_class(reach_of(a, *of_a) + largest(minus(base_of(*of_a), origin))));
+  return scale_of(origin, extent);
+}
+
+// The exact square of the depth, if it is rational.
+std::optional<mpq_class> square_of(const Surd& value) {
+  if (value.root == 0) return mpq_class(value.rational * value.rational);
+  if (value.rational == 0) return mpq_class(abs(value.root));
+  const std::optional<mpq_class> rational = kernels::rational_value(value);
+  return rational ? std::optional(mpq_class(*rational * *rational)) : std::nullopt;
+}
+
+// The nearest double, if it is known and one.
+std::optional<double> nearest(const SignedDepth& depth) {
+  const double low = depth.exact() ? kernels::nearest_binary64(*depth.exact()) : round_binary64(depth.bounds()->low);
+  const double high = depth.exact() ? low : round_binary64(depth.bounds()->high);
+  return low == high && std::isfinite(low) && low > 0 ? std::optional(low) : std::nullopt;
+}
+
+// The signed depth in the unit of places; of bounds the middle.
+double signed_length(const SignedDepth& depth, const StagedScale& scale) {
+  if (const Bounds* const bounds = depth.bounds()) return scaled(mpq_class((bounds->low + bounds->high) / 2), scale);
+  const Surd& value = *depth.exact();
+  const double root = std::copysign(scaled_root(abs(value.root), scale), sgn(value.root));
+  return scaled(value.rational, scale) + root;
+}
+
+void add_answer(const SignedDepth& depth, Stages& stages) {
+  stages.status = depth.status();
+  if (depth.status() == Status::penetrating) {
+    stages.depth = nearest(depth);
+    if (depth.exact()) stages.squared = square_of(*depth.exact());
+  }
+  const double length = signed_length(depth, stages.scale);
+  StagedContact& contact = stages.contact;
+  contact.direction = unit(depth.direction());
+  contact.translation = times(depth.status() == Status::touching ? 0 : length, contact.direction);
+  if (depth.contact()) contact.features = *depth.contact();
+  if (depth.status() != Status::penetrating) return;
+  const Depth* const cores = std::get_if<Depth>(&depth.core);
+  if (!cores || !cores->penetration()) {
+    contact.optima.push_back({contact.direction, contact.translation, contact.features});
+    return;
+  }
+  for (const Optimum& optimum : cores->optima()) {
+    const Place direction = unit(optimum.direction);
+    contact.optima.push_back({direction, times(length, direction), optimum.contact});
+  }
+}
+
+}  // namespace
+
+Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options) {
+  const Shape shape_a = files::shape_of(a), shape_b = files::shape_of(b);
+  SignedDepthOptions wanted;
+  wanted.cores.method = Method::exact;
+  wanted.cores.monitor = options.monitor;
+  const SignedDepth depth = signed_depth(shape_a, shape_b, wanted);
+  Stages stages;
+  stages.scale = scale_of_shapes(shape_a, shape_b);
+  stages.left_out.emplace_back("Of curved bodies there are no diagrams, charts and canonical pairs: those are left out.");
+  stages.a = outline_of("A", shape_a, stages);
+  stages.b = outline_of("B", shape_b, stages);
+  stages.left_out.emplace_back("The outlines are sampled: their facets are near the bodies, and no part of the answer.");
+  if (depth.bounds()) stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
+  stages.counters = depth.counters();
+  add_answer(depth, stages);
+  add_sampled_sum(stages);
+  return stages;
+}
+
+}  // namespace fathom::stages

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies.
+// Output  what the exact method makes of them on its way to the depth, as plain numbers: the data of all pictures, schema fathom/stages/1.
+//         Places are binary64 numbers, for pixels; counts are exact, and depths are those of penetration_depth.
+// Size    linear in the diagrams and in sum |A_i| + |B_i|; the sum P is left out where it is large.          [AGHRS, PENETRATION-DEPTH]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fathom/body.hpp"
+#include "fathom/counters.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/monitor.hpp"
+
+namespace fathom::stages {
+
+/// A point, a translation or a unit vector.
+using Place = std::array<double, 3>;
+/// An index of a vertex, an edge, a facet (all within the hull), a node, an arc, a wall or a canonical pair.
+using Index = std::uint32_t;
+using Indices = std::vector<Index>;
+
+/// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond binary64.
+struct StagedScale {
+  Point center;
+  long exponent = 0;
+};
+
+/// The hull of a body, and its Gaussian diagram: that of -A, that of B. Arc i is edge i, node i is facet i.
+struct StagedBody {
+  int rank = 0;
+  bool sampled = false;  ///< a mesh near a curved body: without diagram
+  Indices ids;           ///< of each vertex the index of the input point
+  std::vector<Place> vertices;
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<Indices> facets;  ///< counter-clockwise from outside
+  std::vector<Place> nodes;     ///< unit normals, negated for A
+  std::vector<std::array<std::optional<Index>, 2>> arcs;
+  /// Only of rank 1 and 2, whose arcs are full and half circles, for each arc: the unit normal of its circle. A half circle passes through
+  /// circle x node.
+  std::vector<Place> circles;
+};
+
+struct StagedOptimum {
+  Place direction, translation;  ///< a unit vector; a translation is on the scale of places
+  std::optional<Contact> contact;  ///< by input points, as in Depth; none of shapes without such
+};
+
+/// The answer, as the exact method finds it; of shapes as signed_depth does.
+struct StagedContact {
+  Place direction{}, translation{};  ///< of bodies that are apart: to the contact
+  std::optional<Contact> features;   ///< of the first optimum, or of the distance
+  std::vector<StagedOptimum> optima;
+};
+
+/// The part of an arc in a hemisphere, from left to right.
+struct StagedArc {
+  Index edge;
+  std::optional<Index> from, to;  ///< nodes; none: the arc goes on over the equator
+};
+
+/// A node of this hemisphere, in the chart: longitude atan2(<n,r>, <n,z>) and latitude asin(<n,v>), r = v x z.
+struct StagedNode {
+  Index node;
+  double longitude, latitude;
+};
+
+struct StagedDiagram {
+  std::vector<StagedArc> arcs;    ///< in height order
+  std::vector<StagedNode> nodes;  ///< ascending
+};
+
+struct StagedWall {
+  bool of_a;
+  Index node;
+};
+
+struct StagedChart {
+  bool upper;
+  Place v, z;  ///< the frame, before it is tilted
+  StagedDiagram a, b;
+  std::vector<StagedWall> walls;  ///< from left to right
+};
+
+/// What the search for closest lines did with a canonical pair: looked at each crossing, cleared all at once, or cut. `none`: no search.
+enum class PairFate { none, scanned, cleared, cut };
+
+/// The closest lines of a canonical pair.
+struct ClosestPair {
+  Index a, b;  ///< edges; of ties the first found
+  double distance;
+  mpq_class squared;  ///< exact, in the unit of the input
+};
+
+struct StagedPair {
+  Index chart;
+  bool stored_of_a, rising;
+  Indices a, b;                           ///< edges, in the order of the grid
+  std::array<std::optional<Index>, 2> strip;  ///< walls; none: infinity
+  std::optional<ClosestPair> closest;     ///< none unless the bodies penetrate, or if all its edges are parallel
+  std::uint64_t evaluated = 0;            ///< pairs of lines that the search looked at
+  PairFate fate = PairFate::none;
+
+  [[nodiscard]] std::uint64_t crossings() const { return std::uint64_t{a.size()} * b.size(); }
+};
+
+enum class BlockFate { cleared, refined, scanned, won };
+
+/// Rows are places in StagedPair::a, columns in StagedPair::b; half-open.
+struct StagedBlock {
+  std::array<Index, 2> rows, columns;
+  BlockFate fate;
+};
+
+/// Blocks of level 0: the whole grid. Those of a level partition the refined ones of the level before.
+struct StagedLevel {
+  std::optional<bool> cut_a;  ///< whose chain was cut into these; none for level 0
+  std::vector<StagedBlock> blocks;
+};
+
+/// How a grid is cut. Blocks that are not refined partition it; exactly one of them won: it holds the pair's closest lines.
+struct StagedCutting {
+  Index pair;
+  bool winner;       ///< whether the pair holds the optimum; else it is the largest one
+  bool as_searched;  ///< whether the search cut it, in these sizes; else it is cut finer, for a picture
+  std::vector<StagedLevel> levels;
+};
+
+enum class WinnerKind { edges, facet_of_a, facet_of_b };
+enum class StagedFeatureKind { vertex, edge, facet };
+
+struct StagedFeature {
+  StagedFeatureKind kind;
+  Index index;
+};
+
+/// Which step found the first optimum.
+struct StagedWinner {
+  WinnerKind kind;
+  std::optional<Index> pair;  ///< of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
+  StagedFeature a, b;
+};
+
+enum class SumKind { none, p, q, sampled };
+enum class SumFacetKind { facet_of_a, facet_of_b, edges, merged };
+
+struct StagedFacet {
+  Indices vertices;  ///< counter-clockwise from outside
+  Place normal;
+  double distance;
+  mpq_class squared;
+  SumFacetKind kind;
+  std::vector<std::uint32_t> a, b;  ///< input points that span the features
+  Indices pairs;                    ///< canonical pairs with one of its crossings
+  bool optimal = false;
+};
+
+/// P, or the certificate's polytope Q inside it. O is at 0: differences do not see the center.
+struct StagedSum {
+  SumKind kind = SumKind::none;
+  std::vector<Place> vertices;
+  std::vector<StagedFacet> facets;  ///< by ascending distance
+};
+
+struct StagedInvolved {
+  std::vector<std::vector<std::uint32_t>> a, b;  ///< input points of each feature
+  std::vector<std::string> decided_by;           ///< monomials of the perturbation
+};
+
+struct StagedCoincidence {
+  std::string_view kind;
+  std::uint64_t count = 0;
+  std::vector<StagedInvolved> listed;
+};
+
+struct StagedMonomial {
+  std::string name;
+  std::uint64_t count;
+};
+
+struct StagedDecision {
+  std::string_view predicate;
+  std::uint64_t zero = 0;
+  std::vector<StagedMonomial> monomials;
+};
+
+/// A count beside the paper's bound for it.
+struct StagedBound {
+  std::string_view stage, what;
+  std::uint64_t count;
+  std::string_view bound;
+  double bound_value;
+  std::string_view source;
+};
+
+struct Stages {
+  std::string id;
+  std::optional<Status> status;  ///< none: bounds of a shape leave it open
+  std::optional<double> depth;   ///< the nearest binary64; none unless penetrating, or if it is not one
+  std::optional<mpq_class> squared;  ///< none if irrational, or known by bounds only
+  StagedScale scale;
+  StagedBody a, b;
+  StagedContact contact;
+  std::vector<StagedChart> charts;
+  std::vector<StagedPair> pairs;
+  std::optional<StagedCutting> cutting;
+  std::optional<StagedWinner> winner;
+  StagedSum sum;
+  std::vector<StagedCoincidence> coincidences;
+  std::vector<StagedDecision> decided;
+  Counters counters;  ///< of the exact run, as in Depth
+  std::vector<StagedBound> bounds;
+  /// With StageOptions::times.
+  std::vector<std::pair<std::string, double>> seconds;
+  std::vector<std::string> left_out;  ///< sentences
+};
+
+struct StageOptions {
+  bool times = false;  ///< measure the seconds of each stage: the result differs from run to run
+  Monitor* monitor = nullptr;
+};
+
+/// Returns the stages of two bodies of any kind and rank. Throws as penetration_depth and signed_depth do.
+Stages stages_of(const Body& a, const Body& b, const StageOptions& options = {});
+
+/// One line of JSON without its newline, pure ASCII: schemas/stages.schema.json.
+std::string to_json(const Stages& stages);
+
+}  // namespace fathom::stages

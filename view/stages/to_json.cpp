@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stages as JSON, schema fathom/stages/1: bodies, charts and pairs. The parts of P and of what coincided are in to_json_parts.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/counts.hpp"
+#include "view/stages/to_json_parts.hpp"
+
+namespace fathom::stages {
+namespace {
+
+constexpr std::string_view unit_sentence = "A place is (input - center) * 2^exponent; a length is input * 2^exponent.";
+
+// Of the largest coordinate among both bodies; more where a body is small beside that, or far thinner than long.
+constexpr int usual_digits = 6, most_digits = 17;
+
+double largest_coordinate(const StagedBody& body) {
+  double most = 0;
+  for (const Place& p : body.vertices) most = std::max({most, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  return most;
+}
+
+// The least of the body's extents along the axes that is not 0; infinite if all are.
+double least_extent(const StagedBody& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [low, high] = std::ranges::minmax_element(body.vertices, {}, [axis](const Place& p) { return p[axis]; });
+    if (low != body.vertices.end() && (*high)[axis] > (*low)[axis]) least = std::min(least, (*high)[axis] - (*low)[axis]);
+  }
+  return least;
+}
+
+int digits_for(const StagedBody& body, double largest) {
+  const double extent = least_extent(body);
+  if (largest == 0 || !std::isfinite(extent)) return usual_digits;
+  return std::clamp(usual_digits + static_cast<int>(std::ceil(std::log10(largest / extent))), usual_digits, most_digits);
+}
+
+void write_body(StagesText& json, const StagedBody& body, bool of_a, double largest) {
+  const int digits = digits_for(body, largest);
+  json.object([&] {
+    json.key("rank"), json.integer(body.rank);
+    if (body.sampled) json.key("sampled"), json.boolean(true);
+    json.key("ids"), json.array_of(body.ids);
+    json.key("vertices"), json.array_of(body.vertices, [&](const Place& p) { json.numbers(p, digits); });
+    json.key("edges"), json.array_of(body.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
+    json.key("facets"), json.array_of(body.facets, [&](const Indices& facet) { json.array_of(facet); });
+    json.key("arcs_of"), json.string(of_a ? "-A" : "B");
+    json.key("nodes"), json.array_of(body.nodes, [&](const Place& n) { json.numbers(n, usual_digits); });
+    json.key("arcs"), json.array_of(body.arcs, [&](const auto& arc) {
+      json.array_of(arc, [&](const std::optional<Index>& node) { json.integer_or_null(node); });
+    });
+    if (!body.circles.empty()) json.key("circles"), json.array_of(body.circles, [&](const Place& n) { json.numbers(n, usual_digits); });
+  });
+}
+
+void write_features(StagesText& json, const std::optional<Contact>& contact) {
+  if (!contact) return json.null();
+  json.object([&] {
+    json.key("a"), json.array_of(contact->a);
+    json.key("b"), json.array_of(contact->b);
+  });
+}
+
+void write_contact(StagesText& json, const StagedContact& contact) {
+  json.object([&] {
+    json.key("direction"), json.numbers(contact.direction, places_digits);
+    json.key("translation"), json.numbers(contact.translation, places_digits);
+    json.key("features"), write_features(json, contact.features);
+    json.key("kind");
+    if (contact.features) json.string(name(contact.features->kind));
+    else json.null();
+    json.key("optima"), json.array_of(contact.optima, [&](const StagedOptimum& optimum) {
+      json.object([&] {
+        json.key("direction"), json.numbers(optimum.direction, places_digits);
+        json.key("translation"), json.numbers(optimum.translation, places_digits);
+        if (!optimum.contact) return;
+        json.key("features"), write_features(json, optimum.contact);
+        json.key("kind"), json.string(name(optimum.contact->kind));
+      });
+    });
+  });
+}
+
+void write_diagram(StagesText& json, const StagedDiagram& diagram) {
+  json.object([&] {
+    json.key("nodes"), json.array_of(diagram.nodes, [&](const StagedNode& node) {
+      json.array([&] { json.integer(node.node), json.number(node.longitude, places_digits), json.number(node.latitude, places_digits); });
+    });
+    json.key("arcs"), json.array_of(diagram.arcs, [&](const StagedArc& arc) {
+      json.array([&] { json.integer(arc.edge), json.integer_or_null(arc.from), json.integer_or_null(arc.to); });
+    });
+  });
+}
+
+void write_chart(StagesText& json, const StagedChart& chart) {
+  json.object([&] {
+    json.key("hemisphere"), json.string(chart.upper ? "upper" : "lower");
+    json.key("frame"), json.object([&] {
+      json.key("v"), json.numbers(chart.v, usual_digits);
+      json.key("z"), json.numbers(chart.z, usual_digits);
+    });
+    json.key("a"), write_diagram(json, chart.a);
+    json.key("b"), write_diagram(json, chart.b);
+    json.key("walls"), json.array_of(chart.walls, [&](const StagedWall& wall) {
+      json.array([&] { json.string(wall.of_a ? "a" : "b"), json.integer(wall.node); });
+    });
+  });
+}
+
+void write_closest(StagesText& json, const ClosestPair& closest, bool exactly) {
+  json.object([&] {
+    json.key("a"), json.integer(closest.a);
+    json.key("b"), json.integer(closest.b);
+    json.key("distance"), json.number(closest.distance, places_digits);
+    if (exactly) json.key("distance_squared"), json.exact(closest.squared);
+  });
+}
+
+void write_pair(StagesText& json, const StagedPair& pair, bool won) {
+  json.object([&] {
+    json.key("chart"), json.integer(pair.chart);
+    json.key("stored_of"), json.string(pair.stored_of_a ? "a" : "b");
+    json.key("rising"), json.boolean(pair.rising);
+    json.key("a"), json.array_of(pair.a);
+    json.key("b"), json.array_of(pair.b);
+    json.key("strip"), json.array_of(pair.strip, [&](const std::optional<Index>& wall) { json.integer_or_null(wall); });
+    json.key("closest");
+    if (pair.closest) write_closest(json, *pair.closest, won || pair.crossings() > 1);
+    else json.null();
+    json.key("evaluated"), json.integer(pair.evaluated);
+    json.key("engine");
+    if (pair.fate == PairFate::none) json.null();
+    else json.string(pair.fate == PairFate::scanned ? "scanned" : pair.fate == PairFate::cleared ? "cleared" : "cut");
+  });
+}
+
+void write_run(StagesText& json, const std::array<Index, 2>& run) {
+  json.array_of(run, [&](Index i) { json.integer(i); });
+}
+
+void write_level(StagesText& json, const StagedLevel& level, std::size_t depth) {
+  static constexpr std::array<std::string_view, 4> fates{"cleared", "refined", "scanned", "won"};
+  json.object([&] {
+    json.key("level"), json.integer(depth);
+    json.key("side");
+    if (level.cut_a) json.string(*level.cut_a ? "a" : "b");
+    else json.null();
+    json.key("blocks"), json.array_of(level.blocks, [&](const StagedBlock& block) {
+      json.object([&] {
+        json.key("rows"), write_run(json, block.rows);
+        json.key("columns"), write_run(json, block.columns);
+        json.key("fate"), json.string(fates[static_cast<std::size_t>(block.fate)]);
+      });
+    });
+  });
+}
+
+void write_cutting(StagesText& json, const StagedCutting& cutting) {
+  json.object([&] {
+    json.key("pair"), json.integer(cutting.pair);
+    json.key("of"), json.string(cutting.winner ? "winner" : "largest");
+    json.key("as_searched"), json.boolean(cutting.as_searched);
+    json.key("levels"), json.array([&] {
+      for (std::size_t k = 0; k < cutting.levels.size(); ++k) write_level(json, cutting.levels[k], k);
+    });
+  });
+}
+
+void write_feature(StagesText& json, const StagedFeature& feature) {
+  static constexpr std::array<std::string_view, 3> kinds{"vertex", "edge", "facet"};
+  json.object([&] {
+    json.key("kind"), json.string(kinds[static_cast<std::size_t>(feature.kind)]);
+    json.key("index"), json.integer(feature.index);
+  });
+}
+
+void write_winner(StagesText& json, const StagedWinner& winner) {
+  static constexpr std::array<std::string_view, 3> kinds{"edges", "facet_of_a", "facet_of_b"};
+  json.object([&] {
+    json.key("kind"), json.string(kinds[static_cast<std::size_t>(winner.kind)]);
+    json.key("pair"), json.integer_or_null(winner.pair);
+    json.key("a"), write_feature(json, winner.a);
+    json.key("b"), write_feature(json, winner.b);
+  });
+}
+
+void write_head(StagesText& json, const Stages& stages) {
+  json.key("schema"), json.string("fathom/stages/1");
+  json.key("id"), json.string(stages.id);
+  json.key("status"), json.string(stages.status ? name(*stages.status) : "undecided");
+  json.key("depth");
+  if (stages.depth) json.number(*stages.depth, 0);
+  else json.null();
+  json.key("depth_squared");
+  if (stages.squared) json.exact(*stages.squared);
+  else json.null();
+  json.key("scale"), json.object([&] {
+    const Point& center = stages.scale.center;
+    json.key("center"), json.array([&] { json.exact(center.x), json.exact(center.y), json.exact(center.z); });
+    json.key("exponent"), json.integer(stages.scale.exponent);
+    json.key("unit"), json.string(unit_sentence);
+  });
+}
+
+void write_counts(StagesText& json, const Counters& counters) {
+  json.object([&] {
+    for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
+      for (const kernels::Count& count : stage.counts) json.key(count.name), json.integer(count.value);
+    }
+  });
+}
+
+}  // namespace
+
+std::string to_json(const Stages& stages) {
+  StagesText json;
+  json.object([&] {
+    write_head(json, stages);
+    const double largest = std::max(largest_coordinate(stages.a), largest_coordinate(stages.b));
+    json.key("a"), write_body(json, stages.a, true, largest);
+    json.key("b"), write_body(json, stages.b, false, largest);
+    json.key("contact"), write_contact(json, stages.contact);
+    json.key("charts"), json.array_of(stages.charts, [&](const StagedChart& chart) { write_chart(json, chart); });
+    json.key("pairs"), json.array([&] {
+      for (Index i = 0; i < stages.pairs.size(); ++i) write_pair(json, stages.pairs[i], stages.winner && stages.winner->pair == i);
+    });
+    json.key("cutting");
+    if (stages.cutting) write_cutting(json, *stages.cutting);
+    else json.null();
+    json.key("winner");
+    if (stages.winner) write_winner(json, *stages.winner);
+    else json.null();
+    write_parts(json, stages);
+    json.key("counts"), write_counts(json, stages.counters);
+    write_costs(json, stages);
+    json.key("left_out"), json.array_of(stages.left_out, [&](const std::string& sentence) { json.string(sentence); });
+  });
+  return std::move(json).take();
+}
+
+}  // namespace fathom::stages
