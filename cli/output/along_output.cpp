@@ -137,7 +137,7 @@ std::string along_json(const Path& path, const std::vector<AlongStep>& steps) {
 }
 
 std::string along_svg(const Path& path, const std::vector<AlongStep>& steps) {
-  plot::Panel panel;
+  plot::CurvePanel panel;
   panel.x = {fmt::format("s: A is moved by s {}", translation_text(path.translation)), plot::Scale::linear, true};
   panel.y = {"signed depth"};
   panel.series = series_of(steps);

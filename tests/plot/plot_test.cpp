@@ -101,14 +101,14 @@ TEST(Plot, ManyPlacesHaveFewMarks) {
 }
 
 TEST(Plot, GrowthIsTheSlopeOfLogarithms) {
-  std::vector<Place> places;
+  std::vector<Datum> places;
   for (double x = 10; x < 1e5; x *= 3) places.push_back({x, 7 * std::pow(x, 1.5)});
   EXPECT_NEAR(*growth_exponent(places), 1.5, 1e-9);
   places.push_back({20, 0});
   EXPECT_NEAR(*growth_exponent(places), 1.5, 1e-9) << "law: what is 0 has no logarithm";
-  for (const std::vector<Place>& few : {std::vector<Place>{}, {{10, 3}}, {{10, 3}, {10, 4}}, {{10, 0}, {100, 4}}})
+  for (const std::vector<Datum>& few : {std::vector<Datum>{}, {{10, 3}}, {{10, 3}, {10, 4}}, {{10, 0}, {100, 4}}})
     EXPECT_FALSE(growth_exponent(few));
-  EXPECT_NEAR(*growth_exponent(std::vector<Place>{{10, 3}, {100, 3}}), 0, 1e-12);
+  EXPECT_NEAR(*growth_exponent(std::vector<Datum>{{10, 3}, {100, 3}}), 0, 1e-12);
 }
 
 }  // namespace

@@ -33,14 +33,14 @@ struct Field {
   [[nodiscard]] double down(double v) const { return bottom - y.share(v) * (bottom - top); }
 };
 
-Field field_of(const Panel& panel) {
+Field field_of(const CurvePanel& panel) {
   std::vector<double> across, up;
   const auto add = [&](double x, double y) {
     across.push_back(x);
     up.push_back(y);
   };
   for (const Series& series : panel.series)
-    for (const Place& place : series.places) add(place.x, place.y);
+    for (const Datum& place : series.places) add(place.x, place.y);
   if (panel.band)
     for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
   if (panel.y.scale == Scale::linear) up.push_back(0);  // what lies above 0 and what below is seen in any case
@@ -53,7 +53,7 @@ Field field_of(const Panel& panel) {
   return field;
 }
 
-std::string grid_elements(const Panel& panel, const Field& field) {
+std::string grid_elements(const CurvePanel& panel, const Field& field) {
   std::string lines, texts;
   const auto style = [](const Tick& tick) { return tick.label.empty() ? "grid small" : "grid"; };
   for (const Tick& tick : field.x.ticks) {
@@ -83,7 +83,7 @@ std::string grid_elements(const Panel& panel, const Field& field) {
 }
 
 /// The line at 0 and what lies on its two sides.
-std::string zero_elements(const Panel& panel, const Field& field) {
+std::string zero_elements(const CurvePanel& panel, const Field& field) {
   if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
   const double y = field.down(0);
   std::string result =
@@ -113,7 +113,7 @@ std::string series_elements(const Series& series, std::size_t number, const Fiel
   bool open = false;
   const std::size_t every = series.places.size() <= most_marks ? 1 : (series.places.size() + marks_of_many - 1) / marks_of_many;
   for (std::size_t i = 0; i < series.places.size(); ++i) {
-    const Place& place = series.places[i];
+    const Datum& place = series.places[i];
     const bool drawn = field.holds(place.x, place.y);
     if (drawn) {
       const double x = field.across(place.x), y = field.down(place.y);
@@ -127,7 +127,7 @@ std::string series_elements(const Series& series, std::size_t number, const Fiel
 }
 
 /// Rows of two entries each.
-std::string legend_elements(const Panel& panel, double top, double left, double& height) {
+std::string legend_elements(const CurvePanel& panel, double top, double left, double& height) {
   std::string result;
   std::size_t entry = 0;
   const auto add = [&](const std::string& sample, const std::string& name) {
@@ -148,10 +148,10 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
 }
 
 /// What has no place on the axes.
-std::string left_out(const Panel& panel, const Field& field) {
+std::string left_out(const CurvePanel& panel, const Field& field) {
   std::size_t count = 0;
   for (const Series& series : panel.series)
-    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Place& p) { return !field.holds(p.x, p.y); }));
+    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Datum& p) { return !field.holds(p.x, p.y); }));
   if (count == 0) return "";
   const bool logarithmic = panel.x.scale == Scale::logarithmic || panel.y.scale == Scale::logarithmic;
   return fmt::format("Not drawn: {} value{}, {}.", count, count == 1 ? "" : "s",
@@ -168,7 +168,7 @@ std::string fitting(const std::string& text) {
   return picture::markup(text.substr(0, end)) + "...";
 }
 
-PanelPicture panel_picture(const Panel& panel, const std::string& clip) {
+PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
   if (!panel.title.empty())

@@ -19,6 +19,6 @@ struct PanelPicture {
 std::string fitting(const std::string& text);
 
 /// `clip` is the id for its clipping path.
-PanelPicture panel_picture(const Panel& panel, const std::string& clip);
+PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip);
 
 }  // namespace fathom::plot

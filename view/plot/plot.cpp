@@ -87,9 +87,9 @@ std::string figure_file(const Figure& figure) {
 
 std::string plot_style() { return picture::coloured(rules, false); }
 
-std::optional<double> growth_exponent(std::span<const Place> places) {
+std::optional<double> growth_exponent(std::span<const Datum> places) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Place& place : places) {
+  for (const Datum& place : places) {
     if (!(place.x > 0) || !(place.y > 0) || !std::isfinite(place.x) || !std::isfinite(place.y)) continue;
     const double u = std::log(place.x), v = std::log(place.y);
     n += 1, x += u, y += v, xx += u * u, xy += u * v;
