@@ -66,7 +66,7 @@ stages::Stages of_cubes() {
     stages::StagedFacet facet;
     facet.squared = mpq_class(i < 2 ? 1 : i * i, 16);
     facet.squared.canonicalize();
-    facet.kind = stages::StagedFacetKind::edges;
+    facet.kind = stages::SumFacetKind::edges;
     facet.a = {i};
     facet.b = {i, i + 1};
     facet.optimal = i < 2;
