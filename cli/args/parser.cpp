@@ -132,6 +132,7 @@ void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
   add_questions(app, request, texts);
   app.add_flag("--times", request.times, "add the seconds that each stage took, which differ from run to run");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/stages/1: every stage, for pictures");
+  add_svg(app, request, "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each case");
 }
 
 void add_schema(CLI::App& app, Request& request, Texts& texts) {

@@ -50,8 +50,8 @@ std::optional<std::vector<unsigned>> sizes_of(std::string_view text) {
 
 std::string check_sizes(const std::string& text) {
   if (sizes_of(text)) return "";
-  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}", largest_size,
-                     kernels::shown(text));
+  return fmt::format("expected a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}, found {}",
+                     largest_size, kernels::shown(text));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::string wrong_sweep(const CLI::App& study, Request& request) {
     return "";
   }
   if (!request.inputs.empty()) return "--sweep makes its bodies itself, found " + kernels::shown(request.inputs[0]);
-  for (const char* option : {"--json", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
+  for (const char* option : {"--json", "--html", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
     if (given(option)) return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
   if (request.sweep.sizes.empty()) request.sweep.sizes = *sizes_of(usual_sizes);
   return "";

@@ -59,7 +59,8 @@ test("the way out is the chosen optimum's, or the facet's that is looked at; it 
 });
 
 test("without features the way ends at the answer's witness, in the picture's units", () => {
-  const scale = { center: ["1/2", "0", "0"], exponent: 1 }, contact = { direction: [0, 0, 1], translation: [0, 0, 2], features: null, optima: [] };
+  const scale = { center: ["1/2", "0", "0"], exponent: 1 };
+  const contact = { direction: [0, 0, 1], translation: [0, 0, 2], features: null, optima: [] };
   const round = makeData({ status: "penetrating", witness_f64: { b: [1, 2, 3] } }, { ...stages, scale, contact }, "");
   assert.deepEqual(meetingOf(round, wayOf(round, { facet: null, optimum: 0 })), [1, 4, 6]);
 });

@@ -63,7 +63,7 @@ stages::Stages of_cubes() {
   made.status = Status::penetrating;
   made.sum.kind = stages::SumKind::p;
   for (unsigned i = 0; i < 25; ++i) {
-    stages::SumFacet facet;
+    stages::StagedFacet facet;
     facet.squared = mpq_class(i < 2 ? 1 : i * i, 16);
     facet.squared.canonicalize();
     facet.kind = stages::SumFacetKind::edges;

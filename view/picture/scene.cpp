@@ -63,17 +63,17 @@ std::vector<Point> rounded_face(const Shape& shape, const std::vector<std::uint3
   return result;
 }
 
-/// The direction of the view's x axis: that of the half-space, if there is one, which is seen from its edge.
-Point axis_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
+/// The direction of the answer: that of the half-space, if there is one, which is to be seen from its edge.
+Point normal_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   if (const auto* half = std::get_if<HalfSpace>(&a.core)) return scaled(half->normal, -1);
   if (const auto* half = std::get_if<HalfSpace>(&b.core)) return half->normal;
   return point_of(depth.direction());
 }
 
 /// Where the way begins if no witness is known.
-Point start_of(const Shape& a, const Shape& b, const Point& axis, const Point& way) {
-  if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, scaled(axis, -1));
-  return difference(farthest(b, axis), way);
+Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point& way) {
+  if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, scaled(normal, -1));
+  return difference(farthest(b, normal), way);
 }
 
 }  // namespace
@@ -91,25 +91,25 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   bool cut = false;
   const std::optional<Point> shown = in_proportion(pair, claimed, cut);
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
-  const View view(point_of(depth.direction()), second, edges_of(touch_a, touch_b));
+  const View view(scaled(point_of(depth.direction()), distance ? -1 : 1), second, edges_of(touch_a, touch_b));
   return {depth.status(), view,  wires_of(pair.a, view),
           wires_of(pair.b, view), witness.a, distance ? distance->translation : depth.translation(),
           shown, cut, std::move(touch_a), std::move(touch_b)};
 }
 
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
-  const Point axis = axis_of(a, b, depth);
+  const Point normal = normal_of(a, b, depth);
   const std::vector<AlongNormal> ways = depth.translations();
   const Point way = ways.empty() ? enclosed_way(depth) : along(ways.front());
   const std::optional<RoundedWitness> witness = depth.witness();
-  const Point start = witness ? place_of(witness->a) : start_of(a, b, axis, way);
+  const Point start = witness ? place_of(witness->a) : start_of(a, b, normal, way);
   std::vector<Point> touch_a{start}, touch_b{witness ? place_of(witness->b) : sum(start, way)};
   if (const Contact* contact = depth.contact()) {
     const Vector n = depth.direction();
     touch_a = rounded_face(a, contact->a, -n);
     touch_b = rounded_face(b, contact->b, n);
   }
-  const View view(axis, std::nullopt, edges_of(touch_a, touch_b));
+  const View view(scaled(normal, depth.status() == Status::disjoint ? -1 : 1), std::nullopt, edges_of(touch_a, touch_b));
   PairScene scene{depth.status(), view, drawn_shape(a, view), drawn_shape(b, view), start, way, std::nullopt, false, std::move(touch_a), std::move(touch_b)};
   scene.enclosed = ways.empty();
   return scene;

@@ -98,8 +98,14 @@ std::vector<Dot> Window::hull(const std::vector<Point>& points, const Point& by)
 }
 
 std::string path_data(const std::vector<Dot>& dots, bool closed) {
-  std::string result;
-  for (const Dot& d : dots) result += fmt::format("{}{} {}", result.empty() ? 'M' : 'L', number(d.x), number(d.y));
+  std::string result, last;
+  for (const Dot& d : dots) {
+    std::string at = number(d.x) + " " + number(d.y);
+    if (at == last) continue;
+    result += (result.empty() ? "M" : "L") + at;
+    last = std::move(at);
+  }
+  if (!result.empty() && dots.size() > 1 && result.find('L') == std::string::npos) result += "L" + last;  // a dot, by its round ends
   return result.empty() || !closed ? result : result + "Z";
 }
 
