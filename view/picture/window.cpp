@@ -13,6 +13,7 @@ namespace fathom::picture {
 namespace {
 
 constexpr int margin = 22;            // pixels
+constexpr int strip = 18;           // pixels below, where the scale bar stands
 constexpr int much_longer = 100;      // the axes are scaled apart beyond this ratio
 constexpr double safe_pixels = 1e6;   // within these, doubles are exact enough for tenths of pixels
 
@@ -44,7 +45,7 @@ Bounds2 Bounds2::plus(const Bounds2& box) const {
 
 Window Window::around(const View& view, const Bounds2& box, const PixelSize& size) {
   const mpq_class width = box.width(), height = box.height();
-  const mpq_class across = static_cast<long>(size.width) - 2 * margin, down = static_cast<long>(size.height) - 2 * margin;
+  const mpq_class across = static_cast<long>(size.width) - 2 * margin, down = static_cast<long>(size.height) - 2 * margin - strip;
   const Place middle{mpq_class((box.low.x + box.high.x) / 2), mpq_class((box.low.y + box.high.y) / 2)};
   Place scale{1, 1};
   if (width > 0) scale.x = across / width;
@@ -63,7 +64,7 @@ Window Window::close(const View& view, const Place& centre, const mpq_class& sca
 Place Window::pixels(const Point& p) const {
   const Place at = view_->place(p);
   const mpq_class right = (at.x - middle_.x) * scale_.x, up = (at.y - middle_.y) * scale_.y;
-  return {mpq_class(size_.width / 2 + right), mpq_class(size_.height / 2 - up)};
+  return {mpq_class(size_.width / 2 + right), mpq_class((size_.height - strip) / 2 - up)};
 }
 
 Dot Window::dot(const Point& p) const { return rounded(pixels(p)); }
