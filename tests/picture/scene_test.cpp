@@ -175,6 +175,15 @@ TEST(Scene, EnclosedWays) {
   EXPECT_NEAR(scene.anchor.z.get_d(), 0.5, 1e-6);
 }
 
+// Cylinders that touch along their axes: the value of curved bodies may be known too, though no translation is.
+TEST(Scene, KnownValuesOfCurvedBodies) {
+  const Shape a = cylinder(1, 1), b = at(cylinder(1, 1), {0, 0, 2});
+  const SignedDepth depth = signed_depth(a, b);
+  ASSERT_TRUE(depth.exact() && depth.translations().empty()) << "else the case has to be another";
+  EXPECT_FALSE(scene_of(a, b, depth).enclosed);
+  EXPECT_FALSE(scene_of(a, b, depth).moves());
+}
+
 TEST(Scene, FeaturesOfMarks) {
   const Cubes cubes(mpq_class(1, 2));
   const PairScene scene = cubes.scene();

@@ -51,6 +51,7 @@ svg.pair .claimed.head,svg.pair .claimed.dot{fill:@claimed}
 svg.pair .bar{stroke:@ink;stroke-width:1.4}
 svg.pair text{fill:@ink;font-family:system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif;font-size:12px}
 svg.pair .letter{font-size:18px;font-weight:700;text-anchor:middle;paint-order:stroke;stroke:@shade;stroke-width:4px;stroke-linejoin:round}
+svg.pair .note,svg.pair .scale{paint-order:stroke;stroke:@shade;stroke-width:3px;stroke-linejoin:round}
 svg.pair .note{fill:@soft}
 svg.pair .paper{fill:@ground}
 svg.pair .heading,svg.pair .answer{font-size:14px;font-weight:600}

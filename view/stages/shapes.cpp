@@ -215,6 +215,7 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   stages.counters = depth.counters();
   add_answer(depth, stages);
   add_sampled_sum(stages);
+  add_shape_coincidences(shape_a, shape_b, options, stages);
   return stages;
 }
 
