@@ -90,6 +90,7 @@ inline constexpr Example stages_examples[] = {
     {"fathom stages a.off b.stl", "diagrams, charts, canonical pairs, the crossing that won: a summary"},
     {"fathom stages --json a.off b.stl", "everything, as one JSON object: for pictures"},
     {"fathom stages --times a.off b.stl", "with the seconds of each stage"},
+    {"fathom stages --svg charts.svg a.off b.stl", "both charts as a picture"},
     {"cat cases.jsonl | fathom stages --json -", "a stream: one object per case"},
 };
 

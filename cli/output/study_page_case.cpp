@@ -119,12 +119,6 @@ std::string case_part(const Case& pair, const std::string& anchor) {
   }
 }
 
-/// A picture on the left, where there is one, and what is said on the right.
-std::string beside(const std::string& figure, const std::string& said) {
-  if (figure.empty()) return said;
-  return "<div class=\"beside\">\n<div class=\"picture\">" + figure + "</div>\n<div>\n" + said + "</div>\n</div>\n";
-}
-
 std::string coincidences_heading(const std::string& tables) { return "<h3>What coincides</h3>\n" + tables; }
 std::string predicates_heading(const Study& study) {
   return "<h3>What the perturbation decided</h3>\n" + predicates_part(study.predicates);
@@ -136,7 +130,7 @@ std::string study_section(const Case& pair, const Study& study, const std::strin
   Marks marks(anchor);
   const std::string table = coincidences_part(anchor, rows_of(study, &marks), counts_of(study, coincidence_names));
   const std::string said = facts_of(study).list() + coincidences_heading(table) + predicates_heading(study) + case_part(pair, anchor);
-  return beside(study_figure(pair, study.depth, marks, anchor), said);
+  return picture::beside(study_figure(pair, study.depth, marks, anchor), said);
 }
 
 std::string study_section(const Case& pair, const ShapeStudy& study, const std::string& anchor) {
@@ -159,7 +153,7 @@ std::string study_section(const Case& pair, const ShapeStudy& study, const std::
     said += "<details class=\"part\"><summary>The cores, without their radii: " + picture::markup(status_text(cores.depth)) +
             "</summary>\n" + facts_of(cores).list() + coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
   }
-  return beside(study_figure(pair, study.depth, anchor), said + case_part(pair, anchor));
+  return picture::beside(study_figure(pair, study.depth, anchor), said + case_part(pair, anchor));
 }
 
 }  // namespace fathom::cli

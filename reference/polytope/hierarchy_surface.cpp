@@ -3,7 +3,7 @@
 
 namespace fathom::polytope {
 
-using Index = std::uint32_t;
+using HalfEdgeIndex = std::uint32_t;
 
 HierarchySurface::HierarchySurface(const Polytope& polytope)
     : points_(polytope.vertices), leaving_(polytope.vertices.size()), degree_(polytope.vertices.size(), 0) {
@@ -13,22 +13,22 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
   // The half-edge that leaves each corner along its facet: half-edges grouped by facet, then looked up by their origin.
-  kernels::IdVector<FacetId, Index> free(polytope.facets.size());
+  kernels::IdVector<FacetId, HalfEdgeIndex> free(polytope.facets.size());
   std::vector<HalfEdge> grouped(origin_.size());
   kernels::IdVector<VertexId, HalfEdge> at(polytope.vertices.size());
   for (const FacetId f : polytope.facets.ids()) free[f] = polytope.facets[f].begin;
-  for (Index e = 0; e < polytope.edges.size(); ++e) {
+  for (HalfEdgeIndex e = 0; e < polytope.edges.size(); ++e) {
     grouped[free[polytope.edges[e].left]++] = HalfEdge(2 * e);
     grouped[free[polytope.edges[e].right]++] = HalfEdge(2 * e + 1);
   }
   for (const Facet& f : polytope.facets) {
-    for (Index c = f.begin; c < f.end; ++c) at[origin_[grouped[c]]] = grouped[c];
-    for (Index c = f.begin; c < f.end; ++c) join(grouped[c], at[target(grouped[c])]);
+    for (HalfEdgeIndex c = f.begin; c < f.end; ++c) at[origin_[grouped[c]]] = grouped[c];
+    for (HalfEdgeIndex c = f.begin; c < f.end; ++c) join(grouped[c], at[target(grouped[c])]);
   }
 }
 
 HalfEdge HierarchySurface::add_edge(VertexId from, VertexId to) {
-  const HalfEdge h(static_cast<Index>(origin_.size()));
+  const HalfEdge h(static_cast<HalfEdgeIndex>(origin_.size()));
   origin_.insert(origin_.end(), {from, to});
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
@@ -65,8 +65,8 @@ HalfEdge HierarchySurface::cut_corner(HalfEdge h) {
   return cut;
 }
 
-std::vector<Index> HierarchySurface::remove(VertexId v) {
-  std::vector<Index> touched;
+std::vector<HalfEdgeIndex> HierarchySurface::remove(VertexId v) {
+  std::vector<HalfEdgeIndex> touched;
   Cycle rim;
   for (const HalfEdge h : leaving(v)) rim.push_back(cut_corner(h));
   for (const HalfEdge h : rim) {
@@ -96,7 +96,7 @@ std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) c
 }
 
 /// Facets are found from the hole's first side inwards; each leaves smaller holes, at most greatest_degree deep.
-void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
+void HierarchySurface::close(const Cycle& hole, std::vector<HalfEdgeIndex>& touched) {
   Cycle facet{hole[0]};
   std::vector<Cycle> holes;
   std::size_t from = 1;

@@ -5,7 +5,15 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { coincidenceKinds, coincidenceSentences, involvedText, spokenName } from "../../view/page/web/coincidences.js";
 import { cross, dot, norm } from "../../view/page/web/geometry.js";
-import { cofactors, infinitesimalNames, movedDiagram, seenMatrix, seenMonomial, seenSizes, tiltedFrame } from "../../view/page/web/perturbed.js";
+import {
+  cofactors,
+  infinitesimalNames,
+  movedDiagram,
+  seenMatrix,
+  seenMonomial,
+  seenSizes,
+  tiltedFrame,
+} from "../../view/page/web/perturbed.js";
 import { cube, distance, lowerFrame, randomDirection, randomNumbers, upperFrame } from "./bodies.mjs";
 
 const applied = (rows, p) => rows.map((row) => dot(row, p));
@@ -21,12 +29,21 @@ test("each size is smaller than the one before, and all grow with epsilon from 0
 
 test("the order is that of the program: ranks in kernels/predicates/perturbation.hpp", () => {
   const text = readFileSync(new URL("../../kernels/predicates/perturbation.hpp", import.meta.url), "utf8");
-  const ranks = text.match(/rank\{([^}]*)\}/)[1].split(",").map(Number), names = ["E11", "E12", "E13", "E21", "E22", "E23", "E31", "E32", "E33", "a", "b", "c"];
-  assert.deepEqual(infinitesimalNames, [...names].sort((x, y) => ranks[names.indexOf(x)] - ranks[names.indexOf(y)]));
+  const ranks = text
+      .match(/rank\{([^}]*)\}/)[1]
+      .split(",")
+      .map(Number),
+    names = ["E11", "E12", "E13", "E21", "E22", "E23", "E31", "E32", "E33", "a", "b", "c"];
+  assert.deepEqual(
+    infinitesimalNames,
+    [...names].sort((x, y) => ranks[names.indexOf(x)] - ranks[names.indexOf(y)]),
+  );
 });
 
 test("at epsilon 0 nothing moves; beyond it the nodes that coincided are apart", () => {
-  const a = cube("a"), b = cube("b"), opposite = [1, 0, 3, 2, 5, 4];
+  const a = cube("a"),
+    b = cube("b"),
+    opposite = [1, 0, 3, 2, 5, 4];
   for (const epsilon of [0, 0.3]) {
     const moved = movedDiagram(a, seenSizes(epsilon));
     moved.nodes.forEach((n, f) => {
@@ -41,13 +58,19 @@ test("at epsilon 0 nothing moves; beyond it the nodes that coincided are apart",
 
 test("E_ij is row i, column j of I + E", () => {
   const sizes = { ...seenSizes(0), E12: 0.5, E33: 0.25 };
-  assert.deepEqual(seenMatrix(sizes), [[1, 0.5, 0], [0, 1, 0], [0, 0, 1.25]]);
+  assert.deepEqual(seenMatrix(sizes), [
+    [1, 0.5, 0],
+    [0, 1, 0],
+    [0, 0, 1.25],
+  ]);
 });
 
 test("circles move by the cofactors: Mn x Mm = cof(M) (n x m)", () => {
-  const random = randomNumbers(8), matrix = seenMatrix(seenSizes(0.7));
+  const random = randomNumbers(8),
+    matrix = seenMatrix(seenSizes(0.7));
   for (let i = 0; i < 50; ++i) {
-    const n = randomDirection(random), m = randomDirection(random);
+    const n = randomDirection(random),
+      m = randomDirection(random);
     assert.ok(distance(cross(applied(matrix, n), applied(matrix, m)), applied(cofactors(matrix), cross(n, m))) < 1e-12);
   }
 });
@@ -57,7 +80,8 @@ test("the tilted frame stays orthogonal, and is the chart's at epsilon 0", () =>
     const { v, z } = tiltedFrame(seenSizes(1), lower);
     assert.ok(Math.abs(dot(v, z)) < 1e-15);
     assert.ok(v[1] > 0.9 && (lower ? -z[2] : z[2]) > 0.9);
-    const plain = tiltedFrame(seenSizes(0), lower), frame = lower ? lowerFrame : upperFrame;
+    const plain = tiltedFrame(seenSizes(0), lower),
+      frame = lower ? lowerFrame : upperFrame;
     assert.ok(distance(plain.v, frame.v) === 0 && distance(plain.z, frame.z) === 0);
   }
 });
@@ -78,8 +102,14 @@ test("every kind that a study of polytopes counts has its sentence", () => {
 });
 
 test("kinds that occur keep their index; the others are named", () => {
-  const { present, absent } = coincidenceKinds([{ kind: "ties", count: 0, listed: [] }, { kind: "parallel_edges", count: 3, listed: [] }]);
-  assert.deepEqual(present.map(({ kind, index }) => [kind, index]), [["parallel_edges", 1]]);
+  const { present, absent } = coincidenceKinds([
+    { kind: "ties", count: 0, listed: [] },
+    { kind: "parallel_edges", count: 3, listed: [] },
+  ]);
+  assert.deepEqual(
+    present.map(({ kind, index }) => [kind, index]),
+    [["parallel_edges", 1]],
+  );
   assert.ok(absent.includes("ties") && !absent.includes("parallel_edges"));
   assert.equal(spokenName("parallel_edges_of_b"), "parallel edges of B");
 });

@@ -4,7 +4,15 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { boundRatio, costRows, timeText, zeroRows } from "../../view/page/web/costrows.js";
 
-const bound = (stage, changes = {}) => ({ stage, what: "things", count: 30, bound: "m + n", bound_value: 120, source: "AGHRS (1)", ...changes });
+const bound = (stage, changes = {}) => ({
+  stage,
+  what: "things",
+  count: 30,
+  bound: "m + n",
+  bound_value: 120,
+  source: "AGHRS (1)",
+  ...changes,
+});
 
 test("the ratio is count / bound, to three digits; none without a bound", () => {
   assert.equal(boundRatio(bound("x")), 0.25);
@@ -14,9 +22,21 @@ test("the ratio is count / bound, to three digits; none without a bound", () => 
 });
 
 test("times stand beside their stage, once; stages of which only the time is known come last", () => {
-  const rows = costRows({ bounds: [bound("charts"), bound("charts", { what: "others" }), bound("lines", { seconds: 0.5 })], seconds: { charts: 0.25, lines: 0.5, hulls: 1 } });
-  assert.deepEqual(rows.map(({ stage, seconds }) => [stage, seconds]), [["charts", 0.25], ["charts", undefined], ["lines", 0.5], ["hulls", 1]]);
-  assert.equal(rows[3].count, null);
+  const rows = costRows({
+    bounds: [bound("charts"), bound("charts", { what: "others" }), bound("lines", { seconds: 0.5 }), bound("lines", { seconds: 0.5 })],
+    seconds: { charts: 0.25, lines: 0.5, hulls: 1 },
+  });
+  assert.deepEqual(
+    rows.map(({ stage, seconds }) => [stage, seconds]),
+    [
+      ["charts", 0.25],
+      ["charts", undefined],
+      ["lines", 0.5],
+      ["lines", undefined],
+      ["hulls", 1],
+    ],
+  );
+  assert.equal(rows[4].count, null);
   assert.deepEqual(costRows({}), []);
 });
 
@@ -28,7 +48,14 @@ test("times are for people", () => {
 });
 
 test("predicates that were zero, most first", () => {
-  const rows = zeroRows([{ predicate: "x_order", zero: 2 }, { predicate: "side_of_arc", zero: 0 }, { predicate: "order_on_vertical", zero: 9 }]);
-  assert.deepEqual(rows.map(({ predicate }) => predicate), ["order_on_vertical", "x_order"]);
+  const rows = zeroRows([
+    { predicate: "x_order", zero: 2 },
+    { predicate: "side_of_arc", zero: 0 },
+    { predicate: "order_on_vertical", zero: 9 },
+  ]);
+  assert.deepEqual(
+    rows.map(({ predicate }) => predicate),
+    ["order_on_vertical", "x_order"],
+  );
   assert.deepEqual(zeroRows(), []);
 });

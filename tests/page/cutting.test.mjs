@@ -6,7 +6,9 @@ import { blockFates, blocksAt, crossingsByFate, fateSentences, gridCells, levelS
 
 const block = (rows, columns, fate) => ({ rows, columns, fate });
 const cutting = {
-  pair: 0, of: "winner", as_searched: true,
+  pair: 0,
+  of: "winner",
+  as_searched: true,
   levels: [
     { level: 0, side: null, blocks: [block([0, 5], [0, 8], "refined")] },
     { level: 1, side: "a", blocks: [block([0, 2], [0, 8], "refined"), block([2, 5], [0, 8], "cleared")] },
@@ -28,19 +30,41 @@ test("after each level the blocks partition the grid", () => {
 });
 
 test("refined blocks are shown at their own level only", () => {
-  assert.deepEqual(blocksAt(cutting, 1).map(({ fate, level }) => [fate, level]), [["refined", 1], ["cleared", 1]]);
-  assert.deepEqual(blocksAt(cutting, 2).map(({ fate, level }) => [fate, level]), [["cleared", 1], ["won", 2], ["scanned", 2]]);
+  assert.deepEqual(
+    blocksAt(cutting, 1).map(({ fate, level }) => [fate, level]),
+    [
+      ["refined", 1],
+      ["cleared", 1],
+    ],
+  );
+  assert.deepEqual(
+    blocksAt(cutting, 2).map(({ fate, level }) => [fate, level]),
+    [
+      ["cleared", 1],
+      ["won", 2],
+      ["scanned", 2],
+    ],
+  );
 });
 
 test("crossings by fate: rows and columns are half-open", () => {
   assert.deepEqual(crossingsByFate(blocksAt(cutting, 2)), {
-    cleared: { blocks: 1, crossings: 24 }, refined: { blocks: 0, crossings: 0 }, scanned: { blocks: 1, crossings: 10 }, won: { blocks: 1, crossings: 6 },
+    cleared: { blocks: 1, crossings: 24 },
+    refined: { blocks: 0, crossings: 0 },
+    scanned: { blocks: 1, crossings: 10 },
+    won: { blocks: 1, crossings: 6 },
   });
   for (const fate of blockFates) assert.ok(fateSentences[fate]);
 });
 
 test("cells fit the picture, and none is a sliver where there is room", () => {
-  for (const [rows, columns] of [[1, 1], [16, 10], [3, 500], [400, 2], [1000, 1000]]) {
+  for (const [rows, columns] of [
+    [1, 1],
+    [16, 10],
+    [3, 500],
+    [400, 2],
+    [1000, 1000],
+  ]) {
     const { width, height } = gridCells(rows, columns);
     assert.ok(columns * width <= 640 + 1e-9 && rows * height <= 420 + 1e-9, `${rows} x ${columns}`);
     assert.ok(Math.max(width, height) <= 4 * Math.min(width, height) + 1e-9);

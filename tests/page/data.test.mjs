@@ -59,9 +59,24 @@ test("the way out is the chosen optimum's, or the facet's that is looked at; it 
 });
 
 test("without features the way ends at the answer's witness, in the picture's units", () => {
-  const scale = { center: ["1/2", "0", "0"], exponent: 1 }, contact = { direction: [0, 0, 1], translation: [0, 0, 2], features: null, optima: [] };
+  const scale = { center: ["1/2", "0", "0"], exponent: 1 };
+  const contact = { direction: [0, 0, 1], translation: [0, 0, 2], features: null, optima: [] };
   const round = makeData({ status: "penetrating", witness_f64: { b: [1, 2, 3] } }, { ...stages, scale, contact }, "");
   assert.deepEqual(meetingOf(round, wayOf(round, { facet: null, optimum: 0 })), [1, 4, 6]);
+});
+
+test("bodies that touch do so about the middle of what lies in the plane between them", () => {
+  const square = (x, y, z) => [[x, y, z], [x + 2, y, z], [x + 2, y + 2, z], [x, y + 2, z]];
+  const solid = (z, side, x) => ({ ids: [0, 1, 2, 3, 4], vertices: [...square(x, 0, z), [x + 1, 1, z + side]], edges: [], facets: [] });
+  const contact = { direction: [0, 0, 1], translation: [0, 0, 0], features: null, optima: [] };
+  const touching = makeData({ status: "touching" }, { a: solid(0, 1, 1), b: solid(0, -1, 0), contact }, "");
+  assert.deepEqual(meetingOf(touching, wayOf(touching, { facet: null, optimum: 0 })), [1.5, 1, 0]);
+});
+
+test("of bodies that are apart the way leads from A to B", () => {
+  const contact = { direction: [0, 0, -1], translation: [0, 0, 3], features: { a: [4], b: [0] }, optima: [] };
+  const apart = makeData({ status: "disjoint" }, { ...stages, contact }, "");
+  assert.deepEqual(wayOf(apart, { facet: null, optimum: 0 }).direction, [0, 0, 1]);
 });
 
 test("data without most of it is no error", () => {

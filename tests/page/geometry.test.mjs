@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from "node:assert/strict";
 import test from "node:test";
-import { across, creases, cross, dot, edgesOfPolygons, frameOf, inOrder, meetingPoint, norm, sideView, unit } from "../../view/page/web/geometry.js";
+import {
+  across, creases, cross, dot, edgesOfPolygons, frameOf, inOrder, meetingPoint, norm, sideView, unit,
+} from "../../view/page/web/geometry.js";
 
 const near = (p, q) => assert.ok(norm(p.map((x, i) => x - q[i])) < 1e-12, `${p} is not ${q}`);
 

@@ -2,11 +2,26 @@
 // The table of canonical pairs: its order, its fold, its cells.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closestSentence, lengthText, pairCells, pairHeadings, pairRows, pairSentence, pairSize, shownUpTo } from "../../view/page/web/pairrows.js";
+import {
+  closestSentence,
+  lengthText,
+  pairCells,
+  pairHeadings,
+  pairRows,
+  pairSentence,
+  pairSize,
+  shownUpTo,
+} from "../../view/page/web/pairrows.js";
 import { cubes, pair } from "./bodies.mjs";
 
 const some = cubes({
-  pairs: [pair(), pair({ a: [0, 1], b: [2, 3, 4] }), pair({ chart: 1, stored_of: "b" }), pair({ a: [0], b: [1, 2] }), pair({ a: [5, 6, 7], b: [1, 2], rising: false })],
+  pairs: [
+    pair(),
+    pair({ a: [0, 1], b: [2, 3, 4] }),
+    pair({ chart: 1, stored_of: "b" }),
+    pair({ a: [0], b: [1, 2] }),
+    pair({ a: [5, 6, 7], b: [1, 2], rising: false }),
+  ],
 });
 
 test("larger pairs come first, equal ones in the order in which they were found; 1 x 1 are folded", () => {
@@ -20,6 +35,8 @@ test("the cells of a row", () => {
   const closest = { a: 0, b: 2, distance: 0.25, distance_squared: "1/16" };
   const data = cubes({ pairs: [pair({ a: [0, 1], b: [2, 3, 4], closest, evaluated: 6, engine: null })] });
   assert.deepEqual(pairCells(data, 0), ["0", "upper", "\u2212A", "2 \u00d7 3", "0.25", "6", "\u2013"]);
+  const rough = cubes({ pairs: [pair({ closest: { a: 0, b: 2, distance: 0.5 } })], scale: { exponent: -1 } });
+  assert.equal(pairCells(rough, 0)[4], "\u2248 1", "without its exact square: to six digits, in the unit of the input");
   assert.equal(pairHeadings.length, pairCells(data, 0).length);
 });
 
@@ -33,11 +50,15 @@ test("lengths are those of the input: places are input * 2^exponent", () => {
 });
 
 test("sentences say hemisphere, sizes, sense and the closest lines by points of the input", () => {
-  assert.match(pairSentence(some, 1), /pair 1, upper hemisphere: 2 edges of A and 3 edges of B, 6 crossings\. The arcs of \u2212A span .* those of B cross them from below to above\./);
+  assert.match(
+    pairSentence(some, 1),
+    /pair 1, upper hemisphere: 2 edges of A and 3 edges of B, 6 crossings\. The arcs of \u2212A span .* those of B .* below to above\./,
+  );
   assert.match(pairSentence(some, 4), /from above to below/);
   assert.match(pairSentence(some, 2), /lower hemisphere: 1 edge of A and 1 edge of B, 1 crossing\. The arcs of B span/);
   assert.equal(closestSentence(some, 0), null);
-  const data = cubes({ pairs: [pair({ closest: { a: 0, b: 1, distance: 1 }, engine: "cleared", evaluated: 0 })] }), [v, w] = data.bodies.a.edges[0];
+  const data = cubes({ pairs: [pair({ closest: { a: 0, b: 1, distance: 1 }, engine: "cleared", evaluated: 0 })] }),
+    [v, w] = data.bodies.a.edges[0];
   assert.match(closestSentence(data, 0), new RegExp(`edge 0 of A \\(points ${10 + v} and ${10 + w}\\).*cleared at once, 0 evaluated`));
 });
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/ratio.hpp"
 #include "tests/stages/staged_cases.hpp"
 
 namespace fathom::stages {
@@ -28,7 +29,7 @@ mpq_class power_of_two(long exponent) {
   return one;
 }
 
-void check_vertices(const Body& input, const StagedBody& body, const Scale& scale, const std::string& id) {
+void check_vertices(const Body& input, const StagedBody& body, const StagedScale& scale, const std::string& id) {
   double extent = 0;
   for (const Place& p : body.vertices) extent = std::max({extent, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   for (std::size_t i = 0; i < body.vertices.size(); ++i) {
@@ -128,13 +129,14 @@ void check_arcs(const StagedDiagram& diagram, const StagedBody& body, const std:
     if (!arc.from || !arc.to) continue;
     EXPECT_NE(arc.from, arc.to) << id;
     const StagedNode &left = *node_in(diagram, *arc.from), &right = *node_in(diagram, *arc.to);
-    if (std::max(std::abs(left.latitude), std::abs(right.latitude)) < polar) EXPECT_LE(left.longitude, right.longitude + near) << id;
+    if (std::max(std::abs(left.latitude), std::abs(right.latitude)) > polar) continue;
+    EXPECT_LE(left.longitude, right.longitude + near) << id;
   }
 }
 
 // Each node is in one chart, at its place; each end of an arc is one of its nodes, or in the other chart.
 TEST(Charts, HoldTheDiagrams) {
-  for (const Case& input : staged_cases({7, 20})) {
+  for (const Case& input : staged_cases({15})) {
     const Stages stages = stages_of(input.a, input.b);
     ASSERT_EQ(stages.charts.size(), 2U) << input.id;
     for (const bool of_a : {true, false}) {
@@ -180,30 +182,29 @@ TEST(Charts, HaveTheirWallsFromLeftToRight) {
   }
 }
 
-// The direction in which the arcs of two edges cross: that of the outward normals in this hemisphere.
-std::optional<double> longitude_of_crossing(const Prepared& p, const StagedChart& chart, Index e, Index f) {
+// Where the arcs of two edges cross, if not on the equator.
+std::optional<double> longitude_of_crossing(const Prepared& p, Index e, Index f) {
   const polytope::Edge &of_a = p.a.edges[e], &of_b = p.b.edges[f];
   const Vector w = cross(p.a.vertices[of_a.to] - p.a.vertices[of_a.from], p.b.vertices[of_b.to] - p.b.vertices[of_b.from]);
-  if (w.z == 0 || (w.x == 0 && w.z == 0)) return std::nullopt;
-  const double along = mpq_class(w.x, 1).get_d() / mpq_class(abs(w.z), 1).get_d();
-  const int side = sgn(w.z) * (chart.upper ? 1 : -1);  // w or -w is in this hemisphere; to the right is x in the upper one, else -x
-  return std::atan(along * side * (chart.upper ? 1 : -1));
+  if (w.z == 0) return std::nullopt;
+  // w or -w is in this hemisphere; to the right is x in the upper one, -x in the lower one: the quotient is the same.
+  return std::atan(kernels::ratio(w.x, w.z).get_d());
 }
 
 TEST(Strips, HoldTheCrossings) {
   std::size_t crossings = 0;
-  for (const Case& input : staged_cases({9, 40})) {
+  for (const Case& input : staged_cases({30})) {
     const auto p = prepare(input);
     const Stages stages = stages_of(input.a, input.b);
     for (const StagedPair& pair : stages.pairs) {
       const StagedChart& chart = stages.charts[pair.chart];
       const double left = pair.strip[0] ? longitude_of(chart, chart.walls.at(*pair.strip[0])) : -4;
       const double right = pair.strip[1] ? longitude_of(chart, chart.walls.at(*pair.strip[1])) : 4;
-      if (pair.strip[0] && pair.strip[1]) EXPECT_LT(*pair.strip[0], *pair.strip[1]) << input.id;
+      EXPECT_LT(pair.strip[0] ? *pair.strip[0] + 1 : 0, pair.strip[1] ? *pair.strip[1] + 1 : chart.walls.size() + 1) << input.id;
       if (std::isnan(left) || std::isnan(right)) continue;
       for (const Index e : pair.a) {
         for (const Index f : pair.b) {
-          const std::optional<double> at = longitude_of_crossing(*p, chart, e, f);
+          const std::optional<double> at = longitude_of_crossing(*p, e, f);
           if (!at) continue;
           EXPECT_TRUE(left - 1e-6 <= *at && *at <= right + 1e-6) << input.id << ": " << left << " " << *at << " " << right;
           ++crossings;
@@ -211,7 +212,7 @@ TEST(Strips, HoldTheCrossings) {
       }
     }
   }
-  EXPECT_GT(crossings, 10000U);
+  EXPECT_GT(crossings, 5000U);
 }
 
 }  // namespace

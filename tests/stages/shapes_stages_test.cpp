@@ -35,7 +35,7 @@ TEST(Shapes, OutlinesLieOnTheBodies) {
   EXPECT_TRUE(stages.charts.empty() && stages.pairs.empty() && !stages.cutting && !stages.winner);
   EXPECT_EQ(stages.depth, 1.0);
   EXPECT_EQ(stages.squared, 1);
-  EXPECT_NEAR(stages.contact.direction[0], 1, 1e-12);
+  EXPECT_EQ(stages.contact.direction, (Place{-1, 0, 0}));
 }
 
 TEST(Shapes, FacetsLookOutward) {
@@ -65,9 +65,18 @@ TEST(Shapes, DepthIsThatOfSignedDepth) {
     const Stages stages = stages_of(input.a, input.b);
     const SignedDepth depth = signed_depth(a, b);
     EXPECT_EQ(stages.status, depth.status()) << input.id;
-    EXPECT_EQ(stages.depth.has_value(), depth.status() == Status::penetrating && depth.low_binary64() == depth.high_binary64()) << input.id;
-    const double length = std::sqrt(dot(stages.contact.translation, stages.contact.translation));
-    if (stages.depth) EXPECT_NEAR(length / (*stages.depth * std::exp2(stages.scale.exponent)), 1, 1e-9) << input.id;
+    if (depth.status() == Status::penetrating) {
+      if (depth.exact()) {
+        EXPECT_EQ(stages.depth, round_binary64(*depth.exact())) << input.id;
+      } else {
+        EXPECT_EQ(stages.depth.has_value(), round_binary64(depth.bounds()->low) == round_binary64(depth.bounds()->high)) << input.id;
+      }
+      const double length = std::sqrt(dot(stages.contact.translation, stages.contact.translation));
+      const double expected = depth.exact() ? *stages.depth : mpq_class((depth.bounds()->low + depth.bounds()->high) / 2).get_d();
+      EXPECT_NEAR(length / std::exp2(stages.scale.exponent) / expected, 1, 1e-9) << input.id;
+    } else {
+      EXPECT_FALSE(stages.depth || stages.squared) << input.id;
+    }
     EXPECT_FALSE(stages.left_out.empty()) << input.id;
   }
 }

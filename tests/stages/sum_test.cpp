@@ -17,7 +17,7 @@
 namespace {
 
 using namespace fathom;
-using testing::cases_of_all_families;
+using fathom::testing::cases_of_all_families;
 
 std::vector<Case> polytopes() {
   std::vector<Case> cases = cases_of_all_families(2, 8);
@@ -39,19 +39,19 @@ Facets naive(const polytope::Polytope& a, const polytope::Polytope& b) {
   return facets;
 }
 
-struct Run {
+struct ExactRun {
   polytope::PlacedPair pair;
   kernels::Context context;
   std::unique_ptr<depth::ExactStages> exact;
 
-  explicit Run(const Case& input)
+  explicit ExactRun(const Case& input)
       : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
 };
 
 TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
   std::size_t seen = 0;
   for (const Case& input : polytopes()) {
-    const Run run(input);
+    const ExactRun run(input);
     if (!run.exact->depth.penetration()) continue;
     ++seen;
     const auto found = stages::sum_facets(*run.exact, 100'000);
@@ -88,12 +88,12 @@ TEST(Sum, TheNearestAreThoseOfTheNaiveTwin) {
       EXPECT_EQ(staged.sum.kind, stages::SumKind::none) << input.id;
       continue;
     }
-    const std::vector<stages::SumFacet>& facets = staged.sum.facets;
+    const std::vector<stages::StagedFacet>& facets = staged.sum.facets;
     const mpq_class unit = kernels::ratio(1, pair.denominator * pair.denominator);
     ASSERT_FALSE(facets.empty()) << input.id;
     EXPECT_EQ(facets.front().squared, mpq_class(twin.squared * unit)) << input.id << ", law: the nearest is as far as the depth";
-    EXPECT_TRUE(std::ranges::is_sorted(facets, {}, &stages::SumFacet::squared)) << input.id << ", law: ascending";
-    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(facets, true, &stages::SumFacet::optimal)), twin.directions.size())
+    EXPECT_TRUE(std::ranges::is_sorted(facets, {}, &stages::StagedFacet::squared)) << input.id << ", law: ascending";
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(facets, true, &stages::StagedFacet::optimal)), twin.directions.size())
         << input.id << ", law: the optimal ones are the optima";
   }
 }
@@ -113,7 +113,7 @@ TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
   std::size_t seen = 0;
   for (const Case& input : polytopes()) {
     const stages::Stages staged = stages::stages_of(input.a, input.b);
-    for (const stages::SumFacet& facet : staged.sum.facets) {
+    for (const stages::StagedFacet& facet : staged.sum.facets) {
       if (facet.kind != stages::SumFacetKind::edges) continue;
       ++seen;
       ASSERT_EQ(facet.pairs.size(), 1U) << input.id << ", law: each crossing once";
@@ -128,7 +128,7 @@ TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
 
 TEST(Sum, StopsAtTheMostFacets) {
   const Case cubes = families::families().front().make(1, 12);
-  const Run run(cubes);
+  const ExactRun run(cubes);
   const auto all = stages::sum_facets(*run.exact, 100'000);
   ASSERT_TRUE(all);
   EXPECT_TRUE(stages::sum_facets(*run.exact, all->size()));

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "view/picture/markup.hpp"
 
 namespace fathom::picture {
@@ -23,17 +25,19 @@ std::string share_bar(std::span<const Share> shares, const std::string& id, cons
   if (all == 0) return "";
   std::string bars, legend, described;
   std::size_t before = 0;
+  std::map<std::string, std::size_t> seen;  // neighbours of one style alternate
   for (const Share& share : shares) {
     if (share.count == 0) continue;
+    const std::string style = share.style + (seen[share.style]++ % 2 == 0 ? "" : " other");
     const std::string text = fmt::format("{} {}", share.count, share.name);
     bars += fmt::format("<rect class=\"share {}\" x=\"{:.3f}%\" y=\"0\" width=\"{:.3f}%\" height=\"22\"><title>{} of {}: {}</title></rect>",
-                        share.style, percent(before, all), percent(share.count, all), share.count, all, share.name);
+                        style, percent(before, all), percent(share.count, all), share.count, all, share.name);
     const std::string named = share.link.empty() ? share.name : fmt::format("<a href=\"#{}\">{}</a>", share.link, share.name);
     legend += fmt::format(
         "<li><svg class=\"swatch\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect class=\"share {}\" width=\"12\" "
         "height=\"12\"/></svg> "
         "<b>{}</b> {}</li>",
-        share.style, share.count, named);
+        style, share.count, named);
     described += (described.empty() ? "" : ", ") + text;
     before += share.count;
   }
@@ -58,6 +62,11 @@ std::string copied_text(const std::string& id, const std::string& button, const 
       "<span role=\"status\"></span></p>\n<details><summary>{2}</summary><pre id=\"{0}\" class=\"wrap\" "
       "tabindex=\"0\">{3}</pre></details>\n",
       id, button, summary, markup(text));
+}
+
+std::string beside(const std::string& figure, const std::string& said) {
+  if (figure.empty()) return said;
+  return "<div class=\"beside\">\n<div class=\"picture\">" + figure + "</div>\n<div>\n" + said + "</div>\n</div>\n";
 }
 
 std::string table_box(const std::string& name, const std::string& table, bool tall) {

@@ -45,6 +45,9 @@ std::string filter_bar(const std::string& of, const std::string& what, std::span
 /// A folded text with a button that copies it, which is seen only where scripts run. `id` is that of the text; `text` is escaped here.
 std::string copied_text(const std::string& id, const std::string& button, const std::string& summary, std::string_view text);
 
+/// A figure on the left, or above where the page is narrow, and what is said of it; without a figure what is said alone.
+std::string beside(const std::string& figure, const std::string& said);
+
 /// A box that scrolls by itself, around a table with this accessible name, which is markup. `tall`: it has a limit of height too.
 std::string table_box(const std::string& name, const std::string& table, bool tall);
 

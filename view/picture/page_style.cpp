@@ -7,7 +7,7 @@ namespace fathom::picture {
 std::string_view page_style() {
   return R"(
 body { margin: 0 auto; max-width: 84rem; padding: 1.25rem; background: var(--ground); color: var(--ink);
-  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
+  font: 1rem/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 .35rem; } h2 { font-size: 1.25rem; margin: 2.25rem 0 .6rem; }
 h3 { font-size: 1.05rem; margin: 1.5rem 0 .5rem; } h4 { font-size: 1rem; margin: 0; }
 h1, h2, h3, h4, td.text, dd, p, li, summary { overflow-wrap: anywhere; } h3 a, h4 a { color: inherit; text-decoration: none; }
@@ -25,8 +25,7 @@ pre.wrap { white-space: pre-wrap; overflow-wrap: anywhere; }
 
 .shares { margin: .6rem 0 1rem; } .shares > svg { display: block; border-radius: 4px; background: var(--shade); }
 .share { stroke: var(--ground); stroke-width: 1; } .share.good { fill: var(--true); } .share.fair { fill: var(--true); fill-opacity: .55; }
-.share.left { fill: var(--line); } .share.wrong { fill: var(--claimed); } .share.wrong + .share.wrong { fill-opacity: .8; }
-.share.wrong + .share.wrong + .share.wrong { fill-opacity: 1; } .share.lost { fill: var(--soft); }
+.share.left { fill: var(--line); } .share.wrong { fill: var(--claimed); } .share.other { fill-opacity: .62; } .share.lost { fill: var(--soft); }
 .legend { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; padding: 0; margin: .5rem 0 0; } .swatch { vertical-align: -1px; }
 
 .filter { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: .5rem 0; }
@@ -37,10 +36,10 @@ button { cursor: pointer; background: var(--shade); } .copying { margin: .75rem 
 .wide { overflow-x: auto; } .tall { overflow: auto; max-height: 34rem; border-bottom: 1px solid var(--line); }
 table { border-collapse: separate; border-spacing: 0; font-size: .9rem; }
 th, td { padding: .25rem .55rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: top; font-variant-numeric: tabular-nums; }
-td { white-space: nowrap; } td.text { white-space: normal; min-width: 16rem; } td.name { text-align: left; }
+td { white-space: nowrap; } td.text { white-space: normal; min-width: 24rem; font-family: inherit; font-size: inherit; } td.name { text-align: left; }
 thead th { vertical-align: bottom; font-weight: 600; background: var(--ground); position: sticky; top: 0; }
 tbody th { text-align: left; font-weight: 400; white-space: nowrap; } td.text, th.text { text-align: left; }
-tbody th.id { white-space: normal; overflow-wrap: anywhere; min-width: 11rem; } tr.all th, tr.all td { font-weight: 700; }
+tbody th.id { white-space: normal; overflow-wrap: anywhere; min-width: 19rem; } tr.all th, tr.all td { font-weight: 700; }
 tbody tr:hover, tr.lights { background: var(--shade); }
 
 article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; scroll-margin-top: .5rem; }
@@ -49,18 +48,18 @@ article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
 .facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 0 2rem; }
 .facts dl { grid-template-columns: minmax(6rem, auto) minmax(0, 1fr); }
 figure { margin: .5rem 0; } figcaption { color: var(--soft); font-size: .9rem; }
-.pairs { display: flex; flex-wrap: wrap; gap: .5rem; } .pairs svg, .card-picture svg { max-width: 100%; height: auto; }
+.pairs { display: flex; flex-wrap: wrap; gap: .5rem; } .pairs svg { max-width: 100%; height: auto; }
 svg.pair .mark { opacity: 0; pointer-events: none; fill: var(--lit); fill-opacity: .3; stroke: var(--lit); stroke-width: 5; stroke-linejoin: round; }
 svg.pair .body-b.mark { stroke-dasharray: 9 4; } svg.pair .mark.lit, svg.pair .mark:target { opacity: 1; }
 .key { font-weight: 700; } .key.body-a { color: var(--a); } .key.body-b { color: var(--b); } .key.true { color: var(--true); } .key.claimed { color: var(--claimed); }
 svg.chart text { fill: var(--ink); font-size: 12px; } svg.chart text.soft { fill: var(--soft); font-size: 11px; }
-svg.chart rect.bar { fill: var(--link); } svg.chart rect.bar.failing { fill: var(--claimed); } svg.chart line { stroke: var(--line); }
+svg.chart rect.bar { fill: var(--true); } svg.chart rect.bar.failing { fill: var(--claimed); } svg.chart line { stroke: var(--line); }
 svg.chart line.limit { stroke: var(--ink); stroke-dasharray: 3 3; }
 @media (min-width: 70rem) { .beside { display: grid; grid-template-columns: 27rem minmax(0, 1fr); gap: 0 1.5rem; align-items: start; }
-  .beside > .picture { position: sticky; top: .5rem; } }
-@media (max-width: 36rem) { body { padding: .75rem; } article { padding: .7rem; } .facts dl { grid-template-columns: minmax(0, 1fr); gap: 0; }
+  .beside > .picture { position: sticky; top: .5rem; } .beside .facts { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 36rem) { tbody th.id { min-width: 9rem; } body { padding: .75rem; } article { padding: .7rem; } .facts dl { grid-template-columns: minmax(0, 1fr); gap: 0; }
   .facts dd { margin-bottom: .3rem; } dl.settings { grid-template-columns: minmax(0, 1fr); gap: 0; } details.part > :not(summary) { margin-left: .5rem; margin-right: .5rem; } }
-@media print { body { max-width: none; padding: 0; font-size: 11px; } article, figure, tr { break-inside: avoid; }
+@media print { html { font-size: 11px; } body { max-width: none; padding: 0; } .pairs svg { width: 49%; } article, figure, tr { break-inside: avoid; }
   h2, h3, h4 { break-after: avoid; } pre, .tall { max-height: none; } .wide, .tall { overflow: visible; } thead th { position: static; }
   button, .filter { display: none; } * { print-color-adjust: exact; } }
 )";

@@ -186,11 +186,11 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
   ways.add(scene.view.place(scene.way));
   if (scene.claimed) ways.add(scene.view.place(*scene.claimed));
   const mpq_class longest = greater_side(ways), extent = greater_side(box);
-  const Place& scale = result.front().window.scale();
+  const Spot& scale = result.front().window.scale();
   if (longest == 0 || longest * std::max(scale.x, scale.y) >= short_way) return result;
   if (scene.approximate() && extent > 1'000'000 * longest) return result;
-  const Place start = scene.view.place(scene.anchor);
-  const Place centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
+  const Spot start = scene.view.place(scene.anchor);
+  const Spot centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
   result.push_back({Window::close(scene.view, centre, mpq_class(close_way / longest), size), true});
   return result;
 }

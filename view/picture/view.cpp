@@ -100,10 +100,10 @@ View::View(const Point& along, const std::optional<Point>& second, std::span<con
   towards_ = cross(right, up);
 }
 
-Place View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
+Spot View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
 
 Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) const {
-  const Place at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
+  const Spot at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
   return {at.x.get_d(), at.y.get_d()};
 }
 

@@ -48,7 +48,7 @@ Place times(double length, const Place& direction) {
 
 }  // namespace
 
-void add_bodies(const Subject& subject, Stages& stages) {
+void add_bodies(const StagesSource& subject, Stages& stages) {
   stages.scale = subject.placing.scale();
   stages.a = body_of(subject.exact.hulls.a, subject.exact.diagrams.a, subject.placing);
   stages.b = body_of(subject.exact.hulls.b, subject.exact.diagrams.b, subject.placing);

@@ -16,7 +16,7 @@ struct Sizes {
 
 }  // namespace
 
-void add_bounds(const Subject& subject, Stages& stages) {
+void add_bounds(const StagesSource& subject, Stages& stages) {
   const depth::Hulls& hulls = subject.exact.hulls;
   const Sizes size{static_cast<double>(hulls.a.edges.size()), static_cast<double>(hulls.b.edges.size())};
   const std::uint64_t vertices = hulls.a.vertices.size() + hulls.b.vertices.size(), edges = hulls.a.edges.size() + hulls.b.edges.size(),

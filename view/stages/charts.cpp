@@ -31,7 +31,7 @@ StagedDiagram diagram_in(const chart::ColourChart& chart, const std::vector<Plac
 
 }  // namespace
 
-void add_charts(const Subject& subject, Stages& stages) {
+void add_charts(const StagesSource& subject, Stages& stages) {
   for (const chart::Hemisphere hemisphere : chart::both_hemispheres) {
     const chart::Charts& charts = subject.exact.charts[stages.charts.size()];
     StagedChart staged;

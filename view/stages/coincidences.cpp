@@ -22,7 +22,7 @@ std::uint64_t tests(const studies::Subjects& subjects) {
   return std::uint64_t{a.nodes.size()} * b.arcs.size() + std::uint64_t{b.nodes.size()} * a.arcs.size();
 }
 
-void find_contacts(const Subject& subject, studies::Findings& findings) {
+void find_contacts(const StagesSource& subject, studies::Findings& findings) {
   const Depth& depth = subject.exact.depth;
   if (depth.touch()) {
     const depth::FacingFaces faces = depth::facing_faces(subject.pair, depth.touch()->direction);
@@ -32,7 +32,7 @@ void find_contacts(const Subject& subject, studies::Findings& findings) {
   for (const Optimum& optimum : depth.optima()) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
 }
 
-Study study_of(const Subject& subject, const studies::Subjects& subjects, Stages& stages) {
+Study study_of(const StagesSource& subject, const studies::Subjects& subjects, Stages& stages) {
   Study study;
   studies::Findings findings(study, most_listed);
   subject.context.report("coincidences");
@@ -51,7 +51,7 @@ Study study_of(const Subject& subject, const studies::Subjects& subjects, Stages
 
 }  // namespace
 
-void add_coincidences(const Subject& subject, Stages& stages) {
+void add_coincidences(const StagesSource& subject, Stages& stages) {
   const depth::ExactStages& exact = subject.exact;
   const studies::Subjects subjects{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a}, {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
   const Study study = study_of(subject, subjects, stages);

@@ -9,7 +9,7 @@
 
 namespace fathom::stages {
 
-void JsonText::key(std::string_view name) {
+void StagesText::key(std::string_view name) {
   separate();
   text_ += '"';
   text_ += name;
@@ -17,7 +17,7 @@ void JsonText::key(std::string_view name) {
   first_ = true;
 }
 
-void JsonText::number(double value, int digits) {
+void StagesText::number(double value, int digits) {
   separate();
   value += 0.0;  // -0 becomes 0
   fmt::memory_buffer text;
@@ -26,15 +26,15 @@ void JsonText::number(double value, int digits) {
   text_.append(text.data(), text.size());
 }
 
-void JsonText::numbers(const std::array<double, 3>& values, int digits) {
+void StagesText::numbers(const std::array<double, 3>& values, int digits) {
   array([&] {
     for (const double value : values) number(value, digits);
   });
 }
 
-void JsonText::exact(const mpq_class& value) { string(exact_text(value)); }
+void StagesText::exact(const mpq_class& value) { string(exact_text(value)); }
 
-void JsonText::string(std::string_view value) {
+void StagesText::string(std::string_view value) {
   plain(nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 

@@ -13,7 +13,7 @@
 
 namespace fathom::stages {
 
-class JsonText {
+class StagesText {
  public:
   [[nodiscard]] std::string take() && { return std::move(text_); }
 

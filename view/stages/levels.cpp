@@ -31,7 +31,7 @@ Blocks as_searched(const lines::SearchTrace& trace, std::size_t pair) {
 }
 
 // Cuts the grid until about as many blocks as wanted are left at the most. It starts with the facets of step 1, as the search does.
-Blocks cut_for_picture(const Subject& subject, const chart::Charts& charts, const canonical::CanonicalPair& pair) {
+Blocks cut_for_picture(const StagesSource& subject, const chart::Charts& charts, const canonical::CanonicalPair& pair) {
   const lines::EdgeLinesOfA a(subject.exact.hulls.a, subject.pair.exponent());
   const lines::EdgeLinesOfB b(subject.exact.hulls.b, subject.pair.exponent());
   const lines::LineScene scene(charts, a, b);
@@ -78,7 +78,7 @@ std::vector<StagedLevel> levels_of(const Blocks& blocks, const StagedPair& pair)
 
 }  // namespace
 
-void add_cutting(const Subject& subject, Stages& stages) {
+void add_cutting(const StagesSource& subject, Stages& stages) {
   if (!subject.exact.depth.penetration()) return;
   const std::optional<Index> chosen = pair_to_cut(stages);
   if (!chosen) return;

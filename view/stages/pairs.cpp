@@ -35,7 +35,7 @@ StagedPair staged_pair(const canonical::CanonicalPair& pair, Index chart, const 
 // One hemisphere.
 class ClosestOfPairs {
  public:
-  ClosestOfPairs(const Subject& subject, const chart::Charts& charts, const lines::EdgeLinesOfA& a, const lines::EdgeLinesOfB& b)
+  ClosestOfPairs(const StagesSource& subject, const chart::Charts& charts, const lines::EdgeLinesOfA& a, const lines::EdgeLinesOfB& b)
       : subject_(subject), scene_(charts, a, b) {}
 
   std::optional<ClosestPair> of(const canonical::CanonicalPair& pair) {
@@ -67,7 +67,7 @@ class ClosestOfPairs {
     }
   }
 
-  const Subject& subject_;
+  const StagesSource& subject_;
   lines::LineScene scene_;
 };
 
@@ -82,7 +82,7 @@ PairFate fate_of(lines::Treatment treatment) {
 
 }  // namespace
 
-void add_pairs(const Subject& subject, Stages& stages) {
+void add_pairs(const StagesSource& subject, Stages& stages) {
   const depth::ExactStages& exact = subject.exact;
   const bool searched = exact.depth.penetration() != nullptr;
   const lines::EdgeLinesOfA a(exact.hulls.a, subject.pair.exponent());

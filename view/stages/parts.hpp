@@ -12,10 +12,10 @@
 namespace fathom::stages {
 
 /// The scale for bodies around `origin`, whose coordinates differ from it by at most `extent`.
-Scale scale_of(const Point& origin, const mpq_class& extent);
+StagedScale scale_of(const Point& origin, const mpq_class& extent);
 /// A length, and one by its square, in the unit of places.
-double scaled(const mpq_class& value, const Scale& scale);
-double scaled_root(const mpq_class& squared, const Scale& scale);
+double scaled(const mpq_class& value, const StagedScale& scale);
+double scaled_root(const mpq_class& squared, const StagedScale& scale);
 
 /// From lattice and input to places.
 class Placing {
@@ -23,7 +23,7 @@ class Placing {
   /// Of the points of both bodies.
   explicit Placing(const polytope::PlacedPair& pair);
 
-  [[nodiscard]] const Scale& scale() const { return scale_; }
+  [[nodiscard]] const StagedScale& scale() const { return scale_; }
   /// The place of a lattice point; of a lattice vector, such as b - a: without the center.
   [[nodiscard]] Place point(const Vector& lattice) const;
   [[nodiscard]] Place vector(const Vector& lattice) const;
@@ -34,7 +34,7 @@ class Placing {
   [[nodiscard]] double length(const mpq_class& squared) const;
 
  private:
-  Scale scale_;
+  StagedScale scale_;
   const polytope::PlacedPair* pair_;
 };
 
@@ -42,7 +42,7 @@ class Placing {
 Place unit(const Vector& direction);
 
 /// What the parts are made from. `exact` has hulls, diagrams, charts and canonical subsets whatever the status.
-struct Subject {
+struct StagesSource {
   const Body &a, &b;
   const polytope::PlacedPair& pair;
   const depth::ExactStages& exact;
@@ -53,26 +53,28 @@ struct Subject {
 // Each fills its fields of `stages`, in which those before it are filled.
 
 /// a, b.
-void add_bodies(const Subject& subject, Stages& stages);
+void add_bodies(const StagesSource& subject, Stages& stages);
 /// contact, depth, squared, status.
 void add_contact(const Depth& depth, const Placing& placing, Stages& stages);
 /// charts.
-void add_charts(const Subject& subject, Stages& stages);
+void add_charts(const StagesSource& subject, Stages& stages);
 /// pairs.
-void add_pairs(const Subject& subject, Stages& stages);
+void add_pairs(const StagesSource& subject, Stages& stages);
 /// winner, and its pair's closest lines, exactly.
-void add_winner(const Subject& subject, const Depth& depth, Stages& stages);
+void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages);
 /// cutting.
-void add_cutting(const Subject& subject, Stages& stages);
+void add_cutting(const StagesSource& subject, Stages& stages);
 /// sum.
-void add_sum(const Subject& subject, Stages& stages);
+void add_sum(const StagesSource& subject, Stages& stages);
 /// coincidences, with decided_by; decided.
-void add_coincidences(const Subject& subject, Stages& stages);
+void add_coincidences(const StagesSource& subject, Stages& stages);
 /// bounds.
-void add_bounds(const Subject& subject, Stages& stages);
+void add_bounds(const StagesSource& subject, Stages& stages);
 
 /// sum, of shapes: from the meshes of their outlines.
 void add_sampled_sum(Stages& stages);
+/// coincidences, of shapes: names and counts.
+void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages);
 
 /// The stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);

@@ -48,8 +48,8 @@ double component(const mpz_class& c, long most) {
 
 }  // namespace
 
-Scale scale_of(const Point& origin, const mpq_class& extent) {
-  Scale scale;
+StagedScale scale_of(const Point& origin, const mpq_class& extent) {
+  StagedScale scale;
   const mpq_class distance = largest(origin);
   if (distance > near_origin * extent) scale.center = origin;
   const mpq_class& size = distance > near_origin * extent ? extent : std::max(extent, distance);
@@ -59,9 +59,9 @@ Scale scale_of(const Point& origin, const mpq_class& extent) {
   return scale;
 }
 
-double scaled(const mpq_class& value, const Scale& scale) { return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0; }
+double scaled(const mpq_class& value, const StagedScale& scale) { return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0; }
 
-double scaled_root(const mpq_class& squared, const Scale& scale) { return root_binary64(times_power_of_two(squared, 2 * scale.exponent)); }
+double scaled_root(const mpq_class& squared, const StagedScale& scale) { return root_binary64(times_power_of_two(squared, 2 * scale.exponent)); }
 
 Placing::Placing(const polytope::PlacedPair& pair) : scale_(scale_of(pair.origin, extent_of(pair))), pair_(&pair) {}
 

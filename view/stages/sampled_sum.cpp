@@ -34,8 +34,8 @@ std::vector<Place> differences(const std::vector<Place>& a, const std::vector<Pl
   return result;
 }
 
-SumFacet facet_of(const polytope::Polytope& hull, const polytope::Facet& facet, const std::vector<Place>& vertices) {
-  SumFacet result;
+StagedFacet facet_of(const polytope::Polytope& hull, const polytope::Facet& facet, const std::vector<Place>& vertices) {
+  StagedFacet result;
   for (std::uint32_t i = facet.begin; i < facet.end; ++i) result.vertices.push_back(hull.corners[i].value);
   result.normal = unit(facet.normal);
   result.distance = std::max(0.0, dot(result.normal, vertices[result.vertices.front()]));
@@ -63,7 +63,7 @@ void add_sampled_sum(Stages& stages) {
   sum.kind = SumKind::sampled;
   for (const Vector& v : hull.vertices) sum.vertices.push_back({v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step});
   for (const polytope::Facet& facet : hull.facets) sum.facets.push_back(facet_of(hull, facet, sum.vertices));
-  std::ranges::stable_sort(sum.facets, {}, &SumFacet::distance);
+  std::ranges::stable_sort(sum.facets, {}, &StagedFacet::distance);
   stages.left_out.emplace_back("P is a mesh near the set of all differences: its facets are left out of the ranking.");
 }
 

@@ -56,7 +56,7 @@ mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
 // A body in binary64, on the scale of places, seen from its base.
 class Outline {
  public:
-  Outline(const Shape& shape, const std::vector<Term>& terms, const Scale& scale) : radius_(scaled(shape.radius, scale)) {
+  Outline(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) : radius_(scaled(shape.radius, scale)) {
     const auto place = [&](const Point& p) -> Place { return {scaled(p.x, scale), scaled(p.y, scale), scaled(p.z, scale)}; };
     for (const Term& term : terms) {
       std::vector<Piece>& pieces = terms_.emplace_back();
@@ -110,7 +110,7 @@ std::vector<Place> directions() {
 }
 
 // The hull of the samples.
-StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const Scale& scale) {
+StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) {
   const Outline outline(shape, terms, scale);
   const double reach = scaled(reach_of(shape, terms), scale), step = reach > 0 ? reach / steps : 1;
   std::vector<Vector> samples;
@@ -143,7 +143,7 @@ StagedBody outline_of(std::string_view name, const Shape& shape, Stages& stages)
   return body;
 }
 
-Scale scale_of_shapes(const Shape& a, const Shape& b) {
+StagedScale scale_of_shapes(const Shape& a, const Shape& b) {
   const std::vector<Term>*const of_a = terms_of(a), *const of_b = terms_of(b);
   const Point origin = base_of(of_b ? *of_b : *of_a);
   mpq_class extent = of_b ? reach_of(b, *of_b) : mpq_class(0);
@@ -167,11 +167,14 @@ std::optional<double> nearest(const SignedDepth& depth) {
 }
 
 // The signed depth in the unit of places; of bounds the middle.
-double signed_length(const SignedDepth& depth, const Scale& scale) {
+double signed_length(const SignedDepth& depth, const StagedScale& scale) {
   if (const Bounds* const bounds = depth.bounds()) return scaled(mpq_class((bounds->low + bounds->high) / 2), scale);
+  // The two parts may nearly cancel: they are scaled exactly, and rounded once.
+  mpq_class factor = 1;
+  if (scale.exponent >= 0) factor <<= static_cast<unsigned long>(scale.exponent);
+  else factor >>= static_cast<unsigned long>(-scale.exponent);
   const Surd& value = *depth.exact();
-  const double root = std::copysign(scaled_root(abs(value.root), scale), sgn(value.root));
-  return scaled(value.rational, scale) + root;
+  return kernels::nearest_binary64({value.rational * factor, value.root * factor * factor});
 }
 
 void add_answer(const SignedDepth& depth, Stages& stages) {
@@ -215,6 +218,7 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   stages.counters = depth.counters();
   add_answer(depth, stages);
   add_sampled_sum(stages);
+  add_shape_coincidences(shape_a, shape_b, options, stages);
   return stages;
 }
 

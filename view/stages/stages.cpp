@@ -11,13 +11,13 @@ namespace {
 
 // The answer of penetration_depth. Where a common lattice would be too fine, that one takes another way, and may name another of several
 // right directions of touching bodies.
-Depth answer_of(const Subject& subject, bool slim) {
+Depth answer_of(const StagesSource& subject, bool slim) {
   if (slim) return subject.exact.depth;
   kernels::Context context = subject.context.worker();
   return solve::placed_depth(context, subject.a.points.exact(), subject.b.points.exact(), {.method = Method::exact}).depth;
 }
 
-void fill(const Subject& subject, const Depth& depth, Stages& stages) {
+void fill(const StagesSource& subject, const Depth& depth, Stages& stages) {
   add_bodies(subject, stages);
   add_contact(depth, subject.placing, stages);
   add_charts(subject, stages);
@@ -44,7 +44,7 @@ Stages stages_of(const Body& a, const Body& b, const StageOptions& options) {
   const std::unique_ptr<depth::ExactStages> exact = depth::exact_stages(context, pair);
   times.end();
   const Placing placing(pair);
-  const Subject subject{a, b, pair, *exact, placing, context};
+  const StagesSource subject{a, b, pair, *exact, placing, context};
   Stages stages;
   if (options.times) stages.seconds = times.seconds();
   fill(subject, answer_of(subject, slim.has_value()), stages);

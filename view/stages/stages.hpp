@@ -29,7 +29,7 @@ using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
 /// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond binary64.
-struct Scale {
+struct StagedScale {
   Point center;
   long exponent = 0;
 };
@@ -135,10 +135,10 @@ struct StagedCutting {
 };
 
 enum class WinnerKind { edges, facet_of_a, facet_of_b };
-enum class FeatureKind { vertex, edge, facet };
+enum class StagedFeatureKind { vertex, edge, facet };
 
 struct StagedFeature {
-  FeatureKind kind;
+  StagedFeatureKind kind;
   Index index;
 };
 
@@ -152,7 +152,7 @@ struct StagedWinner {
 enum class SumKind { none, p, q, sampled };
 enum class SumFacetKind { facet_of_a, facet_of_b, edges, merged };
 
-struct SumFacet {
+struct StagedFacet {
   Indices vertices;  ///< counter-clockwise from outside
   Place normal;
   double distance;
@@ -167,7 +167,7 @@ struct SumFacet {
 struct StagedSum {
   SumKind kind = SumKind::none;
   std::vector<Place> vertices;
-  std::vector<SumFacet> facets;  ///< by ascending distance
+  std::vector<StagedFacet> facets;  ///< by ascending distance
 };
 
 struct StagedInvolved {
@@ -206,7 +206,7 @@ struct Stages {
   std::optional<Status> status;  ///< none: bounds of a shape leave it open
   std::optional<double> depth;   ///< the nearest binary64; none unless penetrating, or if it is not one
   std::optional<mpq_class> squared;  ///< none if irrational, or known by bounds only
-  Scale scale;
+  StagedScale scale;
   StagedBody a, b;
   StagedContact contact;
   std::vector<StagedChart> charts;

@@ -29,9 +29,9 @@ SumFacetKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 }
 
 /// By distance, ties by normals; those that are nearest are optimal.
-void rank(std::vector<SumFacet>& facets) {
-  std::ranges::stable_sort(facets, {}, &SumFacet::squared);
-  for (SumFacet& facet : facets) facet.optimal = facet.squared == facets.front().squared;
+void rank(std::vector<StagedFacet>& facets) {
+  std::ranges::stable_sort(facets, {}, &StagedFacet::squared);
+  for (StagedFacet& facet : facets) facet.optimal = facet.squared == facets.front().squared;
 }
 
 Points input_points(const polytope::Polytope& body, const std::vector<polytope::VertexId>& face) {
@@ -40,13 +40,13 @@ Points input_points(const polytope::Polytope& body, const std::vector<polytope::
   return result;
 }
 
-StagedSum sum_of(const Subject& subject, const std::vector<ExactSumFacet>& exact) {
+StagedSum sum_of(const StagesSource& subject, const std::vector<ExactSumFacet>& exact) {
   const depth::Hulls& hulls = subject.exact.hulls;
   StagedSum sum;
   sum.kind = SumKind::p;
   std::map<SumCorner, Index> indices;
   for (const ExactSumFacet& facet : exact) {
-    SumFacet staged;
+    StagedFacet staged;
     for (const SumCorner& corner : facet.corners) {
       const auto [place, is_new] = indices.emplace(corner, static_cast<Index>(sum.vertices.size()));
       if (is_new) sum.vertices.push_back(subject.placing.vector(hulls.b.vertices[corner.b] - hulls.a.vertices[corner.a]));
@@ -66,7 +66,7 @@ StagedSum sum_of(const Subject& subject, const std::vector<ExactSumFacet>& exact
 }
 
 /// The facet of Q with these corners.
-SumFacet facet_of_q(const Subject& subject, const InnerPolytope& q, const std::vector<std::uint32_t>& corners) {
+StagedFacet facet_of_q(const StagesSource& subject, const InnerPolytope& q, const std::vector<std::uint32_t>& corners) {
   const auto difference = [&](std::size_t i) {
     const auto& [a, b] = q.vertices[corners[i]];
     return subject.pair.b[b] - subject.pair.a[a];
@@ -77,7 +77,7 @@ SumFacet facet_of_q(const Subject& subject, const InnerPolytope& q, const std::v
     a.insert(q.vertices[corner].first);
     b.insert(q.vertices[corner].second);
   }
-  SumFacet facet;
+  StagedFacet facet;
   facet.vertices = corners;
   facet.normal = unit(normal);
   facet.squared = squared_distance(dot(normal, difference(0)), normal, subject.pair.denominator);
@@ -107,7 +107,7 @@ class Relay : public Monitor {
 };
 
 /// Of the certificate, if it is found soon and not too large itself; kind none otherwise.
-StagedSum inner_sum(const Subject& subject) {
+StagedSum inner_sum(const StagesSource& subject) {
   Relay relay(subject.context);
   const Depth certified = penetration_depth(subject.a, subject.b, {.monitor = &relay});
   const Penetration* const penetration = certified.penetration();
@@ -123,7 +123,7 @@ StagedSum inner_sum(const Subject& subject) {
 
 }  // namespace
 
-void add_sum(const Subject& subject, Stages& stages) {
+void add_sum(const StagesSource& subject, Stages& stages) {
   if (stages.status != Status::penetrating) {
     stages.left_out.emplace_back("P is not drawn: O is not inside it, so no facet of it is the way out.");
     return;

@@ -11,8 +11,8 @@ namespace fathom::stages {
 inline constexpr int places_digits = 7;
 
 /// The fields sum, coincidences, decided.
-void write_parts(JsonText& json, const Stages& stages);
+void write_parts(StagesText& json, const Stages& stages);
 /// The fields bounds, seconds.
-void write_costs(JsonText& json, const Stages& stages);
+void write_costs(StagesText& json, const Stages& stages);
 
 }  // namespace fathom::stages

@@ -13,17 +13,17 @@ StagedFeature feature_of(const polytope::Polytope& hull, const std::vector<std::
   const auto vertex = [&](std::uint32_t point) {
     return static_cast<Index>(std::ranges::lower_bound(hull.input_ids, point) - hull.input_ids.begin());
   };
-  if (points.size() == 1) return {FeatureKind::vertex, vertex(points[0])};
+  if (points.size() == 1) return {StagedFeatureKind::vertex, vertex(points[0])};
   if (points.size() == 2) {
     const Index p = vertex(points[0]), q = vertex(points[1]);
     const auto joins = [&](const polytope::Edge& e) {
       return (e.from.value == p && e.to.value == q) || (e.from.value == q && e.to.value == p);
     };
     const auto edge = std::ranges::find_if(hull.edges, joins);
-    if (edge != hull.edges.end()) return {FeatureKind::edge, static_cast<Index>(edge - hull.edges.begin())};
+    if (edge != hull.edges.end()) return {StagedFeatureKind::edge, static_cast<Index>(edge - hull.edges.begin())};
   }
   for (Index i = 0; i < hull.facets.size(); ++i) {
-    if (hull.facets[polytope::FacetId(i)].normal == normal) return {FeatureKind::facet, i};
+    if (hull.facets[polytope::FacetId(i)].normal == normal) return {StagedFeatureKind::facet, i};
   }
   throw std::logic_error("the features of an optimum are no faces of the hulls");
 }
@@ -43,7 +43,7 @@ bool holds(const Indices& edges, Index edge) { return std::ranges::find(edges, e
 
 }  // namespace
 
-void add_winner(const Subject& subject, const Depth& depth, Stages& stages) {
+void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages) {
   if (!depth.penetration()) return;
   const Optimum& first = depth.optima().front();
   StagedWinner winner{kind_of(first.contact.kind), std::nullopt,

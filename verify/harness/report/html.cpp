@@ -57,7 +57,7 @@ std::string account(std::size_t failures, std::size_t shown) {
   if (failures == shown) return fmt::format("<p>All {} are shown in full, the worst of each verdict first.</p>\n", failures);
   return fmt::format(
       "<p>{} of {} are shown in full: the worst of each verdict and of each family, then the largest errors. The others are among the "
-      "<a href=\"#cases\">cases</a>.</p>\n",
+      "<a href=\"#all-cases\">cases</a>.</p>\n",
       shown, failures);
 }
 

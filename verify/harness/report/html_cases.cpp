@@ -83,7 +83,8 @@ std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anc
       all.size() > listed
           ? fmt::format("<p>{} further cases are not listed here; --report FILE holds every verdict.</p>\n", all.size() - listed)
           : "";
-  return fmt::format("<details class=\"part\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n", listed, all.size(),
+  return fmt::format("<details class=\"part\" id=\"all-cases\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n",
+                     listed, all.size(),
                      picture::filter_bar("cases", "verdict", choices({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed)})),
                      picture::table_box("Cases", table, true), more);
 }

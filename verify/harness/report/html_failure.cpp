@@ -211,15 +211,14 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
                                    markup(shown_id(outcome.id, outcome.variant)));
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
-  result += figure(subject, failure, truth, anchor);
-  result += "<div class=\"facts\">\n";
-  if (outcome.reply) result += claim_list(*outcome.reply, subject.conventions);
-  result += truth_list(outcome, truth, failure.certificate_name);
-  if (outcome.judgement) result += residual_list(*outcome.judgement);
-  result += "</div>\n" + case_text(subject, failure, anchor);
+  std::string said = "<div class=\"facts\">\n";
+  if (outcome.reply) said += claim_list(*outcome.reply, subject.conventions);
+  said += truth_list(outcome, truth, failure.certificate_name);
+  if (outcome.judgement) said += residual_list(*outcome.judgement);
+  said += "</div>\n" + case_text(subject, failure, anchor);
   if (const std::string exact = exact_numbers(outcome, truth); !exact.empty())
-    result += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
-  return result + "</article>\n";
+    said += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
+  return result + picture::beside(figure(subject, failure, truth, anchor), said) + "</article>\n";
 }
 
 }  // namespace fathom::harness

@@ -16,7 +16,7 @@ std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
 /// Text that refers to the table of cases, and narrows it down to a family and a verdict where scripts run.
 std::string to_cases(const std::string& text, const std::string& find, const std::string& verdict) {
-  return fmt::format("<a href=\"#cases\" data-of=\"cases\" data-find=\"{}\" data-choice=\"{}\">{}</a>", find, verdict, text);
+  return fmt::format("<a href=\"#all-cases\" data-of=\"cases\" data-find=\"{}\" data-choice=\"{}\">{}</a>", find, verdict, text);
 }
 
 std::string error_cells(const Errors& errors) {

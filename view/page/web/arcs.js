@@ -16,9 +16,11 @@ const leastSine = 1e-3;
 export function arcCurve(body, edge, nodes = body.nodes) {
   const [from, to] = body.arcs[edge] ?? [];
   if (from === null && to === null) return fullCircle(body, edge);
-  const p = nodes[from] && unitOrNull(nodes[from]), q = nodes[to] && unitOrNull(nodes[to]);
+  const p = nodes[from] && unitOrNull(nodes[from]),
+    q = nodes[to] && unitOrNull(nodes[to]);
   if (!p || !q) return null;
-  const normal = cross(p, q), sine = norm(normal);
+  const normal = cross(p, q),
+    sine = norm(normal);
   const circle = sine > leastSine ? unitOrNull(normal) : shortOrHalfCircle(body, edge, p, q);
   if (!circle) return { u: p, w: across(p), angle: 0 };
   const w = unitOrNull(cross(circle, p));
@@ -42,7 +44,12 @@ function shortOrHalfCircle(body, edge, p, q) {
   if (body.circles?.[edge]) return unitOrNull(body.circles[edge]);
   const along = edgeDirection(body, edge);
   if (!along) return null;
-  const circle = unitOrNull(minus(along, p.map((x) => x * dot(along, p))));
+  const circle = unitOrNull(
+    minus(
+      along,
+      p.map((x) => x * dot(along, p)),
+    ),
+  );
   if (!circle) return null;
   const ahead = dot(p, q) < 0 ? outwardAt(body, edge) : q;
   return dot(cross(circle, p), ahead) < 0 ? circle.map((x) => -x) : circle;
@@ -55,18 +62,21 @@ function outwardAt(body, edge) {
 }
 
 export function curvePoint({ u, w }, t) {
-  const c = Math.cos(t), s = Math.sin(t);
+  const c = Math.cos(t),
+    s = Math.sin(t);
   return [c * u[0] + s * w[0], c * u[1] + s * w[1], c * u[2] + s * w[2]];
 }
 
 /** The part [t0, t1] of a curve where <point, pole> >= 0, or null. A curve on the equator itself counts whole. */
 export function curveAbove(curve, pole) {
-  const x = dot(curve.u, pole), y = dot(curve.w, pole);
-  if (Math.hypot(x, y) < 1e-7) return [0, Math.min(curve.angle, Math.PI)];
+  const x = dot(curve.u, pole),
+    y = dot(curve.w, pole);
+  if (Math.hypot(x, y) < 1e-7) return [0, curve.angle];
   const nearest = Math.atan2(y, x);
   if (curve.angle > 2 * Math.PI - 1e-9) return [nearest - Math.PI / 2, nearest + Math.PI / 2];
   for (const turn of [0, 2 * Math.PI]) {
-    const first = Math.max(0, nearest + turn - Math.PI / 2), last = Math.min(curve.angle, nearest + turn + Math.PI / 2);
+    const first = Math.max(0, nearest + turn - Math.PI / 2),
+      last = Math.min(curve.angle, nearest + turn + Math.PI / 2);
     if (first < last || (first === last && curve.angle === 0)) return [first, last];
   }
   return null;
@@ -101,10 +111,15 @@ export function arcOnChart(curve, axes) {
   const part = curveAbove(curve, axes.z);
   if (!part) return null;
   // At (0, 1, 0) there is no longitude: ends are taken from just inside.
-  const inset = Math.min(1e-5, (part[1] - part[0]) / 4), place = (t) => chartPlace(curvePoint(curve, t), axes);
-  const first = part[0] + inset, last = part[1] - inset, start = place(first), points = [start];
+  const inset = Math.min(1e-5, (part[1] - part[0]) / 4),
+    place = (t) => chartPlace(curvePoint(curve, t), axes);
+  const first = part[0] + inset,
+    last = part[1] - inset,
+    start = place(first),
+    points = [start];
   const halve = (t, p, s, q, depth) => {
-    const m = (t + s) / 2, c = place(m);
+    const m = (t + s) / 2,
+      c = place(m);
     const off = Math.hypot(c[0] - (p[0] + q[0]) / 2, c[1] - (p[1] + q[1]) / 2);
     if (depth > 9 || (off < 0.1 && s - t < 0.5)) return void points.push(q);
     halve(t, p, m, c, depth + 1);
@@ -124,10 +139,14 @@ export function arcOnPlane(curve, axes, reach) {
 
 /** A segment clipped to a square, by Liang and Barsky. */
 export function clippedSegment(p, q, reach) {
-  let first = 0, last = 1;
+  let first = 0,
+    last = 1;
   for (const i of [0, 1]) {
     const along = q[i] - p[i];
-    for (const [step, room] of [[-along, p[i] + reach], [along, reach - p[i]]]) {
+    for (const [step, room] of [
+      [-along, p[i] + reach],
+      [along, reach - p[i]],
+    ]) {
       if (step === 0 && room < 0) return null;
       if (step < 0) first = Math.max(first, room / step);
       if (step > 0) last = Math.min(last, room / step);

@@ -2,14 +2,14 @@
 // Section 3, the chart: one hemisphere of both Gaussian diagrams, with walls, and the strip of the chosen canonical pair. Arcs can be
 // clicked. Up to 2,000 arcs are paths of SVG; more are painted on a canvas under it, and only what is lit are paths.
 import { arcCurve } from "./arcs.js";
-import { chartMargin, chartPolylines, chartProjection, chartSide, chartTicks, hemisphereShown, nearestArc, nextPairOfArc, pairsOfArc, pathText,
-         planeReach, stripBorders } from "./chartpainter.js";
-import { litArcs, litInDiagrams } from "./lit.js";
+import {
+  chartMargin, chartPolylines, chartProjection, chartSide, hemisphereShown, nearestArc, nextPairOfArc, pathText, stripBorders,
+} from "./chartpainter.js";
+import { arcSentence, axisElements, chartCaption, chartNames, chartTools, mostSvgArcs, mostWalls, nodeMark } from "./chartparts.js";
+import { hemisphereOfChoice, litArcs, litInDiagrams } from "./lit.js";
 import { colour, element, onLook, svg } from "./look.js";
 
-export const mostSvgArcs = 2000;
-const mostWalls = 400, hitReach = 9;
-const chartNames = ["upper", "lower"];
+const hitReach = 9;
 
 export function mountChart(root, data, selection) {
   if (data.charts.length === 0) return {};
@@ -40,40 +40,62 @@ function turnChart(view, hemisphere) {
 
 function chartElements(view) {
   const { left, right, top, bottom } = chartMargin;
-  const layers = Object.fromEntries(["walls", "arcs", "lit", "marks", "axes"].map((name) => [name, svg("g", { class: name })]));
+  const layer = (name) => svg("g", { class: name });
+  const layers = { walls: layer("walls"), arcs: layer("arcs"), lit: layer("chosen"), marks: layer("marks"), axes: layer("axes") };
   const strip = svg("rect", { class: "strip", y: 0, height: chartSide });
   const clip = svg("clipPath", { id: "chart-square" }, svg("rect", { x: 0, y: 0, width: chartSide, height: chartSide }));
   const square = svg("g", { "clip-path": "url(#chart-square)" }, strip, layers.walls, layers.arcs, layers.lit);
-  const picture = svg("svg", { viewBox: `${-left} ${-top} ${left + chartSide + right} ${top + chartSide + bottom}`, role: "img", class: "chart-picture",
-                               "aria-label": "Chart of one hemisphere" }, svg("defs", {}, clip), square, layers.marks, layers.axes);
-  const canvas = element("canvas", { class: "chart-canvas", width: 2 * chartSide, height: 2 * chartSide, "aria-hidden": "true", hidden: true });
-  const width = left + chartSide + right, height = top + chartSide + bottom;
-  Object.assign(canvas.style, { left: `${(100 * left) / width}%`, top: `${(100 * top) / height}%`, width: `${(100 * chartSide) / width}%` });
-  const caption = element("figcaption", { class: "chart-caption" }), over = element("p", { class: "chart-over soft" }), elsewhere = element("p", { class: "note", hidden: true });
+  const picture = svg(
+    "svg",
+    {
+      viewBox: `${-left} ${-top} ${left + chartSide + right} ${top + chartSide + bottom}`,
+      role: "img",
+      class: "chart-picture",
+      "aria-label": "Chart of one hemisphere",
+    },
+    svg("defs", {}, clip),
+    square,
+    layers.marks,
+    layers.axes,
+  );
+  const canvas = element("canvas", {
+    class: "chart-canvas",
+    width: 2 * chartSide,
+    height: 2 * chartSide,
+    "aria-hidden": "true",
+    hidden: true,
+  });
+  const width = left + chartSide + right,
+    height = top + chartSide + bottom;
+  Object.assign(canvas.style, {
+    left: `${(100 * left) / width}%`,
+    top: `${(100 * top) / height}%`,
+    width: `${(100 * chartSide) / width}%`,
+  });
+  const caption = element("figcaption", { class: "chart-caption" }),
+    over = element("p", { class: "chart-over soft" }),
+    elsewhere = element("p", { class: "note", hidden: true });
   const tools = chartTools(view.selection);
   const frame = element("div", { class: "chart-frame" }, canvas, picture);
   listenToArcs(view, picture);
-  return { layers, strip, picture, canvas, caption, over, elsewhere, tools, figure: element("figure", {}, tools.bar, frame, over, elsewhere, caption) };
-}
-
-function chartTools(selection) {
-  const choice = (field, value, text) => element("button", { type: "button", onclick: () => selection.set({ [field]: value }) }, text);
-  const hemispheres = Object.fromEntries(["upper", "lower", "both"].map((name) => [name, choice("hemisphere", name, name)]));
-  const planes = [choice("plane", false, "longitude \u00d7 latitude"), choice("plane", true, "the paper\u2019s plane z = 1")];
-  const group = (label, buttons) => element("div", { role: "group", "aria-label": label, class: "choice" }, ...buttons);
-  const bar = element("div", { class: "bar" }, group("Hemisphere", Object.values(hemispheres)), group("Projection", planes));
-  const show = (state) => {
-    for (const [name, button] of Object.entries(hemispheres)) button.setAttribute("aria-pressed", String(state.hemisphere === name));
-    planes.forEach((button, i) => button.setAttribute("aria-pressed", String(state.plane === (i === 1))));
+  return {
+    layers,
+    strip,
+    picture,
+    canvas,
+    caption,
+    over,
+    elsewhere,
+    tools,
+    figure: element("figure", {}, tools.bar, frame, over, elsewhere, caption),
   };
-  return { bar, show };
 }
 
 // ---- what changes ----
 
 function showChart(view, state, changed) {
   const { data } = view;
-  if (changed.has("pair") && state.pair !== null && state.hemisphere === "both") view.facing = data.pairs[state.pair].chart;
+  if (state.hemisphere === "both") view.facing = hemisphereOfChoice(data, view.selection.chosen(), changed) ?? view.facing;
   view.index = Math.min(hemisphereShown(state, view.facing), data.charts.length - 1);
   view.chart = data.charts[view.index];
   const key = `${view.index}${state.plane}`;
@@ -90,35 +112,33 @@ function showChart(view, state, changed) {
 
 function paintBase(view) {
   const { data, chart, projection, layers } = view;
-  for (const name of ["a", "b"]) view.lists[name] = chartPolylines(data.bodies[name], chart[name].arcs.map(([edge]) => edge), projection);
+  for (const name of ["a", "b"])
+    view.lists[name] = chartPolylines(
+      data.bodies[name],
+      chart[name].arcs.map(([edge]) => edge),
+      projection,
+    );
   const count = view.lists.a.length + view.lists.b.length;
   view.onCanvas = count > mostSvgArcs;
   view.canvas.hidden = !view.onCanvas;
-  const paths = (name) => view.lists[name].map(({ edge, points }) => svg("path", { class: `arc ${name}`, d: pathText(points), "data-edge": edge }));
+  const paths = (name) =>
+    view.lists[name].map(({ edge, points }) => svg("path", { class: `arc ${name}`, d: pathText(points), "data-edge": edge }));
   layers.arcs.replaceChildren(...(view.onCanvas ? [] : [...paths("a"), ...paths("b")]));
-  layers.walls.replaceChildren(...(chart.walls.length > mostWalls ? [] : chart.walls.flatMap(([name, node]) => wallLine(view, name, node))));
+  layers.walls.replaceChildren(
+    ...(chart.walls.length > mostWalls ? [] : chart.walls.flatMap(([name, node]) => wallLine(view, name, node))),
+  );
   layers.axes.replaceChildren(...axisElements(projection.plane));
   paintCanvas(view);
-  view.picture.setAttribute("aria-label", `Chart of the ${chartNames[view.index]} hemisphere: ${count} arcs. The table of canonical pairs below says the same in text.`);
+  view.picture.setAttribute(
+    "aria-label",
+    `Chart of the ${chartNames[view.index]} hemisphere: ${count} arcs. The table of canonical pairs below says the same in text.`,
+  );
   view.caption.replaceChildren(...chartCaption(view));
 }
 
 function wallLine(view, name, node) {
   const x = view.projection.abscissa(view.data.bodies[name].nodes[node]);
   return x === null ? [] : [svg("line", { class: `wall ${name}`, x1: x, x2: x, y1: 0, y2: chartSide })];
-}
-
-function axisElements(plane) {
-  const reach = plane ? planeReach : 90, at = (v) => ((v + reach) / (2 * reach)) * chartSide;
-  const ticks = chartTicks(plane).flatMap(([value, label]) => [
-    svg("path", { class: "tick", d: `M${at(value)} ${chartSide}v5M0 ${chartSide - at(value)}h-5` }),
-    svg("text", { x: at(value), y: chartSide + 9, "text-anchor": "middle", "dominant-baseline": "hanging" }, label),
-    svg("text", { x: -9, y: chartSide - at(value), "text-anchor": "end", "dominant-baseline": "central" }, label),
-  ]);
-  const middle = chartSide / 2;
-  return [svg("rect", { class: "border", x: 0, y: 0, width: chartSide, height: chartSide }), ...ticks,
-          svg("text", { x: middle, y: chartSide + 52, "text-anchor": "middle" }, plane ? "x" : "longitude"),
-          svg("text", { transform: `translate(-50 ${middle}) rotate(-90)`, "text-anchor": "middle" }, plane ? "y" : "latitude")];
 }
 
 function paintCanvas(view) {
@@ -137,12 +157,16 @@ function paintCanvas(view) {
 }
 
 function paintLit(view, state) {
-  const { data, projection, chart } = view, lit = litInDiagrams(data, state), elements = [];
-  const pair = state.pair === null ? null : data.pairs[state.pair], here = pair === null || pair.chart === view.index;
+  const { data, projection, chart } = view,
+    lit = litInDiagrams(data, state),
+    elements = [];
+  const pair = state.pair === null ? null : data.pairs[state.pair],
+    here = pair === null || pair.chart === view.index;
   for (const name of ["a", "b"]) {
     const body = data.bodies[name];
     for (const edge of here ? lit[name].arcs : []) {
-      const curve = arcCurve(body, edge), points = curve && (projection.path(curve) ?? (projection.plane ? null : [projection.point(curve), projection.point(curve)]));
+      const curve = arcCurve(body, edge),
+        points = curve && (projection.path(curve) ?? (projection.plane ? null : [projection.point(curve), projection.point(curve)]));
       elements.push(svg("path", { class: `arc ${name} lit`, d: points ? pathText(points) : "", "data-edge": edge }));
     }
     for (const node of lit[name].nodes) elements.push(...nodeMark(projection.place(body.nodes[node]), name));
@@ -153,20 +177,19 @@ function paintLit(view, state) {
   view.strip.setAttribute("width", borders ? Math.max(1, borders[1] - borders[0]) : 0);
 }
 
-function nodeMark(place, name) {
-  if (!place) return [];
-  const [x, y] = place;
-  return [name === "a" ? svg("circle", { class: "node a lit", cx: x, cy: y, r: 6 }) : svg("rect", { class: "node b lit", x: x - 8, y: y - 8, width: 16, height: 16 })];
-}
-
 function paintMarks(view, state) {
-  const marks = [], { data, projection } = view;
+  const marks = [],
+    { data, projection } = view;
   const ring = (direction, name, label) => {
     const place = direction && projection.place(direction);
     if (!place) return;
-    const [x, y] = place, inward = x > chartSide - 30 ? -14 : 12;
+    const [x, y] = place,
+      inward = x > chartSide - 30 ? -14 : 12;
     marks.push(svg("circle", { class: name, cx: x, cy: y, r: 7 }), svg("circle", { class: `${name} dot`, cx: x, cy: y, r: 1.5 }));
-    if (label) marks.push(svg("text", { class: name, x: x + inward, y: y < 20 ? y + 16 : y - 8, "text-anchor": inward < 0 ? "end" : "start" }, label));
+    if (label)
+      marks.push(
+        svg("text", { class: name, x: x + inward, y: y < 20 ? y + 16 : y - 8, "text-anchor": inward < 0 ? "end" : "start" }, label),
+      );
   };
   data.optima.slice(0, 100).forEach((optimum, i) => i !== state.optimum && ring(optimum.direction, "optimum other", ""));
   ring(data.optima[state.optimum]?.direction, "optimum", "n");
@@ -176,33 +199,21 @@ function paintMarks(view, state) {
 
 // ---- what is said ----
 
-function chartCaption(view) {
-  const { data, chart, lists, projection } = view, walls = chart.walls.length;
-  const shown = (name) => `${lists[name].length} arcs of ${name === "a" ? "\u2212A" : "B"}`;
-  const sentences = [`The ${chartNames[view.index]} hemisphere, seen from outside: `];
-  const key = (name, what) => element("span", { class: `key-${name}` }, what);
-  const outside = chart.a.arcs.length + chart.b.arcs.length - lists.a.length - lists.b.length;
-  const more = [];
-  if (projection.plane) more.push(` The window ends at ${planeReach}; the equator is at infinity.${outside > 0 ? ` ${outside} arcs lie outside of it.` : ""}`);
-  if (walls > mostWalls) more.push(` Its ${walls} walls are not drawn, only the strip of a chosen pair.`);
-  else more.push(` Its ${walls} walls are the verticals through the nodes.`);
-  if (view.onCanvas) more.push(` More than ${mostSvgArcs.toLocaleString("en")} arcs are painted as one picture; they can be clicked all the same.`);
-  if (data.optima.length > 0) more.push(" n marks the optimum.");
-  return [...sentences, key("a", `${shown("a")}, solid`), "; ", key("b", `${shown("b")}, dashed`), ".", ...more];
-}
-
 function sayElsewhere(view, { pair }) {
   const other = pair !== null && view.data.pairs[pair].chart !== view.index;
   view.elsewhere.hidden = !other;
   if (!other) return view.elsewhere.replaceChildren();
   const name = chartNames[view.data.pairs[pair].chart];
-  view.elsewhere.replaceChildren(`Canonical pair ${pair} lies in the ${name} hemisphere. `,
-    element("button", { type: "button", onclick: () => view.selection.set({ hemisphere: name }) }, `show the ${name} hemisphere`));
+  view.elsewhere.replaceChildren(
+    `Canonical pair ${pair} lies in the ${name} hemisphere. `,
+    element("button", { type: "button", onclick: () => view.selection.set({ hemisphere: name }) }, `show the ${name} hemisphere`),
+  );
 }
 
 function listenToArcs(view, picture) {
   const at = (event) => {
-    const box = picture.getBoundingClientRect(), scale = (chartMargin.left + chartSide + chartMargin.right) / box.width;
+    const box = picture.getBoundingClientRect(),
+      scale = (chartMargin.left + chartSide + chartMargin.right) / box.width;
     return [(event.clientX - box.left) * scale - chartMargin.left, (event.clientY - box.top) * scale - chartMargin.top, hitReach * scale];
   };
   const arcUnder = (event) => {
@@ -222,11 +233,4 @@ function listenToArcs(view, picture) {
     if (next !== null) view.selection.set({ pair: next });
     view.over.textContent = arcSentence(view, arc);
   });
-}
-
-function arcSentence(view, { name, edge }) {
-  const body = view.data.bodies[name], count = pairsOfArc(view.data, name, edge, view.index).length;
-  const points = body.edges[edge].map((v) => body.ids[v]).join(" and ");
-  const crosses = count === 0 ? `crosses no arc of ${name === "a" ? "B" : "\u2212A"} here` : `in ${count} canonical pair${count === 1 ? "" : "s"} here`;
-  return `Arc of edge ${edge} of ${body.name}, from point ${points}: ${crosses}.`;
 }

@@ -13,12 +13,16 @@ export const planeReach = 4;
 
 /** How a chart is projected: place(direction) and path(curve) in picture units; null for what is not shown. */
 export function chartProjection(frame, plane) {
-  const axes = chartAxes(frame), reach = plane ? planeReach : 90;
+  const axes = chartAxes(frame),
+    reach = plane ? planeReach : 90;
   const picture = ([x, y]) => [((x + reach) / (2 * reach)) * chartSide, ((reach - y) / (2 * reach)) * chartSide];
   const within = ([x, y]) => Math.abs(x) <= reach && Math.abs(y) <= reach;
   const raw = plane ? planePlace : chartPlace;
   return {
-    axes, plane, reach, picture,
+    axes,
+    plane,
+    reach,
+    picture,
     place(direction) {
       if (dot(direction, axes.z) < -1e-9) return null;
       const p = raw(direction, axes);
@@ -34,7 +38,8 @@ export function chartProjection(frame, plane) {
     },
     /** Where an arc that only the perturbation lifts over the equator is shown: at its end there. */
     point(curve) {
-      const ends = [0, curve.angle].map((t) => curvePoint(curve, t)), height = (p) => dot(p, axes.z);
+      const ends = [0, curve.angle].map((t) => curvePoint(curve, t)),
+        height = (p) => dot(p, axes.z);
       return picture(chartPlace(height(ends[0]) >= height(ends[1]) ? ends[0] : ends[1], axes));
     },
   };
@@ -44,7 +49,8 @@ export function chartProjection(frame, plane) {
 export function chartPolylines(body, edges, projection, nodes = body.nodes) {
   const result = [];
   for (const edge of edges) {
-    const curve = arcCurve(body, edge, nodes), points = curve && projection.path(curve);
+    const curve = arcCurve(body, edge, nodes),
+      points = curve && projection.path(curve);
     if (points) result.push({ edge, points });
   }
   return result;
@@ -67,7 +73,8 @@ export function chartTicks(plane) {
 export function stripBorders(strip, walls, bodies, projection) {
   const sides = strip.map((wall, i) => {
     if (wall === null) return i * chartSide;
-    const [name, node] = walls[wall], direction = bodies[name].nodes[node];
+    const [name, node] = walls[wall],
+      direction = bodies[name].nodes[node];
     const x = projection.abscissa(direction);
     return x ?? (dot(direction, projection.axes.r) < 0 ? 0 : chartSide);
   });
@@ -76,7 +83,8 @@ export function stripBorders(strip, walls, bodies, projection) {
 
 /** The arc nearest to a point of the picture within `reach`, of lists of polylines by body: {name, edge} or null. */
 export function nearestArc(lists, [x, y], reach) {
-  let best = null, least = reach;
+  let best = null,
+    least = reach;
   for (const name of ["a", "b"])
     for (const { edge, points } of lists[name])
       for (let i = 0; i + 1 < points.length; ++i) {
@@ -87,7 +95,9 @@ export function nearestArc(lists, [x, y], reach) {
 }
 
 function distanceToSegment(x, y, [px, py], [qx, qy]) {
-  const dx = qx - px, dy = qy - py, square = dx * dx + dy * dy;
+  const dx = qx - px,
+    dy = qy - py,
+    square = dx * dx + dy * dy;
   const t = square > 0 ? Math.max(0, Math.min(1, ((x - px) * dx + (y - py) * dy) / square)) : 0;
   return Math.hypot(px + t * dx - x, py + t * dy - y);
 }

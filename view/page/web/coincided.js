@@ -4,12 +4,13 @@
 import { chartPolylines, chartProjection, chartSide, pathText } from "./chartpainter.js";
 import { coincidenceKinds, coincidenceSentences, involvedText, spokenName } from "./coincidences.js";
 import { dot } from "./geometry.js";
-import { litInDiagrams } from "./lit.js";
+import { liesBelow, litInDiagrams } from "./lit.js";
 import { element, svg } from "./look.js";
 import { roughly } from "./numbers.js";
 import { infinitesimalNames, movedDiagram, seenMonomial, seenSizes, tiltedFrame } from "./perturbed.js";
 
-const mostBackground = 600, startsAt = 0.4;
+const mostBackground = 600,
+  startsAt = 0.4;
 
 export function mountCoincided(root, data, selection) {
   const { present, absent } = coincidenceKinds(data.coincidences);
@@ -31,24 +32,44 @@ export function mountCoincided(root, data, selection) {
 
 function kindElement(view, { kind, count, listed, index }) {
   const items = listed.map((item, j) => itemElement(view, `${index}.${j}`, item));
-  const left = count - listed.length, more = left > 0 ? element("li", { class: "soft" }, `and ${left} more, counted and not listed`) : null;
-  const few = listed.length <= 4, list = element("ul", {}, ...items, more);
-  const shown = listed.length === 0 ? "" : few ? list : element("details", {}, element("summary", {}, left > 0 ? `the first ${listed.length}` : `all ${count}`), list);
-  return element("div", { class: "kind" }, element("h3", {}, spokenName(kind), " ", element("span", { class: "count" }, String(count))),
-                 coincidenceSentences[kind] ? element("p", {}, coincidenceSentences[kind]) : "", shown);
+  const left = count - listed.length,
+    more = left > 0 ? element("li", { class: "soft" }, `and ${left} more, counted and not listed`) : null;
+  const few = listed.length <= 4,
+    list = element("ul", {}, ...items, more);
+  const shown =
+    listed.length === 0
+      ? ""
+      : few
+        ? list
+        : element("details", {}, element("summary", {}, left > 0 ? `the first ${listed.length}` : `all ${count}`), list);
+  return element(
+    "div",
+    { class: "kind" },
+    element("h3", {}, spokenName(kind), " ", element("span", { class: "count" }, String(count))),
+    coincidenceSentences[kind] ? element("p", {}, coincidenceSentences[kind]) : "",
+    shown,
+  );
 }
 
 function itemElement(view, name, item) {
   const monomials = item.decided_by ?? [];
-  const decided = monomials.length === 0 ? [] : [" ", element("span", { class: "monomial" }, `decided by ${monomials.map(monomialText).join(", ")}`)];
-  const button = element("button", { type: "button", class: "item", "aria-pressed": "false", onclick: () => chooseCoincidence(view, name) }, involvedText(item), ...decided);
+  const decided =
+    monomials.length === 0 ? [] : [" ", element("span", { class: "monomial" }, `decided by ${monomials.map(monomialText).join(", ")}`)];
+  const button = element(
+    "button",
+    { type: "button", class: "item", "aria-pressed": "false", onclick: () => chooseCoincidence(view, name) },
+    involvedText(item),
+    ...decided,
+  );
   view.items.set(name, button);
   return element("li", {}, button);
 }
 
 /** "E12 b^2" as it is written: E12 b². */
 function monomialText(name) {
-  return name.replace(/\^(\d+)/g, (_, digits) => [...digits].map((d) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[d]).join(""));
+  return name.replace(/\^(\d+)/g, (_, digits) =>
+    [...digits].map((d) => "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[d]).join(""),
+  );
 }
 
 function chooseCoincidence({ selection }, name) {
@@ -62,7 +83,8 @@ function absentElement(data, absent) {
 
 function showCoincidence(view, name) {
   for (const [item, button] of view.items) button.setAttribute("aria-pressed", String(item === name));
-  const button = view.items.get(name), fold = button?.closest("details");
+  const button = view.items.get(name),
+    fold = button?.closest("details");
   if (fold) fold.open = true;
   // Until one is chosen the picture shows the first, and only the picture.
   view.name = name ?? view.items.keys().next().value ?? null;
@@ -72,30 +94,57 @@ function showCoincidence(view, name) {
 // ---- the picture ----
 
 function splitElements(view) {
-  const slider = element("input", { type: "range", min: 0, max: 1, step: 0.01, value: view.epsilon, id: "epsilon", "aria-describedby": "epsilon-said" });
+  const slider = element("input", {
+    type: "range",
+    min: 0,
+    max: 1,
+    step: 0.01,
+    value: view.epsilon,
+    id: "epsilon",
+    "aria-describedby": "epsilon-said",
+  });
   slider.addEventListener("input", () => {
     view.epsilon = Number(slider.value);
     paintSplit(view);
   });
-  view.picture = svg("svg", { viewBox: `-1 -1 ${chartSide + 2} ${chartSide + 2}`, role: "img", class: "chart-picture split", "aria-label": "Chart with a visible perturbation" });
+  view.picture = svg("svg", {
+    viewBox: `-1 -1 ${chartSide + 2} ${chartSide + 2}`,
+    role: "img",
+    class: "chart-picture split",
+    "aria-label": "Chart with a visible perturbation",
+  });
   view.sizes = element("p", { class: "soft sizes", id: "epsilon-said" });
   view.decided = element("p", { class: "decided" });
-  const label = element("label", { for: "epsilon" }, "a visible \u03b5"), ends = (text) => element("span", { class: "soft" }, text);
-  const words = "A picture, not to scale. In the program a, b, c, E11, \u2026, E33 are symbols: each is positive, and smaller than every power of the one before. " +
-    "Here they are numbers, each a little smaller than the one before. Topology is decided on what is moved; distances are always those of the input.";
-  return element("figure", { class: "split-figure" }, element("div", { class: "bar" }, label, ends("0: as given"), slider, ends("1")), view.picture, view.decided, view.sizes,
-                 element("figcaption", {}, words));
+  const label = element("label", { for: "epsilon" }, "a visible \u03b5"),
+    ends = (text) => element("span", { class: "soft" }, text);
+  const words =
+    "A picture, not to scale. In the program a, b, c, E11, \u2026, E33 are symbols: each is positive, and smaller than every power of " +
+    "the one before. Here they are numbers, each a little smaller than the one before. Topology is decided on what is moved; distances " +
+    "are always those of the input.";
+  return element(
+    "figure",
+    { class: "split-figure" },
+    element("div", { class: "bar" }, label, ends("0: as given"), slider, ends("1")),
+    view.picture,
+    view.decided,
+    view.sizes,
+    element("figcaption", {}, words),
+  );
 }
 
 function paintSplit(view) {
-  const { data, epsilon } = view, sizes = seenSizes(epsilon), bodies = { a: movedDiagram(data.bodies.a, sizes), b: data.bodies.b };
+  const { data, epsilon } = view,
+    sizes = seenSizes(epsilon),
+    bodies = { a: movedDiagram(data.bodies.a, sizes), b: data.bodies.b };
   const lit = litInDiagrams(data, { pair: null, facet: null, coincidence: view.name ?? null });
   const lower = data.charts.length > 1 && liesBelow(data, lit);
-  const projection = chartProjection(tiltedFrame(sizes, lower), false), parts = [];
+  const projection = chartProjection(tiltedFrame(sizes, lower), false),
+    parts = [];
   const few = data.bodies.a.arcs.length + data.bodies.b.arcs.length <= mostBackground;
   for (const name of ["a", "b"]) {
     const all = few ? bodies[name].arcs.keys() : arcsNear(data, name, lit[name]);
-    for (const { points } of chartPolylines(bodies[name], all, projection)) parts.push(svg("path", { class: `arc ${name}`, d: pathText(points) }));
+    for (const { points } of chartPolylines(bodies[name], all, projection))
+      parts.push(svg("path", { class: `arc ${name}`, d: pathText(points) }));
   }
   for (const name of ["a", "b"]) parts.push(...litParts(bodies[name], name, lit[name], projection));
   view.picture.replaceChildren(...parts, svg("rect", { class: "border", x: 0, y: 0, width: chartSide, height: chartSide }));
@@ -110,24 +159,20 @@ function arcsNear({ bodies }, name, { arcs, nodes }) {
   return new Set([...vertices].flatMap((v) => edgesAt[v]));
 }
 
-/** Whether what is lit lies in the lower hemisphere, as far as there is a choice. */
-function liesBelow({ bodies }, lit) {
-  let sum = 0;
-  for (const name of ["a", "b"]) {
-    const { nodes, arcs } = bodies[name];
-    for (const n of [...lit[name].nodes, ...lit[name].arcs.flatMap((e) => arcs[e])]) if (n !== null) sum += Math.sign(nodes[n][2]);
-  }
-  return sum < 0;
-}
-
 function litParts(body, name, lit, projection) {
-  const parts = chartPolylines(body, lit.arcs, projection).map(({ points }) => svg("path", { class: `arc ${name} lit`, d: pathText(points) }));
+  const parts = chartPolylines(body, lit.arcs, projection).map(({ points }) =>
+    svg("path", { class: `arc ${name} lit`, d: pathText(points) }),
+  );
   for (const node of lit.nodes) {
     const place = projection.place(body.nodes[node]);
     if (!place || dot(body.nodes[node], projection.axes.z) < 0) continue;
     const [x, y] = place;
     parts.push(svg("line", { class: `wall ${name}`, x1: x, x2: x, y1: 0, y2: chartSide }));
-    parts.push(name === "a" ? svg("circle", { class: "node a lit", cx: x, cy: y, r: 7 }) : svg("rect", { class: "node b lit", x: x - 9, y: y - 9, width: 18, height: 18 }));
+    parts.push(
+      name === "a"
+        ? svg("circle", { class: "node a lit", cx: x, cy: y, r: 7 })
+        : svg("rect", { class: "node b lit", x: x - 9, y: y - 9, width: 18, height: 18 }),
+    );
   }
   return parts;
 }
@@ -141,11 +186,13 @@ function decidedSentence({ data, name }, sizes, lower) {
   const where = `The ${lower ? "lower" : "upper"} hemisphere. `;
   const item = name ? data.coincidence(name) : null;
   if (!item) return [where];
-  const what = `${spokenName(item.kind)}, ${involvedText(listedItem(data, name))}`, shown = [element("strong", {}, what), ". ", where];
+  const what = `${spokenName(item.kind)}, ${involvedText(listedItem(data, name))}`,
+    shown = [element("strong", {}, what), ". ", where];
   if (item.decided_by.length === 0) return [...shown, "No predicate was asked about it, or none that was zero: no monomial decided."];
   const monomials = item.decided_by.map((monomial) => {
     const size = seenMonomial(monomial, sizes);
     return `${monomialText(monomial)}${size === null ? "" : `, here ${roughly(size, 2)}`}`;
   });
-  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), ": the largest monomial whose coefficient is not 0."];
+  const rule = ": of each sign that was asked, the largest monomial whose coefficient is not 0.";
+  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), rule];
 }

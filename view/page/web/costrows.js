@@ -18,11 +18,18 @@ export function costRows({ bounds = [], seconds = {} }) {
   const rows = bounds.map((bound) => ({ ...bound, seconds: bound.seconds ?? undefined, ratio: boundRatio(bound) }));
   const named = new Set(bounds.filter((bound) => bound.seconds !== undefined).map(({ stage }) => stage));
   for (const [stage, time] of Object.entries(seconds)) {
-    const row = named.has(stage) ? null : rows.find((other) => other.stage === stage && other.seconds === undefined);
+    if (named.has(stage)) continue;
+    const row = rows.find((other) => other.stage === stage);
     if (row) row.seconds = time;
-    else if (!named.has(stage)) rows.push({ stage, what: null, count: null, bound: null, bound_value: null, source: null, seconds: time, ratio: null });
+    else rows.push({ stage, what: null, count: null, bound: null, bound_value: null, source: null, seconds: time, ratio: null });
   }
-  return rows;
+  // A stage's time is said once, beside its first count.
+  const said = new Set();
+  return rows.map((row) => {
+    const again = said.has(row.stage);
+    said.add(row.stage);
+    return again ? { ...row, seconds: undefined } : row;
+  });
 }
 
 /** The predicates that met zeros, most first. */

@@ -12,7 +12,9 @@ export const fateSentences = {
 
 /** The blocks that stand after the first `level` levels: those of that level, and of the ones before all that were not refined. */
 export function blocksAt(cutting, level) {
-  return cutting.levels.flatMap((at, k) => (k > level ? [] : at.blocks.filter((block) => k === level || block.fate !== "refined").map((block) => ({ ...block, level: k }))));
+  return cutting.levels.flatMap((at, k) =>
+    k > level ? [] : at.blocks.filter((block) => k === level || block.fate !== "refined").map((block) => ({ ...block, level: k })),
+  );
 }
 
 /** How many crossings each fate covers after these levels: {cleared, refined, scanned, won}. */
@@ -27,8 +29,10 @@ export function crossingsByFate(blocks) {
 
 /** The size of a cell in the picture: rows and columns are equally high and wide as long as both sides stay readable. */
 export function gridCells(rows, columns, widest = 640, highest = 420) {
-  const width = Math.min(28, widest / columns), height = Math.min(28, highest / rows);
-  const square = Math.min(width, height), most = 4 * square;
+  const width = Math.min(28, widest / columns),
+    height = Math.min(28, highest / rows);
+  const square = Math.min(width, height),
+    most = 4 * square;
   return { width: Math.min(width, most), height: Math.min(height, most) };
 }
 
@@ -37,5 +41,6 @@ export function levelSentence(cutting, level) {
   const { side, blocks } = cutting.levels[level];
   const whole = side === null ? "The whole grid is one block." : `The chain of ${side === "a" ? "\u2212A (rows)" : "B (columns)"} was cut.`;
   const counts = blockFates.map((fate) => [fate, blocks.filter((block) => block.fate === fate).length]).filter(([, count]) => count > 0);
-  return `Level ${level} of ${cutting.levels.length - 1}. ${whole} Blocks of this level: ${counts.map(([fate, count]) => `${count} ${fate}`).join(", ")}.`;
+  const fates = counts.map(([fate, count]) => `${count} ${fate}`).join(", ");
+  return `Level ${level} of ${cutting.levels.length - 1}. ${whole} Blocks of this level: ${fates}.`;
 }

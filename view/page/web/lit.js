@@ -40,3 +40,21 @@ function unitedFeatures(data, name, features) {
 export function litArcs(lit) {
   return ["a", "b"].flatMap((name) => lit[name].arcs.map((edge) => [name, edge]));
 }
+
+/** Whether what is lit lies in the lower hemisphere, as far as there is a choice. */
+export function liesBelow({ bodies }, lit) {
+  let sum = 0;
+  for (const name of ["a", "b"]) {
+    const { nodes, arcs } = bodies[name];
+    for (const n of [...lit[name].nodes, ...lit[name].arcs.flatMap((e) => arcs[e])]) if (n !== null) sum += Math.sign(nodes[n][2]);
+  }
+  return sum < 0;
+}
+
+/** The hemisphere that a new choice asks to be seen: that of a pair or of a chosen coincidence or facet; null if none does. */
+export function hemisphereOfChoice(data, chosen, changed) {
+  if (changed.has("pair") && chosen.pair !== null) return data.pairs[chosen.pair].chart;
+  if (chosen.pair !== null || !(changed.has("coincidence") || changed.has("facet"))) return null;
+  const lit = litInDiagrams(data, chosen), isEmpty = ["a", "b"].every((name) => lit[name].arcs.length + lit[name].nodes.length === 0);
+  return isEmpty ? null : Number(liesBelow(data, lit));
+}

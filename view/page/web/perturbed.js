@@ -6,7 +6,8 @@ import { cross, times, unit } from "./geometry.js";
 /** The infinitesimals from the largest to the smallest: e1, ..., e12, as kernels/predicates/perturbation.hpp ranks them. */
 export const infinitesimalNames = ["a", "b", "c", "E11", "E12", "E13", "E21", "E22", "E23", "E31", "E32", "E33"];
 
-const largestSeen = 0.24, shrinks = 0.84;
+const largestSeen = 0.24,
+  shrinks = 0.84;
 
 /** The sizes that stand for the infinitesimals in the picture, by name, where epsilon in [0, 1] is the slider's. */
 export function seenSizes(epsilon) {
@@ -27,7 +28,8 @@ export function cofactors([p, q, r]) {
 
 /** The body whose diagram is that of -A, moved. */
 export function movedDiagram(body, sizes) {
-  const matrix = seenMatrix(sizes), circles = body.circles?.map((d) => unit(applied(cofactors(matrix), d)));
+  const matrix = seenMatrix(sizes),
+    circles = body.circles?.map((d) => unit(applied(cofactors(matrix), d)));
   return { ...body, nodes: body.nodes.map((n) => unit(applied(matrix, n))), circles };
 }
 

@@ -11,9 +11,10 @@ export function segmentsOf(polylines, radius = 1) {
   return result;
 }
 
-/** The polylines of one body's arcs in the two hemispheres, [upper, lower], where `pole` is the upper one's. Arcs are cut at the equator. */
+/** The polylines of one body's arcs, cut at the equator: [upper, lower], where `pole` is the upper hemisphere's. */
 export function halvesOfArcs(body, edges, pole, step = 0.06) {
-  const halves = [[], []], poles = [pole, times(pole, -1)];
+  const halves = [[], []],
+    poles = [pole, times(pole, -1)];
   for (const edge of edges) {
     const curve = arcCurve(body, edge);
     if (!curve) continue;
@@ -32,7 +33,9 @@ export function wallOnSphere(n, { v }, step = 0.06) {
 
 /** The walls on either side of a pair's strip; those at infinity are left out. */
 export function stripOnSphere(pair, chart, bodies) {
-  return pair.strip.flatMap((wall) => (wall === null ? [] : [wallOnSphere(bodies[chart.walls[wall][0]].nodes[chart.walls[wall][1]], chart.frame)]));
+  return pair.strip.flatMap((wall) =>
+    wall === null ? [] : [wallOnSphere(bodies[chart.walls[wall][0]].nodes[chart.walls[wall][1]], chart.frame)],
+  );
 }
 
 /** The equator, whose poles are +-z. */

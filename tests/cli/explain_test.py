@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom explain: the numbers of the page are those of `depth --json`, it asks nobody for anything, and bad input makes no page."""
+import base64
+import hashlib
+import html.parser
+import json
+import os
+import re
+import unittest
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, ROOT, UNIT, VERSION, CliTest, box, case
+
+SCHEMA = json.loads((ROOT / "schemas" / "stages.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
+SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
+SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
+SECTIONS = ["what", "why", "where", "coincided", "cost"]
+VOID = {"meta", "br", "img", "link", "input", "hr"}
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+def scaled(points, factor):
+    return [[x * factor for x in point] for point in points]
+
+
+POLYTOPES = {
+    "shifted": case(UNIT, SHIFTED, id="shifted"),
+    "same": case(UNIT, UNIT, id="same"),
+    "touching": case(UNIT, box([1, 0, 0], [2, 1, 1]), id="touching"),
+    "apart": case(UNIT, box([3, 2, 0], [4, 3, 1]), id="apart"),
+    "flat": case(SQUARE, SQUARE, id="flat"),
+    "flat in solid": case(UNIT, [[0.25, 0.25, 0.5], [0.75, 0.25, 0.5], [0.25, 0.75, 0.5]], id="flat in solid"),
+    "needle in solid": case([[0.5, 0.5, 0.25], [0.5, 0.25, 0.75]], UNIT, id="needle in solid"),
+    "point": case([[0.5, 0.25, 0.5]], UNIT, id="point"),
+    "huge": case(scaled(UNIT, 1e300), scaled(SHIFTED, 1e300), id="huge"),
+    "tiny": case(scaled(UNIT, 1e-300), scaled(SHIFTED, 1e-300), id="tiny"),
+    "far": case([[x + 1e15 for x in p] for p in UNIT], [[x + 1e15 for x in p] for p in box([0.5, 0, 0], [1.5, 1, 1])], id="far"),
+}
+
+
+class Page(html.parser.HTMLParser):
+    """What tests ask of a page. Fails where elements do not close in order."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.elements, self.fields, self.raw, self.texts, self.open = [], {}, [], {}, []
+        self.feed(text)
+        self.close()
+        if self.open:
+            raise AssertionError(f"not closed: {self.open}")
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.elements.append((tag, attributes))
+        if tag not in VOID:
+            self.open.append((tag, attributes))
+        if tag in ("script", "style"):
+            self.raw.append([tag, attributes, ""])
+
+    def handle_startendtag(self, tag, attributes):
+        self.elements.append((tag, dict(attributes)))
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open[-1][0] != tag:
+            raise AssertionError(f"</{tag}> in {[name for name, _ in self.open]}")
+        self.open.pop()
+
+    def handle_data(self, data):
+        if self.open and self.open[-1][0] in ("script", "style"):
+            self.raw[-1][2] += data
+            return
+        for _, attributes in self.open:
+            if "data-field" in attributes:
+                name = attributes["data-field"]
+                self.fields[name] = self.fields.get(name, "") + data
+            if "id" in attributes:
+                self.texts[attributes["id"]] = self.texts.get(attributes["id"], "") + data
+
+    def block(self, name):
+        return next(text for tag, attributes, text in self.raw if attributes.get("id") == name)
+
+    def rows(self, key):
+        return [attributes for tag, attributes in self.elements if tag == "tr" and key in attributes]
+
+
+def numbers(text):
+    return [float(number) for number in NUMBER.findall(text)]
+
+
+class ExplainTest(CliTest):
+    def page_text(self, *arguments, stdin=""):
+        path = self.folder / "page.html"
+        self.assertEqual(self.answer("explain", *arguments, "-o", path, stdin=stdin), "")
+        return path.read_text()
+
+    def page(self, *arguments, stdin=""):
+        return Page(self.page_text(*arguments, stdin=stdin))
+
+
+class Content(ExplainTest):
+    def check_numbers(self, page, depth):
+        told = depth.get("distance", depth)
+        length = told.get("value") if "distance" in depth else depth["depth"]["value"]
+        field = page.fields.get("distance" if "distance" in depth else "depth")
+        if depth["status"] in ("penetrating", "disjoint") and length is not None:
+            self.assertEqual(numbers(field), [length])
+            self.assertIn(str(field), page.texts["answer"])
+        for name, values in (("unit", told["unit_f64"]), ("translation", told["translation_f64"])):
+            if values is not None and depth["status"] != "touching":
+                self.assertEqual(numbers(page.fields[name]), values, name)
+        for body in ("a", "b"):
+            if told["witness_f64"] is not None:
+                self.assertEqual(numbers(page.fields[f"witness_{body}"]), told["witness_f64"][body])
+            if depth["sizes"][body] is not None:
+                self.assertEqual(numbers(page.fields[f"size_{body}"]), depth["sizes"][body])
+        self.assertEqual(page.fields["status"], depth["status"])
+        if depth["status"] == "penetrating":
+            self.assertEqual(int(page.fields["optima"]), len(depth["optima"]))
+            self.assertEqual(len(page.rows("data-optimum")), min(20, len(depth["optima"])) if len(depth["optima"]) > 1 else 0)
+
+    def check_page(self, page, words, stdin=""):
+        """The page is about what these words are about for `depth` and `stages`."""
+        depth = self.answer("depth", "--json", *words, stdin=stdin)
+        self.assertEqual(page.block("depth") + "\n", depth.replace("<", "\\u003c"))
+        self.check_numbers(page, json.loads(depth))
+        stages = json.loads(page.block("stages"))
+        VALIDATOR.validate(stages)
+        self.assertEqual(stages, self.result("stages", *words, stdin=stdin))
+        again = self.result("depth", "-", stdin=page.block("case") + "\n")
+        self.assertEqual({**again, "hull": None}, {**json.loads(depth), "hull": None})
+        sections = [attributes["id"] for tag, attributes in page.elements if tag == "section"]
+        self.assertEqual(sections[:5], SECTIONS)
+        ids = [attributes["id"] for _, attributes in page.elements if "id" in attributes]
+        self.assertEqual(len(ids), len(set(ids)))
+        return stages
+
+    def test_two_meshes(self):
+        stages = self.check_page(self.page(CUBE, ICOSAHEDRON), [CUBE, ICOSAHEDRON])
+        self.assertEqual(stages["sum"]["kind"], "P")
+
+    def test_polytopes_of_every_kind(self):
+        for name, line in POLYTOPES.items():
+            with self.subTest(name):
+                page = self.page("-", stdin=line)
+                stages = self.check_page(page, ["-"], stdin=line)
+                depth = json.loads(page.block("depth"))
+                inside = depth["status"] == "penetrating"
+                self.assertEqual(stages["sum"]["kind"], "P" if inside else "none")
+                self.assertEqual(len(page.rows("data-facet")), min(20, len(stages["sum"]["facets"])))
+                self.assertEqual(bool(stages["left_out"]), "left-out" in page.texts)
+                optimal = sum(row.get("class") == "optimal" for row in page.rows("data-facet"))
+                self.assertEqual(optimal, min(20, len(depth["optima"])))
+
+    def test_shapes(self):
+        for words in (["sphere:r=1", "box:half=1:1:1"], ["sphere:r=1", "halfspace:normal=0:0:1,offset=0"], ["capsule:r=1/4,h=2", CUBE],
+                      ["cylinder:r=1,h=2", "cone:r=1,h=1,quaternion=2:1:0:0,at=0.5:0.25:2"], ["sphere:r=1", "sphere:r=1,at=5:0:0"]):
+            with self.subTest(words):
+                page = self.page(*words)
+                stages = self.check_page(page, words)
+                self.assertTrue(any(word in sentence for sentence in stages["left_out"] for word in ("left out", "not drawn")))
+                self.assertIn("left-out", page.texts)
+                found = {kind: all_of["count"] for kind, all_of in self.result("study", *words)["coincidences"].items() if all_of["count"]}
+                self.assertEqual({kind["kind"]: kind["count"] for kind in stages["coincidences"]}, found)
+
+    def test_every_case_of_the_catalogue(self):
+        cases = [json.loads(line) for line in self.answer("cases", "--catalogue").splitlines()]
+        path = self.file("cases.jsonl", self.answer("cases", "--catalogue"))
+        for single in cases[::12]:
+            with self.subTest(single["id"]):
+                page = self.page(path, "--case", single["id"])
+                self.check_numbers(page, self.result("depth", "-", stdin=json.dumps(single) + "\n"))
+
+    def test_coincidences_are_those_of_the_study(self):
+        for line in (POLYTOPES["same"], POLYTOPES["touching"], POLYTOPES["flat in solid"]):
+            page = self.page("-", stdin=line)
+            study = self.result("study", "-", stdin=line)
+            found = {kind: all_of["count"] for kind, all_of in study["coincidences"].items() if all_of["count"]}
+            self.assertEqual({kind["kind"]: kind["count"] for kind in json.loads(page.block("stages"))["coincidences"]}, found)
+            self.assertEqual({row["data-kind"] for row in page.rows("data-kind")}, set(found))
+
+    def test_a_mesh_that_is_not_convex_is_said_to_be(self):
+        dented = "OFF\n5 6 0\n0 0 0\n2 0 0\n0 2 0\n0 0 2\n0.25 0.25 0.25\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 4\n3 2 3 4\n3 3 1 4\n"
+        path = self.file("dented.off", dented)
+        self.assertIn("A is not convex", self.page_text(path, CUBE))
+        self.assertNotIn("is not convex", self.page_text(CUBE, CUBE))
+        self.assertIn("not convex", self.refused("explain", path, CUBE, "--require-convex", "-o", self.folder / "none.html"))
+        self.assertFalse((self.folder / "none.html").exists())
+
+
+class Safety(ExplainTest):
+    def test_policy_names_what_is_there_and_nothing_else(self):
+        page = self.page(CUBE, ICOSAHEDRON)
+        policy = next(attributes["content"] for tag, attributes in page.elements if attributes.get("http-equiv") == "Content-Security-Policy")
+        scripts = [text for tag, attributes, text in page.raw if tag == "script" and "type" not in attributes]
+        styles = [text for tag, _, text in page.raw if tag == "style"]
+        self.assertEqual((len(scripts), len(styles)), (1, 1))
+        name = lambda text: "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
+        self.assertIn(f"script-src {name(scripts[0])};", policy)
+        self.assertIn(f"style-src {name(styles[0])};", policy)
+        self.assertTrue(policy.startswith("default-src 'none';"))
+        self.assertNotIn("unsafe", policy)
+
+    def test_nothing_is_loaded_from_elsewhere(self):
+        page = self.page(CUBE, ICOSAHEDRON)
+        for tag, attributes in page.elements:
+            self.assertNotIn(tag, ("img", "link", "iframe", "object", "embed", "base", "form"))
+            for key, value in attributes.items():
+                self.assertFalse(key.startswith("on"), (tag, key))
+                self.assertNotEqual(key, "style", tag)
+                if key in ("src", "href", "xlink:href", "action"):
+                    self.assertTrue(value.startswith("#"), (tag, key, value))
+        style = next(text for tag, _, text in page.raw if tag == "style")
+        self.assertNotIn("@import", style)
+        self.assertFalse(re.search(r"url\((?!#|\"?data:)", style))
+
+    def test_hostile_names_change_nothing(self):
+        plain = self.page("-", stdin=case(UNIT, SHIFTED, id="plain"))
+        for name in ("</script><script>alert(1)</script>", "<!-- <script>", "\" onclick=\"alert(1)", "{{script}}", "&lt;b&gt;", "a\nb\x1b[31m\u202e", "]]>"):
+            with self.subTest(name):
+                page = self.page("-", stdin=case(UNIT, SHIFTED, id=name))
+                self.assertEqual(page.elements, plain.elements)
+                self.assertEqual(json.loads(page.block("depth"))["id"], name)
+                self.assertEqual(json.loads(page.block("stages"))["id"], name)
+                self.assertEqual(json.loads(page.block("case"))["id"], name)
+
+    def test_same_input_same_bytes(self):
+        self.assertEqual(self.page_text(CUBE, ICOSAHEDRON), self.page_text(CUBE, ICOSAHEDRON))
+        self.assertNotIn("seconds", json.loads(self.page(CUBE, ICOSAHEDRON).block("stages")))
+        timed = self.page(CUBE, ICOSAHEDRON, "--times")
+        self.assertTrue(json.loads(timed.block("stages"))["seconds"])
+        self.assertIn("seconds", timed.texts["cost"])
+
+
+class Input(ExplainTest):
+    def setUp(self):
+        super().setUp()
+        self.out = self.folder / "page.html"
+        self.cases = self.file("cases.jsonl", POLYTOPES["shifted"] + POLYTOPES["same"] + POLYTOPES["shifted"])
+
+    def test_what_is_missing_or_contradicts_itself(self):
+        for words, said in (([CUBE, ICOSAHEDRON], "expected -o FILE"), ([CUBE, ICOSAHEDRON, "-o", "-"], "-o writes a file"),
+                            ([CUBE, ICOSAHEDRON, "--case", "x", "-o", self.out], "--case chooses a case of a stream"),
+                            ([self.cases, "-o", self.out], "--case ID"), ([self.cases, "--case", "none", "-o", self.out], "'none'"),
+                            ([CUBE, "nowhere.off", "-o", self.out], "nowhere.off"), ([CUBE, "-o", self.out], "single mesh"),
+                            ([self.file("empty.jsonl", ""), "-o", self.out], "empty.jsonl"),
+                            ([self.file("bad.jsonl", '{"id": "x"}\n'), "-o", self.out], "bad.jsonl:1"),
+                            ([self.file("bad2.jsonl", POLYTOPES["same"] + '{"id": "x"}\n'), "--case", "x", "-o", self.out], "bad2.jsonl:2")):
+            self.assertIn(said, self.refused("explain", *words))
+            self.assertFalse(self.out.exists())
+
+    def test_ids_are_listed(self):
+        for words in ([self.cases], [self.cases, "--case", "none"]):
+            self.assertIn("found 3 cases: 'shifted', 'same', 'shifted'\n", self.refused("explain", *words, "-o", self.out))
+        many = self.file("many.jsonl", "".join(case(UNIT, UNIT, id=f"case {i}") for i in range(40)))
+        self.assertIn("'case 11' and 28 more\n", self.refused("explain", many, "-o", self.out))
+
+    def test_one_case_needs_no_id(self):
+        self.assertEqual(json.loads(self.page("-", stdin=POLYTOPES["shifted"]).block("depth"))["id"], "shifted")
+        self.assertEqual(json.loads(self.page(self.cases, "--case", "same").block("depth"))["id"], "same")
+
+    def test_a_place_that_cannot_be_written(self):
+        self.assertIn("cannot write a page", self.refused("explain", CUBE, "nowhere.off", "-o", self.folder / "no" / "page.html"))
+        self.assertIn("is a directory", self.refused("explain", CUBE, CUBE, "-o", self.folder))
+        if os.path.exists("/dev/full"):
+            self.assertIn("cannot write the page", self.refused("explain", CUBE, CUBE, "-o", "/dev/full", code=3))
+
+    def test_an_older_page_stays_if_there_is_no_new_one(self):
+        self.out.write_text("old")
+        self.refused("explain", CUBE, "nowhere.off", "-o", self.out)
+        self.assertEqual(self.out.read_text(), "old")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cases.jsonl", "page.html"])
+
+    def test_version(self):
+        self.assertIn(f"fathom {VERSION}", self.page_text(CUBE, CUBE))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages that are kept belong to the answer, and they are there for bodies that do not penetrate too.
+#include "reference/depth/exact_stages.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/prepared.hpp"
+#include "verify/families/catalogue.hpp"
+
+namespace fathom::depth {
+namespace {
+
+TEST(ExactStages, AreThoseOfTheAnswer) {
+  std::vector<Case> cases = testing::cases_of_all_families(1, 16);
+  for (const families::CatalogueEntry& entry : families::catalogue()) cases.push_back(entry.pair);
+  std::size_t apart = 0;
+  for (const Case& input : cases) {
+    const polytope::PlacedPair pair = polytope::place(input.a.points, input.b.points);
+    kernels::Context of_answer, of_stages;
+    const Depth answer = penetration_depth(of_answer, pair);
+    const std::unique_ptr<ExactStages> stages = exact_stages(of_stages, pair);
+    EXPECT_EQ(stages->depth.status(), answer.status()) << input.id;
+    EXPECT_EQ(stages->depth.optima(), answer.optima()) << input.id;
+    EXPECT_EQ(stages->depth.counters.crossings, answer.counters.crossings) << input.id;
+    EXPECT_EQ(stages->depth.counters.pairs_evaluated, answer.counters.pairs_evaluated) << input.id;
+    EXPECT_EQ(stages->depth.counters.vertices_a, answer.counters.vertices_a) << input.id;
+    EXPECT_EQ(stages->charts[0].of.a.diagram, &stages->diagrams.a) << input.id;
+    std::uint64_t crossings = 0;
+    for (std::size_t h = 0; h < 2; ++h) {
+      EXPECT_EQ(testing::text(chart::validate(stages->charts[h])), "") << input.id;
+      EXPECT_EQ(testing::text(canonical::validate(stages->subsets[h], stages->charts[h])), "") << input.id;
+      EXPECT_EQ(stages->traces[h].pairs.size(), answer.penetration() ? stages->subsets[h].size() : 0) << input.id;
+      crossings += stages->subsets[h].sums().product;
+    }
+    if (answer.penetration()) {
+      EXPECT_EQ(crossings, answer.counters.crossings) << input.id;
+      EXPECT_FALSE(stages->of_facets.directions().empty() && stages->hulls.a.facets.size() + stages->hulls.b.facets.size() > 0) << input.id;
+    } else {
+      EXPECT_EQ(answer.counters.crossings, 0U) << input.id;
+      ++apart;
+    }
+  }
+  EXPECT_GT(apart, 20U);
+}
+
+}  // namespace
+}  // namespace fathom::depth

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page over data made by hand: gaps, sentences, escapes, tables.
+#include "view/page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "view/page/embedded.hpp"
+#include "view/page/fill.hpp"
+#include "view/page/html.hpp"
+
+namespace {
+
+using namespace fathom;
+
+page::Data data(const char* text) { return page::Data::parse(text); }
+
+std::size_t count(std::string_view text, std::string_view what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+TEST(Fill, PutsValuesInOnceAndAsTheyAre) {
+  EXPECT_EQ(page::filled("a{{x}}b{{y}}{{x}}", {{"x", "{{y}}"}, {"y", "<2>"}}), "a{{y}}b<2>{{y}}");
+  EXPECT_EQ(page::filled("no gaps } { }}", {}), "no gaps } { }}");
+}
+
+TEST(Fill, RefusesGapsWithoutValues) {
+  EXPECT_THROW(page::filled("{{x}}", {{"y", ""}}), std::logic_error);
+  EXPECT_THROW(page::filled("{{x", {{"x", ""}}), std::logic_error);
+}
+
+TEST(Answer, SaysWhatIsKnown) {
+  const auto said = [](const char* text) { return page::answer_sentence(data(text)); };
+  EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":0.25}})"), "A overlaps B by 0.25");
+  EXPECT_EQ(said(R"({"status":"touching","depth":{"value":0}})"), "A and B touch");
+  EXPECT_EQ(said(R"({"status":"disjoint","depth":{"value":0},"distance":{"value":1.5}})"), "A and B are apart by 1.5");
+  EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":null},"signed_depth":{"low":0.1,"high":0.2}})"),
+            "A overlaps B by 0.1 to 0.2");
+  EXPECT_EQ(said(R"({"status":"disjoint","distance":{"value":null,"rounded":null},"signed_depth":{"low":-0.2,"high":-0.1}})"),
+            "A and B are apart by 0.1 to 0.2");
+  EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":{"f64":{"rn":"inf"}}}})"),
+            "A overlaps B by more than the largest binary64");
+  EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":{"f64":{"rn":"0x0p+0"}}}})"),
+            "A overlaps B by less than the least positive binary64");
+  EXPECT_EQ(said(R"({"status":"undecided","depth":{"value":null},"signed_depth":{"low":-1e-300,"high":1e-300}})"),
+            "The bounds leave open whether A and B overlap: signed depth -1e-300 to 1e-300");
+}
+
+TEST(Html, CutsNumbersThatAreTooLong) {
+  const std::string digits(5000, '7');
+  EXPECT_EQ(page::shown(page::Data(digits)), digits.substr(0, 4000) + "... (5000 characters)");
+  EXPECT_EQ(page::shown(data(R"(["1/3", 2, null])")), "(1/3, 2, -)");
+  EXPECT_EQ(page::shown(page::Data("<b>")), "&lt;b&gt;");
+}
+
+stages::Stages of_cubes() {
+  stages::Stages made;
+  made.id = "two cubes";
+  made.status = Status::penetrating;
+  made.sum.kind = stages::SumKind::p;
+  for (unsigned i = 0; i < 25; ++i) {
+    stages::StagedFacet facet;
+    facet.squared = mpq_class(i < 2 ? 1 : i * i, 16);
+    facet.squared.canonicalize();
+    facet.kind = stages::SumFacetKind::edges;
+    facet.a = {i};
+    facet.b = {i, i + 1};
+    facet.optimal = i < 2;
+    made.sum.facets.push_back(facet);
+  }
+  return made;
+}
+
+TEST(Ranked, ListsTheNearestTwenty) {
+  const std::string text = page::ranked(of_cubes());
+  EXPECT_EQ(count(text, "<tr data-facet="), 20U);
+  EXPECT_EQ(count(text, "class=\"optimal\""), 2U);
+  EXPECT_EQ(count(text, ">tie<"), 2U) << "law: exact ties are called so";
+  EXPECT_NE(text.find("<td>0.5</td><td>100 %</td>"), std::string::npos) << "law: how much longer";
+  EXPECT_NE(text.find("5 facets are farther"), std::string::npos);
+  EXPECT_NE(text.find("vertex-edge"), std::string::npos) << "law: A's feature first";
+}
+
+TEST(Page, HoldsItsDataWithoutAnyTag) {
+  const stages::Stages made = of_cubes();
+  const std::string depth =
+      R"({"id":"</script><!--","status":"penetrating","depth":{"value":0.25,"squared":"1/16"},"optima":[{}],"method":"exact"})";
+  const std::string text = page::html_page({"1.2.3", depth, made, R"({"id":"<b>"})", {"A is <dented>"}, "<svg></svg>"});
+  EXPECT_EQ(count(text, "</script"), 4U) << "law: three blocks and a script, whatever ids hold";
+  EXPECT_EQ(text.find("<!--", text.find("<body")), std::string::npos);
+  EXPECT_NE(text.find("A is &lt;dented&gt;"), std::string::npos);
+  EXPECT_NE(text.find(R"({"id":"\u003cb>"})"), std::string::npos);
+  EXPECT_NE(text.find("<svg></svg>"), std::string::npos);
+  EXPECT_EQ(text.find("{{"), text.find("{{", text.find(page::script().substr(0, 40)))) << "law: no gap is left open before the script";
+}
+
+TEST(Page, RefusesAnAnswerThatIsNone) {
+  const stages::Stages made;
+  EXPECT_THROW(page::html_page({"1", "[]", made, "{}", {}, ""}), std::invalid_argument);
+  EXPECT_THROW(page::html_page({"1", "{", made, "{}", {}, ""}), std::invalid_argument);
+}
+
+TEST(Script, HoldsNothingThatEndsItsElement) {
+  for (const std::string_view words : {"</script", "<!--"}) EXPECT_EQ(page::script().find(words), std::string_view::npos) << words;
+}
+
+}  // namespace
