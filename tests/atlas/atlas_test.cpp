@@ -84,7 +84,7 @@ TEST(Atlas, LightsTheArcsOfThePair) {
 }
 
 TEST(Atlas, TheStripHoldsTheCrossings) {
-  const Stages stages = staged("crossed_fans", 12);
+  const Stages stages = staged("crossed_fans", 18);
   ASSERT_TRUE(stages.winner && stages.winner->pair);
   const std::string svg = chart_picture(stages, "p");
   const std::vector<std::string> strip = all(svg, "<rect class=\"strip\" (x=\"[0-9.]+\" y=\"[0-9.]+\" width=\"[0-9.]+\")");

@@ -14,7 +14,7 @@ SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])
 class Charts(CliTest):
     def test_the_picture_in_the_manual(self):
         page = (ROOT / "docs" / "algorithm.md").read_text()
-        family, size, name = re.search(r"fathom cases --family (\w+) --size (\d+) \|[^|]*?stages --case (\S+)", page).groups()
+        family, size, name = re.search(r"fathom cases --family (\w+) --size (\d+) \|\s*> ./fathom stages --case (\S+)", page).groups()
         picture = self.folder / "charts.svg"
         stream = self.answer("cases", "--family", family, "--size", size)
         self.answer("stages", "--case", name, "--svg", picture, "-", stdin=stream)

@@ -52,12 +52,12 @@ std::string legend_entry(std::size_t number, std::string_view sample, std::strin
 std::string legend(double x, double y, bool of_chart) {
   std::string result = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", x, y);
   std::size_t n = 0;
-  result += legend_entry(n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>",
-                         "edges of A (of -A)");
+  result +=
+      legend_entry(n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>", "arcs of -A");
   result += legend_entry(n++, "<path class=\"arc of-a lit\" d=\"M0 0H28\"/>", "A_i of the pair");
   result += legend_entry(n++, "<circle class=\"optimum\" cx=\"14\" cy=\"0\" r=\"6\"/>", "optimum");
   result += legend_entry(
-      n++, "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>", "edges of B");
+      n++, "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>", "arcs of B");
   result += legend_entry(n++, "<path class=\"arc of-b lit\" d=\"M0 0H28\"/>", "B_i of the pair");
   if (of_chart)
     result += legend_entry(

@@ -101,11 +101,12 @@ std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& wi
   const double inset = 14;
   const std::vector<Dot> seen = clipped(around, true, {inset, inset}, {window.size().width - inset, window.size().height - inset});
   if (seen.empty()) return std::nullopt;
-  Dot middle;
-  const double share = 1 / static_cast<double>(seen.size());
-  for (const Dot& d : seen) middle = {middle.x + d.x * share, middle.y + d.y * share};
-  const double edge = towards > 0 ? box_around(seen).second.x : box_around(seen).first.x;
-  return Dot{middle.x + (edge - middle.x) / 2, middle.y + 6};
+  const auto [low, high] = box_around(seen);
+  const double x = (low.x + high.x) / 2 + (towards > 0 ? 0.25 : -0.25) * (high.x - low.x);
+  const std::vector<Dot> here = clipped(seen, true, {x - 1, low.y}, {x + 1, high.y});
+  const auto [top, bottom] = box_around(here.empty() ? seen : here);
+  constexpr double half_a_letter = 6;
+  return Dot{x, (top.y + bottom.y) / 2 + half_a_letter};
 }
 
 std::string letters(const PairScene& scene, const Window& window) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "view/picture/window.hpp"
 #include "view/picture/scene.hpp"
+#include "view/picture/window.hpp"
 
 namespace fathom::picture {
 

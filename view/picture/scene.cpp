@@ -99,9 +99,16 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   const std::optional<Point> shown = in_proportion(pair, claimed, cut);
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
   const View view(scaled(point_of(depth.direction()), distance ? -1 : 1), second, edges_of(touch_a, touch_b));
-  return {depth.status(), view,  wires_of(pair.a, view),
-          wires_of(pair.b, view), witness.a, distance ? distance->translation : depth.translation(),
-          shown, cut, std::move(touch_a), std::move(touch_b)};
+  return {depth.status(),
+          view,
+          wires_of(pair.a, view),
+          wires_of(pair.b, view),
+          witness.a,
+          distance ? distance->translation : depth.translation(),
+          shown,
+          cut,
+          std::move(touch_a),
+          std::move(touch_b)};
 }
 
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
@@ -117,7 +124,8 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
     touch_b = rounded_face(b, contact->b, n);
   }
   const View view(scaled(normal, depth.status() == Status::disjoint ? -1 : 1), std::nullopt, edges_of(touch_a, touch_b));
-  PairScene scene{depth.status(), view, drawn_shape(a, view), drawn_shape(b, view), start, way, std::nullopt, false, std::move(touch_a), std::move(touch_b)};
+  PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
+                  std::nullopt,   false, std::move(touch_a),   std::move(touch_b)};
   scene.enclosed = depth.bounds() != nullptr;
   return scene;
 }

@@ -107,6 +107,9 @@ Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) co
   return {at.x.get_d(), at.y.get_d()};
 }
 
-bool View::faces_us(const Vector& normal) const { return dot(unit_vector(point_of(normal)), towards_) > 0; }
+bool View::faces_us(const Vector& normal) const {
+  constexpr double from_its_edge = -1e-9;
+  return dot(unit_vector(point_of(normal)), towards_) > from_its_edge;
+}
 
 }  // namespace fathom::picture

@@ -42,7 +42,7 @@ class View {
   [[nodiscard]] Spot place(const Point& p) const;
   /// Where p is, with `centre` at 0, in multiples of `unit` > 0.
   [[nodiscard]] Dot project(const Point& p, const Point& centre, const mpq_class& unit) const;
-  /// Whether a facet with this outward normal is seen.
+  /// Whether a facet with this outward normal is seen, be it from its edge.
   [[nodiscard]] bool faces_us(const Vector& normal) const;
 
  private:
