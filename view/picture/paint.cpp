@@ -188,7 +188,7 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
   const mpq_class longest = greater_side(ways), extent = greater_side(box);
   const Spot& scale = result.front().window.scale();
   if (longest == 0 || longest * std::max(scale.x, scale.y) >= short_way) return result;
-  if (scene.approximate() && extent > 1'000'000 * longest) return result;
+  if (scene.approximate() && extent > 1'000'000'000 * longest) return result;
   const Spot start = scene.view.place(scene.anchor);
   const Spot centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
   result.push_back({Window::close(scene.view, centre, mpq_class(close_way / longest), size), true});
