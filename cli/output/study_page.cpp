@@ -38,7 +38,7 @@ void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view s
     Total& total = coincidences_[spoken(names[i])];
     ++total.cases;
     total.count += count;
-    present += fmt::format("; {} {}", spoken(names[i]), count);
+    present += fmt::format("; {}: {}", spoken(names[i]), count);
   }
   title_ = picture::markup(pair.id);
   headline_ = picture::markup(headline);
@@ -80,7 +80,7 @@ std::string StudyPage::totals() const {
     const auto found = coincidences_.find(kind);
     if (found == coincidences_.end()) return;
     rows += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0} \">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n", kind,
+        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0}:\">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n", kind,
         found->second.cases, found->second.count);
   };
   for (const std::string_view kind : coincidence_names) add(spoken(kind));
