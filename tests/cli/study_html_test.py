@@ -14,7 +14,7 @@ HOSTILE = "<script>alert(1)</script>&\"'\x1b]]>"
 CASES = [case(UNIT, SHIFTED, id=HOSTILE), case(UNIT, UNIT, id="same"), case(UNIT, box([1, 0, 0], [2, 1, 1]), id="touching"),
          case(UNIT, box([2, 0, 0], [3, 1, 1]), id="apart"), case(SQUARE, SQUARE, id="flat"), case([[0, 0, 0]], UNIT, id="point")]
 BAD = '{"id": "cut", "a": {}}\n'
-BALL, CAPSULE = {"shape": "sphere", "radius": 1}, {"shape": "capsule", "length": 2, "radius": 0.5}
+BALL, CAPSULE = {"shape": "sphere", "radius": 1}, {"shape": "capsule", "half_length": 1, "radius": 0.5}
 VOID = {"meta", "input", "br"}
 
 
@@ -113,12 +113,12 @@ class Pages(CliTest):
         legend = {item.words().split(" ", 1)[1]: int(next(item.all("b")).text) for item in next(part.all("ul")).all("li")} if any(
             counts.values()) else {}
         self.assertEqual(legend, {kind: count for kind, count in counts.items() if count})
-        listed = [(spoken(kind), k + 1, found["count"], one["a"], one["b"]) for kind, found in study["coincidences"].items()
+        listed = [(spoken(kind), k + 1, one["a"], one["b"]) for kind, found in study["coincidences"].items()
                   for k, one in enumerate(found["listed"])]
         features = lambda all_of_them: " , ".join(" ".join(map(str, feature)) for feature in all_of_them)
         shown = rows(next(part.all(aria_label="Coincidences"))) if listed else []
         self.assertEqual([[kind, number, a.replace(",", " ,").replace("  ", " "), b.replace(",", " ,").replace("  ", " ")] for kind, number, a, b in shown],
-                         [[kind, f"{k} of {count}", features(a), features(b)] for kind, k, count, a, b in listed])
+                         [[kind, str(k), features(a), features(b)] for kind, k, a, b in listed])
         for row in part.all("tr"):
             if "data-lights" in row.attributes:
                 marks = [next(part.all(id=mark)) for mark in row.attributes["data-lights"].split()]
@@ -167,7 +167,7 @@ class Pages(CliTest):
             [(BALL, BALL), (CAPSULE, BALL), (CAPSULE, {"vertices": UNIT})])))
         for part, study in zip(next(root.all(id="list")).children, studies):
             table = list(part.all(aria_label="Coincidences"))
-            listed = [[spoken(kind), f"{k + 1} of {found['count']}"] for kind, found in study["coincidences"].items()
+            listed = [[spoken(kind), str(k + 1)] for kind, found in study["coincidences"].items()
                       for k in range(len(found["listed"]))]
             self.assertEqual([row[:2] for row in rows(table[0])] if listed else [], listed)
             self.assertGreaterEqual(len(list(part.all("svg"))), 1)
