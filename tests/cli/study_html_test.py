@@ -71,7 +71,7 @@ def rows(table):
 
 
 class Pages(CliTest):
-    def page(self, *arguments, code=0, stdin=None):
+    def page(self, *arguments, code=0, stdin=""):
         """The page's root, and what --json says beside it."""
         path = self.folder / "page.html"
         got, out, err = self.run_cli("study", "--json", "--html", path, *arguments, stdin=stdin)
@@ -110,15 +110,14 @@ class Pages(CliTest):
                                         ", ".join(f"{decision['name']}: {decision['count']}" for decision in found["decided_by"])]
                                        for name, found in study["predicates"].items()])
         counts = {spoken(kind): found["count"] for kind, found in study["coincidences"].items()}
-        legend = {item.words().split(" ", 1)[1]: int(next(item.all("b")).text) for item in next(part.all("ul")).all("li")} if any(
-            counts.values()) else {}
+        legend = {next(item.all("a")).text: int(next(item.all("b")).text) for item in next(part.all("ul"), Element("", {})).all("li")}
         self.assertEqual(legend, {kind: count for kind, count in counts.items() if count})
         listed = [(spoken(kind), k + 1, one["a"], one["b"]) for kind, found in study["coincidences"].items()
                   for k, one in enumerate(found["listed"])]
-        features = lambda all_of_them: " , ".join(" ".join(map(str, feature)) for feature in all_of_them)
-        shown = rows(next(part.all(aria_label="Coincidences"))) if listed else []
-        self.assertEqual([[kind, number, a.replace(",", " ,").replace("  ", " "), b.replace(",", " ,").replace("  ", " ")] for kind, number, a, b in shown],
-                         [[kind, str(k), features(a), features(b)] for kind, k, a, b in listed])
+        shown = [[row.children[0].words(), row.children[1].words(), *([link.text for link in cell.all("a")] for cell in row.children[2:])]
+                 for row in next(next(part.all(aria_label="Coincidences")).all("tbody")).all("tr")] if listed else []
+        self.assertEqual(shown, [[kind, str(k), *([" ".join(map(str, feature)) for feature in features] for features in (a, b))]
+                                 for kind, k, a, b in listed])
         for row in part.all("tr"):
             if "data-lights" in row.attributes:
                 marks = [next(part.all(id=mark)) for mark in row.attributes["data-lights"].split()]
@@ -158,7 +157,7 @@ class Pages(CliTest):
                          [[spoken(kind), str(cases), str(count)] for kind, (cases, count) in totals.items() if cases])
         self.assertEqual(next(root.all("p")).text, f"{len(CASES)} cases, 1 error")
         self.assertIn(":7: ", [item.text for item in root.all("li")][-1])
-        bar = {item.words().split()[1]: int(item.words().split()[0]) for item in next(root.all("ul")).all("li")}
+        bar = {item.text.strip(): int(next(item.all("b")).text) for item in next(root.all("ul")).all("li")}
         statuses = [study["status"] for study in studies[:-1]]
         self.assertEqual(bar, {status: statuses.count(status) for status in set(statuses)})
 
