@@ -38,7 +38,7 @@ void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view s
     Total& total = coincidences_[spoken(names[i])];
     ++total.cases;
     total.count += count;
-    present += fmt::format("; {} {}", spoken(names[i]), count);
+    present += fmt::format("; {}: {}", spoken(names[i]), count);
   }
   title_ = picture::markup(pair.id);
   headline_ = picture::markup(headline);
@@ -48,8 +48,9 @@ void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view s
     sections_ += study_section(pair, study, anchor);
     return;
   }
-  sections_ += fmt::format("<details class=\"part\" id=\"{}\" data-kind=\"{}\"><summary>{}: {}{}</summary>\n{}</details>\n", anchor, status,
-                           title_, headline_, present, study_section(pair, study, anchor));
+  sections_ += fmt::format(
+      "<details class=\"part\" id=\"{}\" data-kind=\"{}\"><summary>{} <span class=\"soft\">{}{}</span></summary>\n{}</details>\n", anchor,
+      status, title_, headline_, present, study_section(pair, study, anchor));
 }
 
 void StudyPage::add(const Case& pair, const Study& study) {
@@ -80,7 +81,7 @@ std::string StudyPage::totals() const {
     const auto found = coincidences_.find(kind);
     if (found == coincidences_.end()) return;
     rows += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0} \">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n", kind,
+        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0}:\">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n", kind,
         found->second.cases, found->second.count);
   };
   for (const std::string_view kind : coincidence_names) add(spoken(kind));
@@ -88,8 +89,7 @@ std::string StudyPage::totals() const {
     if (std::ranges::find(coincidence_names, kind) == coincidence_names.end()) add(spoken(kind));
   if (rows.empty()) return "<p>Nothing coincides.</p>\n";
   const std::string table =
-      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">cases with any</th><th scope=\"col\">of all "
-      "cases</th></tr>"
+      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">cases with any</th><th scope=\"col\">in all</th></tr>"
       "</thead>\n<tbody>\n" +
       rows + "</tbody>";
   return picture::table_box("Coincidences of all cases", table, false);

@@ -49,9 +49,9 @@ std::string features_text(CoincidenceRow& row, Marks* marks, bool of_a, const st
 Rows rows_of(const Study& study, Marks* marks) {
   Rows rows;
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
-    const auto& [count, listed] = study.coincidences[i];
+    const auto& listed = study.coincidences[i].listed;
     for (std::size_t k = 0; k < listed.size(); ++k) {
-      CoincidenceRow row{spoken(coincidence_names[i]), k + 1, count, "", "", {}};
+      CoincidenceRow row{spoken(coincidence_names[i]), k + 1, "", "", {}};
       row.a = features_text(row, marks, true, listed[k].a);
       row.b = features_text(row, marks, false, listed[k].b);
       rows.push_back(std::move(row));
@@ -63,11 +63,10 @@ Rows rows_of(const Study& study, Marks* marks) {
 Rows rows_of(const ShapeStudy& study) {
   Rows rows;
   for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
-    const auto& [count, listed] = study.coincidences[i];
+    const auto& listed = study.coincidences[i].listed;
     for (std::size_t k = 0; k < listed.size(); ++k)
       rows.push_back({spoken(shape_coincidence_names[i]),
                       k + 1,
-                      count,
                       picture::markup(feature_text(listed[k].a)),
                       picture::markup(feature_text(listed[k].b)),
                       {}});

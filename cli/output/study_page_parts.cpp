@@ -18,8 +18,8 @@ using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 std::string row_element(const CoincidenceRow& row) {
   const std::string lights = row.lights.empty() ? "" : fmt::format(" data-lights=\"{}\"", fmt::join(row.lights, " "));
   return fmt::format(
-      "<tr data-kind=\"{0}\"{1}><th scope=\"row\">{0}</th><td>{2} of {3}</td><td class=\"name\">{4}</td><td class=\"name\">{5}</td></tr>\n",
-      row.kind, lights, row.number, row.count, row.a, row.b);
+      "<tr data-kind=\"{0}\"{1}><th scope=\"row\">{0}</th><td>{2}</td><td class=\"name\">{3}</td><td class=\"name\">{4}</td></tr>\n",
+      row.kind, lights, row.number, row.a, row.b);
 }
 
 std::string unlisted_text(const std::vector<CoincidenceRow>& rows, const Counts& counts) {
@@ -63,7 +63,7 @@ std::string coincidences_part(const std::string& anchor, const std::vector<Coinc
   for (const auto& [kind, count] : counts)
     if (count > 0) kinds.push_back({kind, kind});
   const std::string table = fmt::format(
-      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">number</th><th scope=\"col\" class=\"text\">of A</th>"
+      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">no.</th><th scope=\"col\" class=\"text\">of A</th>"
       "<th scope=\"col\" class=\"text\">of B</th></tr></thead>\n<tbody id=\"{}rows\">\n{}</tbody>",
       anchor, body);
   return result + picture::filter_bar(anchor + "rows", "coincidence", kinds) + picture::table_box("Coincidences", table, true) +

@@ -35,7 +35,7 @@ class Marks {
 /// A row of the table of coincidences.
 struct CoincidenceRow {
   std::string kind;                 ///< its name, as spoken
-  std::uint64_t number, count;      ///< the number-th of count
+  std::uint64_t number;             ///< among those of its kind, from 1 on
   std::string a, b;                 ///< markup: the features
   std::vector<std::string> lights;  ///< the ids that the row lights
 };

@@ -18,7 +18,7 @@ dt { color: var(--soft); } dd { margin: 0; min-width: 0; } .answer { font-size: 
 .soft { color: var(--soft); } .warning { border-left: .3rem solid var(--claimed); padding-left: .7rem; } footer { margin-top: 2.5rem; }
 footer code { overflow-wrap: anywhere; } [hidden] { display: none !important; }
 summary { cursor: pointer; } details { margin: .35rem 0; } details.part { border: 1px solid var(--line); border-radius: 6px; margin: 1rem 0; }
-details.part > summary { padding: .55rem .9rem; font-weight: 600; } details.part > :not(summary) { margin-left: .9rem; margin-right: .9rem; }
+details.part > summary { padding: .55rem .9rem; font-weight: 600; } summary > .soft { font-weight: 400; } details.part > :not(summary) { margin-left: .9rem; margin-right: .9rem; }
 pre { overflow: auto; max-height: 20rem; background: var(--shade); padding: .5rem; margin: .25rem 0; }
 pre.wrap { white-space: pre-wrap; overflow-wrap: anywhere; }
 :focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
