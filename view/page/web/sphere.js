@@ -63,7 +63,7 @@ function sphereTools(view) {
     button("\u2193", "turn down", turn(0, -0.4)),
     button("+", "larger", zoom(0.8)),
     button("\u2212", "smaller", zoom(1.25)),
-    view.data.optima.length > 0 ? button("to n", "turn to the optimum n", toOptimum) : null,
+    view.data.optima.length > 0 ? button("to n", "to n, the optimum", toOptimum) : null,
   );
 }
 
