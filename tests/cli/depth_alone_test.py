@@ -31,14 +31,15 @@ class DepthAlone(CliTest):
                 self.assertEqual(self.expect_same("depth", *options, CUBE, ICOSAHEDRON), 0)
                 self.assertEqual(self.expect_same("depth", *options, "-", stdin=STREAM), 2)  # its last line is no case
 
-    def test_same_certificates(self):
-        folders = {}
-        for name, program in (("depth", DEPTH_ALONE), ("all", EXECUTABLE)):
-            folder = self.folder / name
-            said(program, "depth", "--certificate", str(folder), "-", stdin=STREAM)
-            folders[name] = {path.name: path.read_bytes() for path in folder.iterdir()}
-        self.assertEqual(folders["depth"], folders["all"])
-        self.assertEqual(len(folders["depth"]), 12)
+    def test_same_files(self):
+        for option in ("--certificate", "--svg"):
+            folders = {}
+            for name, program in (("depth", DEPTH_ALONE), ("all", EXECUTABLE)):
+                folder = self.folder / f"{name}{option}"
+                said(program, "depth", option, str(folder), "-", stdin=STREAM)
+                folders[name] = {path.name: path.read_bytes() for path in folder.iterdir()}
+            self.assertEqual(folders["depth"], folders["all"])
+            self.assertEqual(len(folders["depth"]), 12)
 
     def test_same_words(self):
         for arguments in (("depth", "--help"), ("--help",), ("--version",), ("-V",), (), ("depth",), ("dept", CUBE), (CUBE, CUBE), ("depth", "--metod", CUBE, CUBE), ("depth", "--method", "x", CUBE, CUBE),
