@@ -16,9 +16,7 @@ export function timeText(seconds) {
 /** The rows of the stages: bounds with their counts, and stages of which only the time is known. */
 export function costRows({ bounds = [], seconds = {} }) {
   const rows = bounds.map((bound) => ({ ...bound, seconds: bound.seconds ?? undefined, ratio: boundRatio(bound) }));
-  const named = new Set(bounds.filter((bound) => bound.seconds !== undefined).map(({ stage }) => stage));
   for (const [stage, time] of Object.entries(seconds)) {
-    if (named.has(stage)) continue;
     const row = rows.find((other) => other.stage === stage);
     if (row) row.seconds = time;
     else rows.push({ stage, what: null, count: null, bound: null, bound_value: null, source: null, seconds: time, ratio: null });
