@@ -49,14 +49,14 @@ void add_along_options(CLI::App& app, Request& request) {
 std::string wrong_along(const CLI::App& depth, const Request& request) {
   const auto given = [&](const char* option) { return depth.count(option) > 0; };
   if (!request.along.translation) {
-    for (const char* option : {"--steps", "--csv", "--case"})
+    for (const char* option : {"--steps", "--csv"})
       if (given(option)) return fmt::format("{} goes with --along X,Y,Z", option);
     return "";
   }
   for (const char* option : of_one_answer)
     if (given(option)) return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
-  if (request.shallow) return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
-  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
+  if (given("--method") && depth.get_option("--method")->as<std::string>() == "shallow")
+    return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
   return "";
 }
 

@@ -92,7 +92,6 @@ std::string wrong_page(const Request& request) {
   if (request.command != Command::explain) return "";
   if (request.page.empty()) return "explain writes a page: expected -o FILE, with the name of an HTML file";
   if (request.page == "-") return "-o writes a file, found - for standard output";
-  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
   return "";
 }
 
@@ -108,6 +107,7 @@ Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
   if (!texts.wrong_picture.empty()) return refusal(texts.wrong_picture, command);
+  if (request.case_id && request.inputs.size() == 2) return refusal("--case chooses a case of a stream, found two bodies", command);
   if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)

@@ -103,8 +103,13 @@ void add_svg(CLI::App& app, Request& request, const std::string& meaning) {
   app.add_option("--svg", request.svg, meaning)->type_name("FILE");
 }
 
+void add_case(CLI::App& app, Request& request) {
+  app.add_option("--case", request.case_id, "one case of a stream alone: the first with this id")->type_name("ID");
+}
+
 void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   add_questions(app, request, texts);
+  add_case(app, request);
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case, or per size");
@@ -113,10 +118,6 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   add_sweep_options(app, request);
   add_seed(app, request, "with --sweep: of the family's pairs; 1 unless given");
   add_svg(app, request, "with --sweep: write a chart of the counts to FILE, on logarithmic axes, with the exponents of growth");
-}
-
-void add_case(CLI::App& app, Request& request) {
-  app.add_option("--case", request.case_id, "which case of a stream: the first with this id")->type_name("ID");
 }
 
 void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
@@ -130,6 +131,7 @@ void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
 
 void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
   add_questions(app, request, texts);
+  add_case(app, request);
   app.add_flag("--times", request.times, "add the seconds that each stage took, which differ from run to run");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/stages/1: every stage, for pictures");
   add_svg(app, request, "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each case");

@@ -51,7 +51,7 @@ struct Request {
   std::string ball;                 ///< metric: a mesh
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces
-  std::optional<std::string> case_id;         ///< explain, depth --along: which case of a stream
+  std::optional<std::string> case_id;         ///< depth, study, stages, explain: one case of a stream
   std::string page;                           ///< explain: the file for the page
   AlongRequest along;                         ///< depth
   SweepRequest sweep;                         ///< study

@@ -79,7 +79,8 @@ std::string wrong_sweep(const CLI::App& study, Request& request) {
     return "";
   }
   if (!request.inputs.empty()) return "--sweep makes its bodies itself, found " + kernels::shown(request.inputs[0]);
-  for (const char* option : {"--json", "--html", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
+  for (const char* option :
+       {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
     if (given(option)) return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
   if (request.sweep.sizes.empty()) request.sweep.sizes = *sizes_of(usual_sizes);
   return "";

@@ -74,8 +74,16 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
                          : fmt::format("expected a single case, or --case ID with the id of one, {}", found));
 }
 
+/// Whether the input holds cases, of which one may be asked for.
+bool holds_cases(const Request& request) {
+  if (!has_one_body(request)) return request.inputs.size() == 1;
+  const std::string& input = request.inputs[0];  // its name tells
+  const std::string kind = files::extension(input);
+  return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
+}
+
 void refuse_poses_of_stream(const Request& request) {
-  if (is_stream(request) && (request.pose_a || request.pose_b))
+  if (holds_cases(request) && (request.pose_a || request.pose_b))
     throw InputError(request.pose_a ? "--pose-a" : "--pose-b", 0,
                      "expected bodies, found a stream of cases, which have poses of their own");
 }
@@ -84,7 +92,7 @@ void refuse_poses_of_stream(const Request& request) {
 
 Case asked_case(const Request& request) {
   refuse_poses_of_stream(request);
-  return is_stream(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
+  return holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
 }
 
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
@@ -93,12 +101,7 @@ files::GivenPose asked_pose(const std::string& text, const std::string& option, 
   return pose;
 }
 
-bool is_stream(const Request& request) {
-  if (!has_one_body(request)) return request.inputs.size() == 1;
-  const std::string& input = request.inputs[0];  // its name tells
-  const std::string kind = files::extension(input);
-  return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
-}
+bool is_stream(const Request& request) { return holds_cases(request) && !request.case_id; }
 
 void require_depth(const std::string& id, const Shape& a, const Shape& b) {
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
@@ -121,7 +124,7 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
 ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
-  const Case single = single_case(request);
+  const Case single = asked_case(request);
   if (const std::string fault = wrong_shapes(single, has_one_body(request), replies.refuses_shapes); !fault.empty())
     throw InputError(single.id, 0, fault);
   const Working working;

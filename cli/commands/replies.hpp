@@ -14,7 +14,7 @@
 
 namespace fathom::cli {
 
-/// Returns whether the request's input is a stream of cases. Otherwise it is the meshes of a single case.
+/// Returns whether the request is about all cases of a stream. Otherwise it is about a single case: its meshes, or one of a stream.
 bool is_stream(const Request& request);
 
 /// Returns the pose that an option asks for, and notes on standard error if it is no rotation and translation, of a body with a radius or

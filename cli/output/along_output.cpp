@@ -48,7 +48,7 @@ std::string course(const std::vector<AlongStep>& steps) {
   return result;
 }
 
-/// One series of marks for each status that occurs, in the order of Status, so that a status has the same look in all charts.
+/// One series of marks for each status, in the order of Status, so that a status has the same look in all charts; those without places are not shown.
 std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
   std::vector<plot::Series> series{{"signed depth", {}, true, false}};
   for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
@@ -137,7 +137,7 @@ std::string along_json(const Path& path, const std::vector<AlongStep>& steps) {
 }
 
 std::string along_svg(const Path& path, const std::vector<AlongStep>& steps) {
-  plot::Panel panel;
+  plot::CurvePanel panel;
   panel.x = {fmt::format("s: A is moved by s {}", translation_text(path.translation)), plot::Scale::linear, true};
   panel.y = {"signed depth"};
   panel.series = series_of(steps);
@@ -146,7 +146,6 @@ std::string along_svg(const Path& path, const std::vector<AlongStep>& steps) {
   for (const AlongStep& step : steps)
     if (std::holds_alternative<Bounds>(step.value)) band.slices.push_back({step.share.get_d(), step.low, step.high});
   if (!band.slices.empty()) panel.band = std::move(band);
-  std::erase_if(panel.series, [](const plot::Series& series) { return series.places.empty(); });
   return plot::figure_file(
       {"Signed depth along a path: " + safe_id(path.id),
        fmt::format("A is moved by s {} for s from 0 to 1, in {} steps. {}.", translation_text(path.translation), path.steps, course(steps)),

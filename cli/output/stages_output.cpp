@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "cli/output/study_output.hpp"
 #include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
 
@@ -80,9 +81,7 @@ std::string coincidences_text(const Stages& stages) {
   std::vector<std::string> parts;
   for (const stages::StagedCoincidence& found : stages.coincidences) {
     if (found.count == 0) continue;
-    std::string kind(found.kind);
-    std::ranges::replace(kind, '_', ' ');
-    parts.push_back(fmt::format("{} {}", kind, found.count));
+    parts.push_back(fmt::format("{} {}", spoken(found.kind), found.count));
   }
   return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -32,8 +32,8 @@ std::size_t width(const Column& column) { return std::max(column.words.size(), l
 std::string seconds_text(double seconds) { return fmt::format("{:.3g}", seconds); }
 
 template <class Value>
-std::vector<plot::Place> places(const std::vector<SweepRow>& rows, Value value) {
-  std::vector<plot::Place> result;
+std::vector<plot::Datum> places(const std::vector<SweepRow>& rows, Value value) {
+  std::vector<plot::Datum> result;
   for (const SweepRow& row : rows) {
     const double y = static_cast<double>(value(row));
     result.push_back({static_cast<double>(row.edges()), y, fmt::format("size {}, {} edges: {}", row.size, row.edges(), value(row))});
@@ -42,19 +42,19 @@ std::vector<plot::Place> places(const std::vector<SweepRow>& rows, Value value) 
 }
 
 /// "1.07", or "-" where there is too little to tell.
-std::string exponent_text(const std::vector<plot::Place>& places) {
+std::string exponent_text(const std::vector<plot::Datum>& places) {
   const std::optional<double> exponent = plot::growth_exponent(places);
   if (!exponent) return "-";
   const std::string text = fmt::format("{:.2f}", *exponent);
   return text == "-0.00" ? "0.00" : text;
 }
 
-std::string legend(std::string_view words, const std::vector<plot::Place>& places) {
+std::string legend(std::string_view words, const std::vector<plot::Datum>& places) {
   const std::string exponent = exponent_text(places);
   return exponent == "-" ? std::string(words) : fmt::format("{}: (m + n)^{}", words, exponent);
 }
 
-plot::Panel panel_of(const std::string& title, const std::string& what) {
+plot::CurvePanel panel_of(const std::string& title, const std::string& what) {
   return {title, {"m + n: edges of A and of B", plot::Scale::logarithmic}, {what, plot::Scale::logarithmic}, {}};
 }
 
@@ -94,9 +94,9 @@ std::string sweep_csv_row(const SweepRow& row) {
 }
 
 std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
-  plot::Panel work = panel_of("Counts of the exact method", "count");
+  plot::CurvePanel work = panel_of("Counts of the exact method", "count");
   for (const Column& column : columns) {
-    std::vector<plot::Place> counts = places(rows, column.of);
+    std::vector<plot::Datum> counts = places(rows, column.of);
     const std::string name = legend(column.words, counts);
     work.series.push_back({name, std::move(counts)});
   }
@@ -108,8 +108,8 @@ std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
       "sweep",
       {std::move(work)}};
   if (sweep.timed) {
-    plot::Panel time = panel_of("Time", "seconds");
-    std::vector<plot::Place> seconds = places(rows, [](const SweepRow& row) { return *row.seconds; });
+    plot::CurvePanel time = panel_of("Time", "seconds");
+    std::vector<plot::Datum> seconds = places(rows, [](const SweepRow& row) { return *row.seconds; });
     const std::string name = legend("seconds", seconds);
     time.series.push_back({name, std::move(seconds)});
     figure.panels.push_back(std::move(time));

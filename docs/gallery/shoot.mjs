@@ -13,6 +13,7 @@ const args = ['--disable-quic', '--no-first-run', '--disable-background-networki
   '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])];
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args });
 const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce', colorScheme: 'light' });
+page.setDefaultTimeout(0); // however busy the machine is
 
 for (const { id, hash = '', show } of JSON.parse(readFileSync(join(here, 'shots.json'), 'utf8'))) {
   await page.goto('about:blank');

@@ -11,7 +11,7 @@ export function explained(line, words = []) {
     const file = made(`${id.replace(/\W+/g, '_')}.jsonl`, `${line}\n`);
     const page = file.replace(/\.jsonl$/, '.html');
     fathom(['explain', file, '-o', page, ...words]);
-    const answer = (command) => JSON.parse(fathom([command, file, '--json', ...(command === 'depth' ? ['--method', 'exact'] : [])]));
+    const answer = (command) => JSON.parse(fathom([command, file, '--json']));
     known.set(id, { id, page, depth: answer('depth'), stages: answer('stages') });
   }
   return known.get(id);

@@ -58,6 +58,8 @@ after(async () => {
   for (const each of browsers.values()) await each.close();
 });
 
+const patience = 600_000; // milliseconds until a hung page is given up; no test depends on how long anything takes
+
 export const withoutWebGl = ['--disable-3d-apis'];
 const software = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
@@ -71,6 +73,7 @@ export function onPage(name, file, options, check) {
     const { width = 1280, height = 900, flags: more = software, hash = '', ...context } = options;
     const open = await (await browser(more)).newContext({ viewport: { width, height }, reducedMotion: 'reduce', ...context });
     const page = await open.newPage();
+    page.setDefaultTimeout(patience);
     const wrong = [];
     page.on('console', (message) => message.type() === 'error' && wrong.push(`console: ${message.text()}`));
     page.on('pageerror', (error) => wrong.push(`exception: ${error.stack}`));

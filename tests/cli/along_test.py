@@ -200,6 +200,16 @@ class Cases(CliTest):
         self.assertIn("'none'", self.refused("depth", "--along", "2,0,0", "--case", "none", path))
 
 
+    def test_depth_of_one_case(self):
+        path = self.file("cases.jsonl", case(UNIT, box([3, 0, 0], [4, 1, 1]), id="far") + case(UNIT, UNIT, id="same") + "{}\n")
+        self.assertEqual(self.result("depth", "--case", "same", path)["depth"]["squared"], "1")
+        self.assertTrue(self.answer("depth", "--case", "far", path).startswith("disjoint\n"))
+        picture = self.folder / "same.svg"
+        self.answer("depth", "--case", "same", "--svg", picture, path)
+        self.assertIn("<svg", picture.read_text())
+        self.assertIn("found two bodies", self.refused("depth", "--case", "same", CUBE, CUBE))
+
+
 class Misuse(CliTest):
     def test_vectors_and_steps(self):
         for vector_text in ("1,0", "1,0,0,0", "0,0,0", "a,b,c", "1;0;0", "1,0,1/0", ""):
@@ -209,7 +219,7 @@ class Misuse(CliTest):
             self.assertIn("--steps: expected an integer from 1 to 1000000", self.refused("depth", "--along=1,0,0", f"--steps={steps}", CUBE, CUBE))
 
     def test_what_does_not_go_together(self):
-        for options in (["--steps", "3"], ["--csv"], ["--case", "x"]):
+        for options in (["--steps", "3"], ["--csv"]):
             self.assertIn("goes with --along", self.refused("depth", *options, CUBE, CUBE))
         for options in (["--optima", "1"], ["--certificate", "x.cert"], ["--exact"], ["--counters"], ["--digits", "5"], ["--threads", "1"]):
             self.assertIn("--along answers with a curve", self.refused("depth", "--along=1,0,0", *options, CUBE, CUBE))

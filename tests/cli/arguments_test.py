@@ -6,7 +6,7 @@ from harness import DATA, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json", "--help")
-COMMANDS = "depth, width, approx, ray, metric, study, stages, cases, certify, check, golden, help, man, completion"
+COMMANDS = "depth, width, approx, ray, metric, study, stages, explain, cases, certify, check, golden, help, man, completion"
 
 
 class Help(CliTest):
@@ -15,7 +15,7 @@ class Help(CliTest):
             out = self.answer(*arguments)
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
             out = " ".join(out.split())
-            for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
+            for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "explain", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
                          "130 interrupted"):
                 self.assertIn(word, out)
         for command in ("depth", "width"):

@@ -161,6 +161,8 @@ class Content(ExplainTest):
                 stages = self.check_page(page, words)
                 self.assertTrue(any(word in sentence for sentence in stages["left_out"] for word in ("left out", "not drawn")))
                 self.assertIn("left-out", page.texts)
+                found = {kind: all_of["count"] for kind, all_of in self.result("study", *words)["coincidences"].items() if all_of["count"]}
+                self.assertEqual({kind["kind"]: kind["count"] for kind in stages["coincidences"]}, found)
 
     def test_every_case_of_the_catalogue(self):
         cases = [json.loads(line) for line in self.answer("cases", "--catalogue").splitlines()]

@@ -114,7 +114,8 @@ class Stages(CliTest):
         for line in lines:
             VALIDATOR.validate(line)
         self.assertEqual([line.get("line") for line in lines], [None, 2, None])
-        self.assertIn("expected two meshes", err + self.refused("stages", CUBE))
+        self.assertIn("errors: 1 of 3", err)
+        self.assertIn("stages expects two meshes", self.refused("stages", CUBE))
         self.assertIn("found two", self.refused("stages", "halfspace:normal=0:0:1,offset=1", "halfspace:normal=0:0:1,offset=1"))
 
     def test_text(self):

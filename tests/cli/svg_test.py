@@ -165,8 +165,8 @@ class Svg(CliTest):
     def test_places_that_cannot_be_written(self):
         for place in (self.folder / "none" / "x.svg", self.folder):
             self.assertIn(f"{place}: cannot write a picture: ", self.refused("depth", "--svg", place, CUBE, ICOSAHEDRON))
-        self.assertIn("cannot write a picture: a stream needs a directory", self.refused("depth", "--svg", self.file("x.svg", ""), "-", stdin=case(UNIT, BESIDE)))
-        self.assertIn("--svg writes files", self.refused("depth", "--svg", "-", CUBE, ICOSAHEDRON))
+        self.assertIn("cannot write a picture: ", self.refused("depth", "--svg", self.file("x.svg", ""), "-", stdin=case(UNIT, BESIDE)))
+        self.assertIn("--svg writes", self.refused("depth", "--svg", "-", CUBE, ICOSAHEDRON))
 
     def test_a_full_disk_is_no_success(self):
         if os.path.exists("/dev/full"):
@@ -179,9 +179,9 @@ class Svg(CliTest):
         self.assertEqual(path.read_text(), "old")
 
     def test_shapes(self):
-        root = self.drawn("sphere:1", "box:1,1,1")
+        root = self.drawn("sphere:r=1,at=1.5:0:0", "box:half=1:1:1")
         self.assertIn("approximate outlines", self.says(root))
-        answer = self.result("depth", "sphere:1", "box:1,1,1")
+        answer = self.result("depth", "sphere:r=1,at=1.5:0:0", "box:half=1:1:1")
         self.assertIn(f"penetrating: depth {answer['depth']['value']:g}", self.says(root))
 
 

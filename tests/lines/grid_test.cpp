@@ -49,11 +49,11 @@ TEST(Grid, ValidationNoticesDisorder) {
       std::vector<chart::ChartArcOfA> a(pair.a.begin(), pair.a.end());
       std::vector<chart::ChartArcOfB> b(pair.b.begin(), pair.b.end());
       std::swap(a.front(), a.back());
-      EXPECT_FALSE(valid({pair.stored_of, pair.rising, a, pair.b}));
+      EXPECT_FALSE(valid({pair.stored_of, pair.rising, pair.strip, a, pair.b}));
       std::swap(b.front(), b[1]);
-      EXPECT_FALSE(valid({pair.stored_of, pair.rising, pair.a, b}));
+      EXPECT_FALSE(valid({pair.stored_of, pair.rising, pair.strip, pair.a, b}));
       ++shuffled;
-      EXPECT_FALSE(valid({pair.stored_of, !pair.rising, pair.a, pair.b}));
+      EXPECT_FALSE(valid({pair.stored_of, !pair.rising, pair.strip, pair.a, pair.b}));
       ++turned;
     }
   }

@@ -65,6 +65,20 @@ test("without features the way ends at the answer's witness, in the picture's un
   assert.deepEqual(meetingOf(round, wayOf(round, { facet: null, optimum: 0 })), [1, 4, 6]);
 });
 
+test("bodies that touch do so about the middle of what lies in the plane between them", () => {
+  const square = (x, y, z) => [[x, y, z], [x + 2, y, z], [x + 2, y + 2, z], [x, y + 2, z]];
+  const solid = (z, side, x) => ({ ids: [0, 1, 2, 3, 4], vertices: [...square(x, 0, z), [x + 1, 1, z + side]], edges: [], facets: [] });
+  const contact = { direction: [0, 0, 1], translation: [0, 0, 0], features: null, optima: [] };
+  const touching = makeData({ status: "touching" }, { a: solid(0, 1, 1), b: solid(0, -1, 0), contact }, "");
+  assert.deepEqual(meetingOf(touching, wayOf(touching, { facet: null, optimum: 0 })), [1.5, 1, 0]);
+});
+
+test("of bodies that are apart the way leads from A to B", () => {
+  const contact = { direction: [0, 0, -1], translation: [0, 0, 3], features: { a: [4], b: [0] }, optima: [] };
+  const apart = makeData({ status: "disjoint" }, { ...stages, contact }, "");
+  assert.deepEqual(wayOf(apart, { facet: null, optimum: 0 }).direction, [0, 0, 1]);
+});
+
 test("data without most of it is no error", () => {
   const empty = makeData({}, { status: "touching", a: {}, b: {}, contact: null }, "");
   assert.deepEqual([empty.optima, empty.pairs, empty.facets, empty.order], [[], [], [], []]);

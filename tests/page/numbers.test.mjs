@@ -48,6 +48,16 @@ test("the gap of near ties keeps its digits", () => {
   const q = 10n ** 40n, gap = gapOfRoots(`${q + 2n}/${q}`, "1");
   assert.ok(Math.abs(gap / 1e-40 - 1) < 1e-12, String(gap));
   assert.equal(gapOfRoots("2", "2"), 0);
+  for (const big of [10n ** 300n, 2n ** 900n]) {
+    assert.ok(Math.abs(gapOfRoots(`${4n * big * big}`, `${big * big}`) / Number(big) - 1) < 1e-15);
+    assert.ok(Math.abs(gapOfRoots(`4/${big * big}`, `1/${big * big}`) * Number(big) - 1) < 1e-15);
+    assert.ok(Math.abs(gapOfRoots(`${(big + 1n) ** 2n}`, `${big * big}`) - 1) < 1e-15);
+  }
+});
+
+test("the gap of huge numbers may be tiny", () => {
+  const big = 10n ** 600n, gap = gapOfRoots(`${(big + 1n) ** 2n}/${10n ** 600n}`, `${big ** 2n}/${10n ** 600n}`);
+  assert.ok(Math.abs(gap * 1e300 - 1) < 1e-15);
 });
 
 test("unit vectors and translations", () => {

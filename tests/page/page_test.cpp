@@ -63,7 +63,7 @@ stages::Stages of_cubes() {
   made.status = Status::penetrating;
   made.sum.kind = stages::SumKind::p;
   for (unsigned i = 0; i < 25; ++i) {
-    stages::SumFacet facet;
+    stages::StagedFacet facet;
     facet.squared = mpq_class(i < 2 ? 1 : i * i, 16);
     facet.squared.canonicalize();
     facet.kind = stages::SumFacetKind::edges;
@@ -82,6 +82,7 @@ TEST(Ranked, ListsTheNearestTwenty) {
   EXPECT_EQ(count(text, ">tie<"), 2U) << "law: exact ties are called so";
   EXPECT_NE(text.find("<td>0.5</td><td>100 %</td>"), std::string::npos) << "law: how much longer";
   EXPECT_NE(text.find("5 facets are farther"), std::string::npos);
+  EXPECT_NE(text.find("vertex-edge"), std::string::npos) << "law: A's feature first";
 }
 
 TEST(Page, HoldsItsDataWithoutAnyTag) {

@@ -45,13 +45,13 @@ TEST(Outline, HasTheCornersOfTheHullOnly) {
 // Through the box at a third of its height, between ends that doubles cannot tell from whole ones.
 TEST(Clipped, OfPlacesIsExact) {
   const mpq_class far("1" + std::string(600, '0')), third(1, 3);
-  const Place low{-1, -1}, high{1, 1};
-  const std::vector<Place> part = clipped(std::vector<Place>{{mpq_class(-far), third}, {far, third}}, false, low, high);
+  const Spot low{-1, -1}, high{1, 1};
+  const std::vector<Spot> part = clipped(std::vector<Spot>{{mpq_class(-far), third}, {far, third}}, false, low, high);
   ASSERT_EQ(part.size(), 2u);
   EXPECT_EQ(part[0].x, -1);
   EXPECT_EQ(part[0].y, third);
-  const std::vector<Place> wedge{{0, 0}, {far, far}, {far, mpq_class(-far)}, {far, 0}};
-  const std::vector<Place> seen = clipped(outline(wedge), true, low, high);
+  const std::vector<Spot> wedge{{0, 0}, {far, far}, {far, mpq_class(-far)}, {far, 0}};
+  const std::vector<Spot> seen = clipped(outline(wedge), true, low, high);
   ASSERT_EQ(seen.size(), 3u) << "the apex, and two corners of the box";
 }
 

@@ -73,7 +73,9 @@ TEST(Scene, HiddenEdgesAreBehind) {
 TEST(Scene, LargeBodiesKeepWhatIsSeen) {
   std::vector<Point> points;
   for (int i = 0; i < 120; ++i) {  // a prism of 120 sides: 360 edges
-    const mpq_class t(i - 60, 60), square = t * t;
+    mpq_class t(i - 60, 60);
+    t.canonicalize();
+    const mpq_class square = t * t;
     const mpq_class x = (1 - square) / (1 + square), y = 2 * t / (1 + square);
     for (const int z : {0, 1}) points.push_back({i % 2 ? x : mpq_class(-x), i % 2 ? y : mpq_class(-y), z});
   }
@@ -167,12 +169,22 @@ TEST(Scene, HalfSpacesEndAtTheirPlane) {
   }
 }
 
-// A cone in a box: the answer is enclosed, and its way is drawn by its bounds.
+// A cylinder and a cone: the answer is enclosed, and its way is drawn by its bounds.
 TEST(Scene, EnclosedWays) {
-  const PairScene scene = of_shapes(at(cone(1, 1), {0, 0, mpq_class(3, 2)}), box({1, 1, 1}));
+  const PairScene scene = of_shapes(cylinder(1, 2), at(cone(1, 1), {mpq_class(6, 5), mpq_class(3, 10), 1}));
   EXPECT_TRUE(scene.enclosed);
-  EXPECT_NEAR(std::sqrt(product(scene.way, scene.way).get_d()), 0.5, 1e-6);
-  EXPECT_NEAR(scene.anchor.z.get_d(), 0.5, 1e-6);
+  EXPECT_TRUE(scene.approximate());
+  EXPECT_NEAR(std::sqrt(product(scene.way, scene.way).get_d()), 0.763068312312, 1e-9);
+  EXPECT_NEAR(std::hypot(scene.anchor.x.get_d(), scene.anchor.y.get_d()), 1, 1e-9) << "on the side of the cylinder";
+}
+
+// Cylinders that touch along their axes: the value of curved bodies may be known too, though no translation is.
+TEST(Scene, KnownValuesOfCurvedBodies) {
+  const Shape a = cylinder(1, 1), b = at(cylinder(1, 1), {0, 0, 2});
+  const SignedDepth depth = signed_depth(a, b);
+  ASSERT_TRUE(depth.exact() && depth.translations().empty()) << "else the case has to be another";
+  EXPECT_FALSE(scene_of(a, b, depth).enclosed);
+  EXPECT_FALSE(scene_of(a, b, depth).moves());
 }
 
 TEST(Scene, FeaturesOfMarks) {

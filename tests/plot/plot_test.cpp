@@ -71,6 +71,16 @@ TEST(Plot, TextsOfOthersAreEscaped) {
   EXPECT_NE(svg.find("&lt;b&gt;&amp;"), std::string::npos);
 }
 
+TEST(Plot, LongTextsAreCutAndEmptySeriesPassedOver) {
+  Figure figure = figure_of({{"empty", {}}, {"s", {{0, 0}, {1, 1}}}});
+  figure.title = std::string(80, 'x') + "⁵⁵⁵⁵⁵⁵⁵";
+  const std::string svg = figure_element(figure);
+  EXPECT_EQ(svg.find("empty"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"look-1 dash-1\""), std::string::npos) << "law: the look is that of the place in the list";
+  EXPECT_NE(svg.find(std::string(80, 'x') + "⁵⁵⁵⁵...</text>"), std::string::npos);
+  EXPECT_NE(svg.find(std::string(80, 'x') + "⁵⁵⁵⁵⁵⁵⁵</title>"), std::string::npos);
+}
+
 TEST(Plot, IdsHaveThePrefixAndDiffer) {
   Figure figure = figure_of({{"s", {{0, 0}, {1, 1}}}});
   figure.panels.push_back(figure.panels[0]);
@@ -91,14 +101,14 @@ TEST(Plot, ManyPlacesHaveFewMarks) {
 }
 
 TEST(Plot, GrowthIsTheSlopeOfLogarithms) {
-  std::vector<Place> places;
+  std::vector<Datum> places;
   for (double x = 10; x < 1e5; x *= 3) places.push_back({x, 7 * std::pow(x, 1.5)});
   EXPECT_NEAR(*growth_exponent(places), 1.5, 1e-9);
   places.push_back({20, 0});
   EXPECT_NEAR(*growth_exponent(places), 1.5, 1e-9) << "law: what is 0 has no logarithm";
-  for (const std::vector<Place>& few : {std::vector<Place>{}, {{10, 3}}, {{10, 3}, {10, 4}}, {{10, 0}, {100, 4}}})
+  for (const std::vector<Datum>& few : {std::vector<Datum>{}, {{10, 3}}, {{10, 3}, {10, 4}}, {{10, 0}, {100, 4}}})
     EXPECT_FALSE(growth_exponent(few));
-  EXPECT_NEAR(*growth_exponent(std::vector<Place>{{10, 3}, {100, 3}}), 0, 1e-12);
+  EXPECT_NEAR(*growth_exponent(std::vector<Datum>{{10, 3}, {100, 3}}), 0, 1e-12);
 }
 
 }  // namespace

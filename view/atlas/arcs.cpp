@@ -50,7 +50,7 @@ Place SphereArc::at(double t) const {
 
 std::optional<SphereArc> arc_of(const stages::StagedBody& body, stages::Index edge) {
   const auto& [from, to] = body.arcs[edge];
-  if (from && to) {
+  if (from && to && body.rank == 3) {
     const Place &p = body.nodes[*from], &q = body.nodes[*to];
     const Place circle = cross(p, q);
     const double size = length(circle);

@@ -14,15 +14,15 @@
 namespace fathom::atlas {
 
 /// What a picture of the stages shows.
-struct View {
+struct ChartView {
   std::optional<stages::Index> chart = std::nullopt;  ///< 0: the upper hemisphere, 1: the lower one; that of the pair or of the optimum
   std::optional<stages::Index> pair = std::nullopt;  ///< the canonical pair that is lit; that of the optimum, else the largest of the chart
 };
 
 /// One element <svg> for an HTML page that has atlas_style() and picture::colour_style(). `prefix` begins its ids: those of two pictures in
 /// one page must differ. Empty if the stages have no charts. What is lit has the class "lit", one element for each arc.
-std::string chart_picture(const stages::Stages& stages, const std::string& prefix, const View& view = {});
-std::string sphere_picture(const stages::Stages& stages, const std::string& prefix, const View& view = {});
+std::string chart_picture(const stages::Stages& stages, const std::string& prefix, const ChartView& view = {});
+std::string sphere_picture(const stages::Stages& stages, const std::string& prefix, const ChartView& view = {});
 
 /// Both charts side by side, as a file of its own. Throws std::invalid_argument if the stages have no charts.
 std::string charts_file(const stages::Stages& stages);

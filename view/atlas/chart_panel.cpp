@@ -154,6 +154,9 @@ ChartPanel chart_panel(const Stages& all, Index chart, std::optional<Index> lit)
   const bool all_arcs = a.arcs.size() + b.arcs.size() <= most_arcs, all_walls = square.chart.walls.size() <= most_walls;
   const bool all_nodes = a.nodes.size() + b.nodes.size() <= most_nodes;
   ChartPanel panel{axes(square.chart), caption_of(all, square.chart, lit), ""};
+  if (lit)
+    panel.content += fmt::format("<text class=\"soft end\" x=\"{:.1f}\" y=\"{:.1f}\">canonical pair {}: {} × {}</text>\n", left + side,
+                                 top - 12, *lit, all.pairs[*lit].a.size(), all.pairs[*lit].b.size());
   if (lit) panel.content += strip_element(all, square, all.pairs[*lit]);
   if (all_walls) panel.content += wall_elements(square);
   std::set<Index> lit_a, lit_b;

@@ -52,12 +52,12 @@ std::string legend_entry(std::size_t number, std::string_view sample, std::strin
 std::string legend(double x, double y, bool of_chart) {
   std::string result = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", x, y);
   std::size_t n = 0;
-  result += legend_entry(n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>",
-                         "edges of A (of -A)");
+  result +=
+      legend_entry(n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>", "arcs of -A");
   result += legend_entry(n++, "<path class=\"arc of-a lit\" d=\"M0 0H28\"/>", "A_i of the pair");
   result += legend_entry(n++, "<circle class=\"optimum\" cx=\"14\" cy=\"0\" r=\"6\"/>", "optimum");
   result += legend_entry(
-      n++, "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>", "edges of B");
+      n++, "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>", "arcs of B");
   result += legend_entry(n++, "<path class=\"arc of-b lit\" d=\"M0 0H28\"/>", "B_i of the pair");
   if (of_chart)
     result += legend_entry(
@@ -87,7 +87,7 @@ constexpr std::string_view about_charts =
     "arcs "
     "cross, the sum P of B and -A has a facet.";
 
-Index chart_of(const Stages& stages, const View& view) {
+Index chart_of(const Stages& stages, const ChartView& view) {
   if (view.chart) return *view.chart;
   if (view.pair) return stages.pairs[*view.pair].chart;
   if (stages.winner && stages.winner->pair) return stages.pairs[*stages.winner->pair].chart;
@@ -96,7 +96,7 @@ Index chart_of(const Stages& stages, const View& view) {
 
 }  // namespace
 
-std::string chart_picture(const Stages& stages, const std::string& prefix, const View& view) {
+std::string chart_picture(const Stages& stages, const std::string& prefix, const ChartView& view) {
   if (stages.charts.empty()) return "";
   const Index chart = chart_of(stages, view);
   const ChartPanel panel = chart_panel(stages, chart, view.pair ? view.pair : pair_to_light(stages, chart));
@@ -123,7 +123,7 @@ std::string charts_file(const Stages& stages) {
              true);
 }
 
-std::string sphere_picture(const Stages& stages, const std::string& prefix, const View& view) {
+std::string sphere_picture(const Stages& stages, const std::string& prefix, const ChartView& view) {
   if (stages.charts.empty()) return "";
   const SpherePanel panel = sphere_panel(stages, view.pair ? view.pair : pair_to_light(stages, chart_of(stages, view)));
   return svg({panel_width, sphere_height + legend_height - 20, "The sphere with the Gaussian diagrams of -A and B", panel.caption,

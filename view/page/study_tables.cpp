@@ -92,10 +92,11 @@ std::string left_out(const stages::Stages& stages) {
 
 std::string lead_coincided(const stages::Stages& stages) {
   const auto counts = [](const auto& found) { return found.count > 0; };
+  if (stages.charts.empty()) return "What is in special position about these bodies, by name.";
   if (std::ranges::any_of(stages.coincidences, counts))
     return "What is in special position about these bodies, by name. Topology is decided as if -A were moved and the frame tilted by "
            "infinitely little, E11 to E33 and a, b, c; values never are.";
-  return stages.charts.empty() ? "" : "Nothing: the bodies are in general position.";
+  return "Nothing: the bodies are in general position.";
 }
 
 std::string lead_cost(const stages::Stages& stages) {

@@ -12,14 +12,12 @@ namespace {
 
 constexpr std::size_t most_facets = 20;
 
-std::string_view words(stages::SumFacetKind kind) {
-  switch (kind) {
-    case stages::SumFacetKind::facet_of_a: return "facet of A, vertex of B";
-    case stages::SumFacetKind::facet_of_b: return "facet of B, vertex of A";
-    case stages::SumFacetKind::edges: return "edge of A, edge of B";
-    case stages::SumFacetKind::merged: return "several in one plane";
-  }
-  return "";
+std::string_view feature(std::size_t points) { return points == 1 ? "vertex" : points == 2 ? "edge" : "facet"; }
+
+/// "edge-edge", A's feature first; of Q, whose facets need not be facets of P, how many points span it.
+std::string what(const stages::StagedFacet& facet, bool of_p) {
+  if (of_p) return fmt::format("{}-{}", feature(facet.a.size()), feature(facet.b.size()));
+  return fmt::format("{} and {} points", facet.a.size(), facet.b.size());
 }
 
 std::string ids(const std::vector<std::uint32_t>& points) { return page::points(Data(points)); }
@@ -39,11 +37,11 @@ std::string longer(const mpq_class& squared, const mpq_class& least) {
 std::string ranked(const stages::Stages& stages) {
   const std::vector<stages::StagedFacet>& facets = stages.sum.facets;
   if (facets.empty() || stages.sum.kind == stages::SumKind::sampled) return "";
-  Table table("Facets by their distance from O", {"#", "distance", "longer by", "'what", "'A's points", "'B's points"});
+  Table table("Facets by their distance from O", {"#", "distance", "longer by", stages.sum.kind == stages::SumKind::p ? "'contact" : "'spanned by", "'A's points", "'B's points"});
   const mpq_class& least = facets.front().squared;
   for (std::size_t i = 0; i < std::min(facets.size(), most_facets); ++i) {
     const stages::StagedFacet& facet = facets[i];
-    table.add({std::to_string(i + 1), length(facet.squared), longer(facet.squared, least), std::string(words(facet.kind)), ids(facet.a),
+    table.add({std::to_string(i + 1), length(facet.squared), longer(facet.squared, least), what(facet, stages.sum.kind == stages::SumKind::p), ids(facet.a),
                ids(facet.b)},
               fmt::format("data-facet=\"{}\"{}", i, facet.optimal ? " class=\"optimal\"" : ""));
   }

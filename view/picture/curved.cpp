@@ -27,7 +27,7 @@ mpq_class root_of_squares(const std::vector<mpq_class>& values) {
 Bounds2 box_of(const Atom& atom, const View& view) {
   std::vector<mpq_class> x, y;
   for (const Point& axis : atom.axes) {
-    const Place at = view.place(axis);
+    const Spot at = view.place(axis);
     x.push_back(at.x);
     y.push_back(at.y);
   }

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t most_hidden = 200;  // edges of a body that shows those behind it too
 constexpr std::size_t most_edges = 600;   // of one that shows more than its outline
 
-
 /// A point of the boundary.
 Point foot(const HalfSpace& half) { return scaled(half.normal, mpq_class(half.offset / product(half.normal, half.normal))); }
 

@@ -34,7 +34,8 @@ std::string share_bar(std::span<const Share> shares, const std::string& id, cons
                         style, percent(before, all), percent(share.count, all), share.count, all, share.name);
     const std::string named = share.link.empty() ? share.name : fmt::format("<a href=\"#{}\">{}</a>", share.link, share.name);
     legend += fmt::format(
-        "<li><svg class=\"swatch\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect class=\"share {}\" width=\"12\" height=\"12\"/></svg> "
+        "<li><svg class=\"swatch\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect class=\"share {}\" width=\"12\" "
+        "height=\"12\"/></svg> "
         "<b>{}</b> {}</li>",
         style, share.count, named);
     described += (described.empty() ? "" : ", ") + text;
@@ -58,7 +59,8 @@ std::string filter_bar(const std::string& of, const std::string& what, std::span
 std::string copied_text(const std::string& id, const std::string& button, const std::string& summary, std::string_view text) {
   return fmt::format(
       "<p class=\"copying\"><button type=\"button\" class=\"copy\" data-of=\"{0}\" hidden=\"hidden\">{1}</button> "
-      "<span role=\"status\"></span></p>\n<details><summary>{2}</summary><pre id=\"{0}\" class=\"wrap\" tabindex=\"0\">{3}</pre></details>\n",
+      "<span role=\"status\"></span></p>\n<details><summary>{2}</summary><pre id=\"{0}\" class=\"wrap\" "
+      "tabindex=\"0\">{3}</pre></details>\n",
       id, button, summary, markup(text));
 }
 
@@ -68,8 +70,8 @@ std::string beside(const std::string& figure, const std::string& said) {
 }
 
 std::string table_box(const std::string& name, const std::string& table, bool tall) {
-  return fmt::format("<div class=\"wide{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table>{}</table></div>\n", tall ? " tall" : "",
-                     name, table);
+  return fmt::format("<div class=\"wide{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table>{}</table></div>\n",
+                     tall ? " tall" : "", name, table);
 }
 
 }  // namespace fathom::picture

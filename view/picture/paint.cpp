@@ -45,7 +45,8 @@ std::string area_element(const std::vector<Dot>& around, const std::string& styl
   if (high.x - low.x < too_small && high.y - low.y < too_small)
     return circle_element(style + " dot", {(low.x + high.x) / 2, (low.y + high.y) / 2}, 4);
   const std::string d = path_data(around, true);
-  return hatch.empty() ? path_element(style + " toned", d) : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
+  return hatch.empty() ? path_element(style + " toned", d)
+                       : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
 }
 
 /// A body's area, then its edges: hidden ones first. Of a body without edges its outline.
@@ -65,7 +66,8 @@ std::string ghost_element(const PairScene& scene, const Window& window) {
 }
 
 /// A face: a dot, a line, or the outline of a facet.
-std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style, double radius, const std::string& more = "") {
+std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style, double radius,
+                            const std::string& more = "") {
   if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius, more);
   const std::vector<Dot> dots = points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
   const std::string d = path_data(dots, dots.size() > 2);
@@ -99,11 +101,12 @@ std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& wi
   const double inset = 14;
   const std::vector<Dot> seen = clipped(around, true, {inset, inset}, {window.size().width - inset, window.size().height - inset});
   if (seen.empty()) return std::nullopt;
-  Dot middle;
-  const double share = 1 / static_cast<double>(seen.size());
-  for (const Dot& d : seen) middle = {middle.x + d.x * share, middle.y + d.y * share};
-  const double edge = towards > 0 ? box_around(seen).second.x : box_around(seen).first.x;
-  return Dot{middle.x + (edge - middle.x) / 2, middle.y + 6};
+  const auto [low, high] = box_around(seen);
+  const double x = (low.x + high.x) / 2 + (towards > 0 ? 0.25 : -0.25) * (high.x - low.x);
+  const std::vector<Dot> here = clipped(seen, true, {x - 1, low.y}, {x + 1, high.y});
+  const auto [top, bottom] = box_around(here.empty() ? seen : here);
+  constexpr double half_a_letter = 6;
+  return Dot{x, (top.y + bottom.y) / 2 + half_a_letter};
 }
 
 std::string letters(const PairScene& scene, const Window& window) {
@@ -123,7 +126,11 @@ std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool up
   const RoundLength length = round_length(mpq_class(longest_bar / pixels));
   const double reach = mpq_class(length.value * pixels).get_d(), x = bar_inset, y = size.height - bar_inset;
   if (upright)
-    return path_element("bar", path_data({{x - 4, y - 24}, {x + 4, y - 24}, {x, y - 24}, {x, y - 24 - reach}, {x - 4, y - 24 - reach}, {x + 4, y - 24 - reach}}, false)) +
+    return path_element(
+               "bar",
+               path_data(
+                   {{x - 4, y - 24}, {x + 4, y - 24}, {x, y - 24}, {x, y - 24 - reach}, {x - 4, y - 24 - reach}, {x + 4, y - 24 - reach}},
+                   false)) +
            fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y - 20 - reach / 2, length.text);
   return path_element("bar", path_data({{x, y - 4}, {x, y + 4}, {x, y}, {x + reach, y}, {x + reach, y - 4}, {x + reach, y + 4}}, false)) +
          fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + reach + 8, y + 4, length.text);
@@ -139,7 +146,8 @@ std::string notes(const PairScene& scene, const Panel& panel) {
   add(scene.approximate(), "approximate outlines");
   if (text.empty()) return "";
   const PixelSize& size = panel.window.size();
-  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", size.width - bar_inset, size.height - bar_inset + 4, text);
+  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", size.width - bar_inset,
+                     size.height - bar_inset + 4, text);
 }
 
 /// What B is filled with.
@@ -178,11 +186,11 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
   ways.add(scene.view.place(scene.way));
   if (scene.claimed) ways.add(scene.view.place(*scene.claimed));
   const mpq_class longest = greater_side(ways), extent = greater_side(box);
-  const Place& scale = result.front().window.scale();
+  const Spot& scale = result.front().window.scale();
   if (longest == 0 || longest * std::max(scale.x, scale.y) >= short_way) return result;
-  if (scene.approximate() && extent > 1'000'000 * longest) return result;
-  const Place start = scene.view.place(scene.anchor);
-  const Place centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
+  if (scene.approximate() && extent > 1'000'000'000 * longest) return result;
+  const Spot start = scene.view.place(scene.anchor);
+  const Spot centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
   result.push_back({Window::close(scene.view, centre, mpq_class(close_way / longest), size), true});
   return result;
 }
@@ -190,7 +198,8 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
 std::string painted(const PairScene& scene, const Panel& panel, const std::string& name, const std::vector<Mark>& marks) {
   const Window& window = panel.window;
   const std::string hatch = name + "-h";
-  std::string result = hatch_element(hatch) + fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>", window.size().width, window.size().height);
+  std::string result =
+      hatch_element(hatch) + fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>", window.size().width, window.size().height);
   result += body_elements(scene.b, window, "body-b", hatch) + body_elements(scene.a, window, "body-a", "");
   if (scene.moves()) result += ghost_element(scene, window);
   result += contact_elements(scene, window);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "view/picture/window.hpp"
 #include "view/picture/scene.hpp"
+#include "view/picture/window.hpp"
 
 namespace fathom::picture {
 
@@ -23,8 +23,8 @@ struct Panel {
   bool close = false;  ///< whether it shows the ways alone
 };
 
-/// The whole scene, and a close-up of the ways if they are short in it. Curved bodies that are a million times as large get none: their
-/// sampled outlines would be wrong there. The scene must outlive the panels.
+/// The whole scene, and a close-up of the ways if they are short in it. Curved bodies that are a thousand million times as large get none:
+/// their sampled outlines would be wrong there. The scene must outlive the panels.
 std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size);
 
 /// The content of a panel's <svg>. `name` begins the ids of what it refers to.

@@ -67,11 +67,11 @@ std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, con
   return inside_box(std::move(path), closed, low, high);
 }
 
-std::vector<Place> clipped(std::vector<Place> path, bool closed, const Place& low, const Place& high) {
+std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, const Spot& high) {
   return inside_box(std::move(path), closed, low, high);
 }
 
 std::vector<Dot> outline(std::vector<Dot> dots) { return around(std::move(dots)); }
-std::vector<Place> outline(std::vector<Place> places) { return around(std::move(places)); }
+std::vector<Spot> outline(std::vector<Spot> places) { return around(std::move(places)); }
 
 }  // namespace fathom::picture

@@ -12,10 +12,10 @@ namespace fathom::picture {
 /// The part of a path, or of a closed convex polygon, that lies between `low` and `high`. Of an open path a segment is expected. Empty if a
 /// place is not finite.
 std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, const Dot& high);
-std::vector<Place> clipped(std::vector<Place> path, bool closed, const Place& low, const Place& high);
+std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, const Spot& high);
 
 /// The corners of the convex hull, in order. Of doubles for filling: rounding may keep or lose a corner that is almost flat.
 std::vector<Dot> outline(std::vector<Dot> dots);
-std::vector<Place> outline(std::vector<Place> places);
+std::vector<Spot> outline(std::vector<Spot> places);
 
 }  // namespace fathom::picture

@@ -44,10 +44,17 @@ Point along(const AlongNormal& v) {
 
 Point place_of(const RoundedPoint& p) { return sum(p.core, along({p.normal, 0, p.distance})); }
 
-/// n/|n| times a value that is known or enclosed.
-Point enclosed_way(const SignedDepth& depth) {
-  const Bounds& bounds = *depth.bounds();
-  return along({depth.direction(), 0, mpq_class((bounds.low + bounds.high) / 2)});
+/// A number of any size, to within a few roundings.
+mpq_class rounded(const Surd& value) {
+  constexpr unsigned bits = 128;
+  const mpf_class root = sqrt(mpf_class(mpq_class(abs(value.root)), bits));
+  return mpq_class(value.rational + sgn(value.root) * mpq_class(root));
+}
+
+/// n/|n| times the value, where no translation is known: of curved bodies, whose value is enclosed, or known by chance.
+Point way_by_value(const SignedDepth& depth) {
+  const Bounds* bounds = depth.bounds();
+  return along({depth.direction(), 0, bounds ? mpq_class((bounds->low + bounds->high) / 2) : rounded(*depth.exact())});
 }
 
 /// The points of a core that is a polytope; none of others.
@@ -92,15 +99,22 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   const std::optional<Point> shown = in_proportion(pair, claimed, cut);
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
   const View view(scaled(point_of(depth.direction()), distance ? -1 : 1), second, edges_of(touch_a, touch_b));
-  return {depth.status(), view,  wires_of(pair.a, view),
-          wires_of(pair.b, view), witness.a, distance ? distance->translation : depth.translation(),
-          shown, cut, std::move(touch_a), std::move(touch_b)};
+  return {depth.status(),
+          view,
+          wires_of(pair.a, view),
+          wires_of(pair.b, view),
+          witness.a,
+          distance ? distance->translation : depth.translation(),
+          shown,
+          cut,
+          std::move(touch_a),
+          std::move(touch_b)};
 }
 
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   const Point normal = normal_of(a, b, depth);
   const std::vector<AlongNormal> ways = depth.translations();
-  const Point way = ways.empty() ? enclosed_way(depth) : along(ways.front());
+  const Point way = ways.empty() ? way_by_value(depth) : along(ways.front());
   const std::optional<RoundedWitness> witness = depth.witness();
   const Point start = witness ? place_of(witness->a) : start_of(a, b, normal, way);
   std::vector<Point> touch_a{start}, touch_b{witness ? place_of(witness->b) : sum(start, way)};
@@ -110,8 +124,9 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
     touch_b = rounded_face(b, contact->b, n);
   }
   const View view(scaled(normal, depth.status() == Status::disjoint ? -1 : 1), std::nullopt, edges_of(touch_a, touch_b));
-  PairScene scene{depth.status(), view, drawn_shape(a, view), drawn_shape(b, view), start, way, std::nullopt, false, std::move(touch_a), std::move(touch_b)};
-  scene.enclosed = ways.empty();
+  PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
+                  std::nullopt,   false, std::move(touch_a),   std::move(touch_b)};
+  scene.enclosed = depth.bounds() != nullptr;
   return scene;
 }
 

@@ -20,12 +20,12 @@ struct PairScene {
   std::optional<Status> status;  ///< nullopt if the bounds leave it open
   View view;                     ///< across the way out
   Drawn a, b;
-  Point anchor;                       ///< where the ways begin: a point of A
-  Point way;                          ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
-  std::optional<Point> claimed;       ///< the way that was claimed; cut where it is out of all proportion
-  bool cut = false;                   ///< whether it was
+  Point anchor;                         ///< where the ways begin: a point of A
+  Point way;                            ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
+  std::optional<Point> claimed;         ///< the way that was claimed; cut where it is out of all proportion
+  bool cut = false;                     ///< whether it was
   std::vector<Point> touch_a, touch_b;  ///< the faces in contact: the points that span them, or one point
-  bool enclosed = false;              ///< whether the way is known by bounds only
+  bool enclosed = false;                ///< whether the way is known by bounds only
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
   [[nodiscard]] bool moves() const;        ///< whether `way` is not zero

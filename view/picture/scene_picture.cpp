@@ -12,7 +12,7 @@ namespace {
 constexpr PixelSize on_pages{420, 300};
 constexpr PixelSize alone{720, 420}, of_two{356, 340};  // in a file: one panel, or each of two
 constexpr double gap = 8, head = 34, line = 19, inset = 12;
-constexpr std::size_t widest = 100;  // characters of a line of text
+constexpr std::size_t widest = 92;  // characters of a line of text
 
 /// The text in lines that fit, broken at spaces.
 std::vector<std::string> lines_of(const std::string& text) {
@@ -34,12 +34,13 @@ std::string opening(const std::string& more, const PixelSize& size, const std::s
 
 /// How a picture is told to who does not see it. `name` begins the ids.
 std::string told(const std::string& name, const std::string& title, const std::string& description) {
-  return fmt::format(" role=\"img\" aria-labelledby=\"{0}-t {0}-d\"><title id=\"{0}-t\">{1}</title><desc id=\"{0}-d\">{2}</desc>", name, title,
-                     description);
+  return fmt::format(" role=\"img\" aria-labelledby=\"{0}-t {0}-d\"><title id=\"{0}-t\">{1}</title><desc id=\"{0}-d\">{2}</desc>", name,
+                     title, description);
 }
 
 std::string panel_element(const PairScene& scene, const Panel& panel, const Dot& at, const std::string& name) {
-  return opening(fmt::format(" x=\"{}\" y=\"{}\"", at.x, at.y), panel.window.size(), "pair") + ">" + painted(scene, panel, name) + "</svg>\n";
+  return opening(fmt::format(" x=\"{}\" y=\"{}\"", at.x, at.y), panel.window.size(), "pair") + ">" + painted(scene, panel, name) +
+         "</svg>\n";
 }
 
 std::string text_element(const std::string& style, double y, const std::string& text) {

@@ -50,8 +50,8 @@ constexpr std::array<Turn, 8> turns{
     {{0.92, 0.392}, {0.8, 0.6}, {0.98, 0.199}, {0.92, -0.392}, {0.6, 0.8}, {0.8, -0.6}, {0.352, 0.936}, {0.352, -0.936}}};
 
 Triple turned(const Triple& up, const Triple& beside, const Turn& turn) {
-  return normalised({turn.cosine * up.x + turn.sine * beside.x, turn.cosine * up.y + turn.sine * beside.y,
-                     turn.cosine * up.z + turn.sine * beside.z});
+  return normalised(
+      {turn.cosine * up.x + turn.sine * beside.x, turn.cosine * up.y + turn.sine * beside.y, turn.cosine * up.z + turn.sine * beside.z});
 }
 
 /// How much of the edge that is seen least is seen if `up` points up: from 0, end on, to 1. What lies along the way counts not.
@@ -100,13 +100,16 @@ View::View(const Point& along, const std::optional<Point>& second, std::span<con
   towards_ = cross(right, up);
 }
 
-Place View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
+Spot View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
 
 Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) const {
-  const Place at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
+  const Spot at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
   return {at.x.get_d(), at.y.get_d()};
 }
 
-bool View::faces_us(const Vector& normal) const { return dot(unit_vector(point_of(normal)), towards_) > 0; }
+bool View::faces_us(const Vector& normal) const {
+  constexpr double from_its_edge = -1e-9;
+  return dot(unit_vector(point_of(normal)), towards_) > from_its_edge;
+}
 
 }  // namespace fathom::picture

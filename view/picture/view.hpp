@@ -14,7 +14,7 @@
 namespace fathom::picture {
 
 /// A place in the plane of a picture, exactly; y points up.
-struct Place {
+struct Spot {
   mpq_class x, y;
 };
 
@@ -39,10 +39,10 @@ class View {
 
   /// Where p is, if the origin is at 0. Lengths are kept to within a few roundings, all by the same factor, and points of one plane across
   /// `along` are exactly above each other.
-  [[nodiscard]] Place place(const Point& p) const;
+  [[nodiscard]] Spot place(const Point& p) const;
   /// Where p is, with `centre` at 0, in multiples of `unit` > 0.
   [[nodiscard]] Dot project(const Point& p, const Point& centre, const mpq_class& unit) const;
-  /// Whether a facet with this outward normal is seen.
+  /// Whether a facet with this outward normal is seen, be it from its edge.
   [[nodiscard]] bool faces_us(const Vector& normal) const;
 
  private:

@@ -12,12 +12,12 @@
 namespace fathom::picture {
 namespace {
 
-constexpr int margin = 22;            // pixels
-constexpr int strip = 18;           // pixels below, where the scale bar stands
-constexpr int much_longer = 100;      // the axes are scaled apart beyond this ratio
-constexpr double safe_pixels = 1e6;   // within these, doubles are exact enough for tenths of pixels
+constexpr int margin = 22;           // pixels
+constexpr int strip = 18;            // pixels below, where the scale bar stands
+constexpr int much_longer = 100;     // the axes are scaled apart beyond this ratio
+constexpr double safe_pixels = 1e6;  // within these, doubles are exact enough for tenths of pixels
 
-Dot rounded(const Place& p) { return {p.x.get_d(), p.y.get_d()}; }
+Dot rounded(const Spot& p) { return {p.x.get_d(), p.y.get_d()}; }
 bool is_safe(const Dot& d) { return std::abs(d.x) <= safe_pixels && std::abs(d.y) <= safe_pixels; }
 
 /// "1.5", "-0" never.
@@ -29,7 +29,7 @@ std::string number(double x) {
 
 }  // namespace
 
-void Bounds2::add(const Place& p) {
+void Bounds2::add(const Spot& p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }
@@ -46,8 +46,8 @@ Bounds2 Bounds2::plus(const Bounds2& box) const {
 Window Window::around(const View& view, const Bounds2& box, const PixelSize& size) {
   const mpq_class width = box.width(), height = box.height();
   const mpq_class across = static_cast<long>(size.width) - 2 * margin, down = static_cast<long>(size.height) - 2 * margin - strip;
-  const Place middle{mpq_class((box.low.x + box.high.x) / 2), mpq_class((box.low.y + box.high.y) / 2)};
-  Place scale{1, 1};
+  const Spot middle{mpq_class((box.low.x + box.high.x) / 2), mpq_class((box.low.y + box.high.y) / 2)};
+  Spot scale{1, 1};
   if (width > 0) scale.x = across / width;
   if (height > 0) scale.y = down / height;
   const bool apart = width > 0 && height > 0 && (width > much_longer * height || height > much_longer * width);
@@ -57,12 +57,12 @@ Window Window::around(const View& view, const Bounds2& box, const PixelSize& siz
   return {view, middle, scale, size};
 }
 
-Window Window::close(const View& view, const Place& centre, const mpq_class& scale, const PixelSize& size) {
+Window Window::close(const View& view, const Spot& centre, const mpq_class& scale, const PixelSize& size) {
   return {view, centre, {scale, scale}, size};
 }
 
-Place Window::pixels(const Point& p) const {
-  const Place at = view_->place(p);
+Spot Window::pixels(const Point& p) const {
+  const Spot at = view_->place(p);
   const mpq_class right = (at.x - middle_.x) * scale_.x, up = (at.y - middle_.y) * scale_.y;
   return {mpq_class(size_.width / 2 + right), mpq_class((size_.height - strip) / 2 - up)};
 }
@@ -70,7 +70,7 @@ Place Window::pixels(const Point& p) const {
 Dot Window::dot(const Point& p) const { return rounded(pixels(p)); }
 
 Dot Window::shift(const Point& v) const {
-  const Place at = view_->place(v);
+  const Spot at = view_->place(v);
   return {mpq_class(at.x * scale_.x).get_d(), -mpq_class(at.y * scale_.y).get_d()};
 }
 
@@ -78,21 +78,21 @@ std::vector<Dot> Window::cut(std::vector<Dot> dots, bool closed) const {
   return clipped(std::move(dots), closed, Dot{-size_.width, -size_.height}, Dot{2 * size_.width, 2 * size_.height});
 }
 
-std::vector<Dot> Window::cut(std::vector<Place> places, bool closed) const {
+std::vector<Dot> Window::cut(std::vector<Spot> places, bool closed) const {
   std::vector<Dot> dots;
-  for (const Place& p : places) dots.push_back(rounded(p));
+  for (const Spot& p : places) dots.push_back(rounded(p));
   if (std::ranges::all_of(dots, is_safe)) return cut(closed ? outline(std::move(dots)) : std::move(dots), closed);
   if (closed) places = outline(std::move(places));
   dots.clear();
-  const Place low{mpq_class(-size_.width), mpq_class(-size_.height)}, high{mpq_class(2 * size_.width), mpq_class(2 * size_.height)};
-  for (const Place& p : clipped(std::move(places), closed, low, high)) dots.push_back(rounded(p));
+  const Spot low{mpq_class(-size_.width), mpq_class(-size_.height)}, high{mpq_class(2 * size_.width), mpq_class(2 * size_.height)};
+  for (const Spot& p : clipped(std::move(places), closed, low, high)) dots.push_back(rounded(p));
   return dots;
 }
 
 std::vector<Dot> Window::segment(const Point& from, const Point& to) const { return cut({pixels(from), pixels(to)}, false); }
 
 std::vector<Dot> Window::hull(const std::vector<Point>& points, const Point& by) const {
-  std::vector<Place> places;
+  std::vector<Spot> places;
   places.reserve(points.size());
   for (const Point& p : points) places.push_back(pixels(sum(p, by)));
   return cut(std::move(places), true);

@@ -19,10 +19,10 @@ struct PixelSize {
 
 /// A box in the plane.
 struct Bounds2 {
-  Place low, high;
+  Spot low, high;
 
-  static Bounds2 of(const Place& p) { return {p, p}; }
-  void add(const Place& p);
+  static Bounds2 of(const Spot& p) { return {p, p}; }
+  void add(const Spot& p);
   void add(const Bounds2& box);
   /// The box of all sums of a place of each.
   [[nodiscard]] Bounds2 plus(const Bounds2& box) const;
@@ -36,16 +36,16 @@ class Window {
   /// the axes are scaled apart, so that both can be seen.
   static Window around(const View& view, const Bounds2& box, const PixelSize& size);
   /// `scale` pixels for one unit, with `centre` in the middle.
-  static Window close(const View& view, const Place& centre, const mpq_class& scale, const PixelSize& size);
+  static Window close(const View& view, const Spot& centre, const mpq_class& scale, const PixelSize& size);
 
   [[nodiscard]] const View& view() const { return *view_; }
   [[nodiscard]] const PixelSize& size() const { return size_; }
   [[nodiscard]] bool apart() const { return scale_.x != scale_.y; }
   /// Pixels for one unit along the axes; y, too, is positive.
-  [[nodiscard]] const Place& scale() const { return scale_; }
+  [[nodiscard]] const Spot& scale() const { return scale_; }
 
   /// Where p is, in pixels: as a dot infinite beyond the range of doubles.
-  [[nodiscard]] Place pixels(const Point& p) const;
+  [[nodiscard]] Spot pixels(const Point& p) const;
   [[nodiscard]] Dot dot(const Point& p) const;
   /// A vector in pixels.
   [[nodiscard]] Dot shift(const Point& v) const;
@@ -56,12 +56,12 @@ class Window {
   [[nodiscard]] std::vector<Dot> cut(std::vector<Dot> dots, bool closed) const;
 
  private:
-  Window(const View& view, Place middle, Place scale, const PixelSize& size)
+  Window(const View& view, Spot middle, Spot scale, const PixelSize& size)
       : view_(&view), middle_(std::move(middle)), scale_(std::move(scale)), size_(size) {}
-  [[nodiscard]] std::vector<Dot> cut(std::vector<Place> places, bool closed) const;
+  [[nodiscard]] std::vector<Dot> cut(std::vector<Spot> places, bool closed) const;
 
   const View* view_;
-  Place middle_, scale_;
+  Spot middle_, scale_;
   PixelSize size_;
 };
 

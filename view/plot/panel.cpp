@@ -16,6 +16,7 @@ constexpr double plot_height = 300, right_room = 24, label_room = 12, letter = 7
 constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20,
                  least_left = 90;
 constexpr unsigned most_x_labels = 8, most_y_labels = 8;
+constexpr std::size_t most_characters = 84;  // of a line of text
 constexpr std::size_t most_marks = 64, marks_of_many = 32;
 
 std::size_t characters(const std::string& text) {  // of UTF-8
@@ -32,14 +33,14 @@ struct Field {
   [[nodiscard]] double down(double v) const { return bottom - y.share(v) * (bottom - top); }
 };
 
-Field field_of(const Panel& panel) {
+Field field_of(const CurvePanel& panel) {
   std::vector<double> across, up;
   const auto add = [&](double x, double y) {
     across.push_back(x);
     up.push_back(y);
   };
   for (const Series& series : panel.series)
-    for (const Place& place : series.places) add(place.x, place.y);
+    for (const Datum& place : series.places) add(place.x, place.y);
   if (panel.band)
     for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
   if (panel.y.scale == Scale::linear) up.push_back(0);  // what lies above 0 and what below is seen in any case
@@ -52,7 +53,7 @@ Field field_of(const Panel& panel) {
   return field;
 }
 
-std::string grid_elements(const Panel& panel, const Field& field) {
+std::string grid_elements(const CurvePanel& panel, const Field& field) {
   std::string lines, texts;
   const auto style = [](const Tick& tick) { return tick.label.empty() ? "grid small" : "grid"; };
   for (const Tick& tick : field.x.ticks) {
@@ -75,14 +76,14 @@ std::string grid_elements(const Panel& panel, const Field& field) {
                        field.right - field.left, field.bottom - field.top);
   const double middle = (field.top + field.bottom) / 2, turn = panel_margin + 8;
   texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (field.left + field.right) / 2,
-                       field.bottom + x_label_room + 15, picture::markup(panel.x.name));
+                       field.bottom + x_label_room + 15, fitting(panel.x.name));
   texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n", turn, middle,
                        picture::markup(panel.y.name));
   return lines + texts;
 }
 
 /// The line at 0 and what lies on its two sides.
-std::string zero_elements(const Panel& panel, const Field& field) {
+std::string zero_elements(const CurvePanel& panel, const Field& field) {
   if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
   const double y = field.down(0);
   std::string result =
@@ -112,7 +113,7 @@ std::string series_elements(const Series& series, std::size_t number, const Fiel
   bool open = false;
   const std::size_t every = series.places.size() <= most_marks ? 1 : (series.places.size() + marks_of_many - 1) / marks_of_many;
   for (std::size_t i = 0; i < series.places.size(); ++i) {
-    const Place& place = series.places[i];
+    const Datum& place = series.places[i];
     const bool drawn = field.holds(place.x, place.y);
     if (drawn) {
       const double x = field.across(place.x), y = field.down(place.y);
@@ -126,7 +127,7 @@ std::string series_elements(const Series& series, std::size_t number, const Fiel
 }
 
 /// Rows of two entries each.
-std::string legend_elements(const Panel& panel, double top, double left, double& height) {
+std::string legend_elements(const CurvePanel& panel, double top, double left, double& height) {
   std::string result;
   std::size_t entry = 0;
   const auto add = [&](const std::string& sample, const std::string& name) {
@@ -136,6 +137,7 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
     ++entry;
   };
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    if (panel.series[i].places.empty()) continue;
     std::string sample = panel.series[i].line ? fmt::format("<path class=\"{}\" d=\"M0 0H38\"/>", line_classes(i)) : "";
     if (panel.series[i].marks) sample += mark_element(i, 19, 0, "");
     add(sample, panel.series[i].name);
@@ -146,10 +148,10 @@ std::string legend_elements(const Panel& panel, double top, double left, double&
 }
 
 /// What has no place on the axes.
-std::string left_out(const Panel& panel, const Field& field) {
+std::string left_out(const CurvePanel& panel, const Field& field) {
   std::size_t count = 0;
   for (const Series& series : panel.series)
-    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Place& p) { return !field.holds(p.x, p.y); }));
+    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Datum& p) { return !field.holds(p.x, p.y); }));
   if (count == 0) return "";
   const bool logarithmic = panel.x.scale == Scale::logarithmic || panel.y.scale == Scale::logarithmic;
   return fmt::format("Not drawn: {} value{}, {}.", count, count == 1 ? "" : "s",
@@ -158,11 +160,19 @@ std::string left_out(const Panel& panel, const Field& field) {
 
 }  // namespace
 
-PanelPicture panel_picture(const Panel& panel, const std::string& clip) {
+std::string fitting(const std::string& text) {
+  if (characters(text) <= most_characters) return picture::markup(text);
+  std::size_t end = 0;
+  for (std::size_t count = 0; count < most_characters || (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80; ++end)
+    count += (static_cast<unsigned char>(text[end]) & 0xc0U) != 0x80 ? 1 : 0;
+  return picture::markup(text.substr(0, end)) + "...";
+}
+
+PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
   if (!panel.title.empty())
-    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, picture::markup(panel.title));
+    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, fitting(panel.title));
   content += grid_elements(panel, field) + zero_elements(panel, field);
   content +=
       fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",

@@ -15,7 +15,10 @@ struct PanelPicture {
   double height;
 };
 
+/// The text as markup, cut where it would not fit into the figure.
+std::string fitting(const std::string& text);
+
 /// `clip` is the id for its clipping path.
-PanelPicture panel_picture(const Panel& panel, const std::string& clip);
+PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip);
 
 }  // namespace fathom::plot

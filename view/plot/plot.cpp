@@ -71,9 +71,9 @@ std::string svg(const Figure& figure, std::string_view attributes, std::string_v
   return fmt::format(
       "<svg {7}class=\"plot\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" height=\"{1:.0f}\" role=\"img\" aria-labelledby=\"{2}-t {2}-d\">"
       "<title id=\"{2}-t\">{3}</title><desc id=\"{2}-d\">{4}</desc>\n{5}<rect class=\"ground\" width=\"{0}\" height=\"{1:.0f}\"/>\n"
-      "<text class=\"title\" x=\"{8}\" y=\"22\">{3}</text>\n{6}</svg>\n",
+      "<text class=\"title\" x=\"{8}\" y=\"22\">{9}</text>\n{6}</svg>\n",
       panel_width, std::ceil(picture.height), id, title, picture::markup(figure.description), style, picture.content, attributes,
-      panel_margin);
+      panel_margin, fitting(figure.title));
 }
 
 }  // namespace
@@ -87,9 +87,9 @@ std::string figure_file(const Figure& figure) {
 
 std::string plot_style() { return picture::coloured(rules, false); }
 
-std::optional<double> growth_exponent(std::span<const Place> places) {
+std::optional<double> growth_exponent(std::span<const Datum> places) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Place& place : places) {
+  for (const Datum& place : places) {
     if (!(place.x > 0) || !(place.y > 0) || !std::isfinite(place.x) || !std::isfinite(place.y)) continue;
     const double u = std::log(place.x), v = std::log(place.y);
     n += 1, x += u, y += v, xx += u * u, xy += u * v;

@@ -13,14 +13,14 @@
 
 namespace fathom::plot {
 
-struct Place {
+struct Datum {
   double x, y;
   std::string what = {};  ///< what a pointer that rests on its mark is told; may be empty
 };
 
 struct Series {
   std::string name;           ///< in the legend
-  std::vector<Place> places;  ///< ascending in x
+  std::vector<Datum> places;  ///< ascending in x; none: it is not shown, but those after it have the looks that they would have
   bool line = true;           ///< whether neighbours are joined
   bool marks = true;          ///< whether places have markers: of very many, only some
 };
@@ -34,16 +34,16 @@ struct Band {
   std::vector<Slice> slices;  ///< ascending in x
 };
 
-struct Axis {
+struct ChartAxis {
   std::string name;
   Scale scale = Scale::linear;
   bool tight = false;  ///< whether it ends at the extreme values
 };
 
 /// One pair of axes, with its legend below.
-struct Panel {
+struct CurvePanel {
   std::string title;  ///< may be empty
-  Axis x, y;
+  ChartAxis x, y;
   std::vector<Series> series;
   std::optional<Band> band = std::nullopt;
   std::string above = {}, below = {};  ///< what it means to be above 0 and below it, on a linear axis; may be empty
@@ -53,7 +53,7 @@ struct Panel {
 struct Figure {
   std::string title, description;  ///< for those who do not see it, too
   std::string prefix = "plot";     ///< begins all ids: those of two figures in one page must differ
-  std::vector<Panel> panels;
+  std::vector<CurvePanel> panels;
 };
 
 /// How many series have a look of their own; those after them begin again.
@@ -71,6 +71,6 @@ std::string plot_style();
 
 /// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms. Returns nullopt unless there are two different
 /// x with positive values.
-std::optional<double> growth_exponent(std::span<const Place> places);
+std::optional<double> growth_exponent(std::span<const Datum> places);
 
 }  // namespace fathom::plot

@@ -54,13 +54,13 @@ void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence
     if (own == nullptr || subjects_[member.colour].diagram.rank < 2) return;  // a full circle has no ends
     const kernels::Direction &from = end(member, own->from), &to = end(member, own->to);
     if (kind == Coincidence::arcs_on_equator) {
-      kernel.side_of_equator(from, frame().z);
-      kernel.side_of_equator(to, frame().z);
+      (void)kernel.side_of_equator(from, frame().z);
+      (void)kernel.side_of_equator(to, frame().z);
     } else if (kind == Coincidence::arcs_on_verticals) {
-      if (subjects_[member.colour].diagram.rank == 3) kernel.x_order(from, to, frame().v);
+      if (subjects_[member.colour].diagram.rank == 3) (void)kernel.x_order(from, to, frame().v);
     } else if (const gaussian::Arc* const other = arc(all[member.feature == all[0].feature ? 1 : 0])) {
-      kernel.side_of_arc(from, other->circle);
-      kernel.side_of_arc(to, other->circle);
+      (void)kernel.side_of_arc(from, other->circle);
+      (void)kernel.side_of_arc(to, other->circle);
     }
   }
 }
@@ -74,18 +74,18 @@ void Decisions::ask(const kernels::PerturbedKernel& kernel, Coincidence kind, co
       const bool a_is_facet = node(all[0]) != nullptr;
       const kernels::Direction* const facet = node(all[a_is_facet ? 0 : 1]);
       const gaussian::Arc* const edge = arc(all[a_is_facet ? 1 : 0]);
-      if (facet != nullptr && edge != nullptr) kernel.side_of_arc(*facet, edge->circle);
+      if (facet != nullptr && edge != nullptr) (void)kernel.side_of_arc(*facet, edge->circle);
       return;
     }
     case Coincidence::nodes_on_equator:
-      if (node(all[0]) != nullptr) kernel.side_of_equator(*node(all[0]), frame().z);
+      if (node(all[0]) != nullptr) (void)kernel.side_of_equator(*node(all[0]), frame().z);
       return;
     case Coincidence::coincident_normals:
     case Coincidence::nodes_on_one_vertical:
-      if (node(all[0]) != nullptr && node(all[1]) != nullptr) kernel.x_order(*node(all[0]), *node(all[1]), frame().v);
+      if (node(all[0]) != nullptr && node(all[1]) != nullptr) (void)kernel.x_order(*node(all[0]), *node(all[1]), frame().v);
       return;
     case Coincidence::crossings_on_equator:
-      if (arc(all[0]) != nullptr && arc(all[1]) != nullptr) kernel.order_at_infinity(arc(all[0])->circle, arc(all[1])->circle, frame().z);
+      if (arc(all[0]) != nullptr && arc(all[1]) != nullptr) (void)kernel.order_at_infinity(arc(all[0])->circle, arc(all[1])->circle, frame().z);
       return;
     default: return;
   }

@@ -73,6 +73,8 @@ void add_bounds(const StagesSource& subject, Stages& stages);
 
 /// sum, of shapes: from the meshes of their outlines.
 void add_sampled_sum(Stages& stages);
+/// coincidences, of shapes: names and counts.
+void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages);
 
 /// The stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);

@@ -169,9 +169,12 @@ std::optional<double> nearest(const SignedDepth& depth) {
 // The signed depth in the unit of places; of bounds the middle.
 double signed_length(const SignedDepth& depth, const StagedScale& scale) {
   if (const Bounds* const bounds = depth.bounds()) return scaled(mpq_class((bounds->low + bounds->high) / 2), scale);
+  // The two parts may nearly cancel: they are scaled exactly, and rounded once.
+  mpq_class factor = 1;
+  if (scale.exponent >= 0) factor <<= static_cast<unsigned long>(scale.exponent);
+  else factor >>= static_cast<unsigned long>(-scale.exponent);
   const Surd& value = *depth.exact();
-  const double root = std::copysign(scaled_root(abs(value.root), scale), sgn(value.root));
-  return scaled(value.rational, scale) + root;
+  return kernels::nearest_binary64({value.rational * factor, value.root * factor * factor});
 }
 
 void add_answer(const SignedDepth& depth, Stages& stages) {
@@ -215,6 +218,7 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   stages.counters = depth.counters();
   add_answer(depth, stages);
   add_sampled_sum(stages);
+  add_shape_coincidences(shape_a, shape_b, options, stages);
   return stages;
 }
 

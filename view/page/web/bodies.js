@@ -31,10 +31,15 @@ function facesOf(places, facets, name, isB) {
   ];
 }
 
+/** Whether a body where it is not is a faint solid, as outlines would be too many or are none. */
+export function isFaint(body) {
+  return body.edges.length === 0 || body.edges.length > mostHidden;
+}
+
 /** A where it is not: a dashed outline. Of many edges that would be noise; then a faint solid. */
 export function ghostOf(body, frame) {
   const T = globalThis.THREE, places = body.vertices.map(frame.place), edges = body.edges.flatMap(([v, w]) => [places[v], places[w]]);
-  if (edges.length > 0 && body.edges.length <= mostHidden)
+  if (!isFaint(body))
     return segments(edges, "--a", layer.solidEdges + 2, { width: 1, dash: 0.03, opacity: 0.6, depthWrite: false });
   if (!body.facets.length) return new T.Group();
   return surface(meshGeometry(triangles(places, body.facets)), "--a", layer.backs + 1, { opacity: 0.13, depthWrite: false });

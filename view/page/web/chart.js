@@ -40,7 +40,8 @@ function turnChart(view, hemisphere) {
 
 function chartElements(view) {
   const { left, right, top, bottom } = chartMargin;
-  const layers = Object.fromEntries(["walls", "arcs", "lit", "marks", "axes"].map((name) => [name, svg("g", { class: name })]));
+  const layer = (name) => svg("g", { class: name });
+  const layers = { walls: layer("walls"), arcs: layer("arcs"), lit: layer("chosen"), marks: layer("marks"), axes: layer("axes") };
   const strip = svg("rect", { class: "strip", y: 0, height: chartSide });
   const clip = svg("clipPath", { id: "chart-square" }, svg("rect", { x: 0, y: 0, width: chartSide, height: chartSide }));
   const square = svg("g", { "clip-path": "url(#chart-square)" }, strip, layers.walls, layers.arcs, layers.lit);

@@ -193,5 +193,6 @@ function decidedSentence({ data, name }, sizes, lower) {
     const size = seenMonomial(monomial, sizes);
     return `${monomialText(monomial)}${size === null ? "" : `, here ${roughly(size, 2)}`}`;
   });
-  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), ": of each sign that was asked, the largest monomial whose coefficient is not 0."];
+  const rule = ": of each sign that was asked, the largest monomial whose coefficient is not 0.";
+  return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), rule];
 }

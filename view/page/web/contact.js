@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The way out of the overlap that a selection is about: along the chosen facet of P, or along the chosen optimum; and where it ends.
 import { nearest } from "./numbers.js";
-import { dot, meetingPoint, minus, plus, times, unit } from "./geometry.js";
+import { dot, meetingPoint, minus, norm, plus, times, unit } from "./geometry.js";
 
 /** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null}; null where there is nothing to show. */
 export function wayOf(data, state) {
@@ -15,8 +15,8 @@ export function wayOf(data, state) {
   if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0 };
   const contact = data.stages.contact;
   if (!contact) return null;
-  const translation = contact.translation ?? [0, 0, 0];
-  const way = { direction: contact.direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
+  const translation = contact.translation ?? [0, 0, 0], direction = norm(translation) > 0 ? unit(translation) : contact.direction;
+  const way = { direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
   return { ...way, a: data.verticesOf("a", contact.features?.a), b: data.verticesOf("b", contact.features?.b) };
 }
 
@@ -24,7 +24,18 @@ export function wayOf(data, state) {
 export function meetingOf(data, way) {
   const moved = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), own = way.b.map((v) => data.bodies.b.vertices[v]);
   if (moved.length || own.length) return meetingPoint(moved, own, way.direction);
-  return witnessOf(data, way) ?? farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
+  return touchingOf(data, way) ?? witnessOf(data, way) ?? farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
+}
+
+/** Of bodies that touch, about the middle of where they do: good for the place of a plane, and no more. */
+function touchingOf(data, way) {
+  if (data.status !== "touching") return null;
+  const { a, b } = data.bodies, all = [...a.vertices, ...b.vertices], height = (p) => dot(p, way.direction);
+  const most = farthest(b.vertices, way.direction), least = farthest(all, times(way.direction, -1));
+  const near = 1e-4 * norm(minus(farthest(all, way.direction), least));
+  const level = (points) => points.filter((p) => Math.abs(height(p) - height(most)) <= near);
+  const [own, other] = [level(a.vertices), level(b.vertices)];
+  return own.length && other.length ? meetingPoint(own, other, way.direction) : null;
 }
 
 /** The answer's witness of B as a place; it belongs to the first optimum, or to the distance. */

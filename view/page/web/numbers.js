@@ -60,9 +60,13 @@ function integerRoot(n) {
 
 /** How much longer the root of a square is than that of another, to nearly all digits of a binary64 however near they are. */
 export function gapOfRoots(longer, shorter) {
-  const [p, q] = fractionOf(longer), [r, s] = fractionOf(shorter);
-  const difference = nearest(`${p * s - r * q}/${q * s}`);
-  return difference === 0 ? 0 : difference / (nearestRoot(longer) + nearestRoot(shorter));
+  const [p, q] = fractionOf(longer), [r, s] = fractionOf(shorter), rise = p * s - r * q;
+  if (rise === 0n) return 0;
+  const half = (sizeInBits(p) - sizeInBits(q)) / 2n;  // squares in units of 4^half are near 1: they neither overflow nor vanish
+  const scaled = (n, d) => nearestRoot(half > 0n ? `${n}/${d << (2n * half)}` : `${n << (-2n * half)}/${d}`);
+  const roots = BigInt(Math.round((scaled(p, q) + scaled(r, s)) * 2 ** 50));  // times 2^(half - 50)
+  const power = half - 50n, over = q * s * roots;
+  return nearest(power > 0n ? `${rise}/${over << power}` : `${rise << -power}/${over}`);
 }
 
 /** The unit vector of an integer direction, each component the nearest binary64. */

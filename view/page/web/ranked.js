@@ -60,19 +60,20 @@ function gapSentence(data) {
   if (told.second === null) result.append(nearest, `All facets of ${name} are equally near.`);
   else {
     const farther = element("strong", {}, `${roughly(told.gap)} farther`);
-    result.append(`${nearest}Second: ${textOf(told.second)}, `, farther, ` (${roughly(100 * told.share)} %).`);
+    result.append(`${nearest}Second: ${textOf(told.second)}, `, farther, told.share > 0 ? ` (${roughly(100 * told.share)} %).` : ".");
   }
   return result;
 }
 
 function facetRow(data, index, selection) {
-  const facet = data.facets[index], gap = gapOfRoots(facet.distance_squared, data.facets[0].distance_squared);
+  const facet = data.facets[index], own = facet.distance_squared, least = data.facets[0].distance_squared;
+  const gap = gapOfRoots(own, least), isTie = own === least;
   const choose = () => selection.set({ facet: selection.chosen().facet === index ? null : index });
   const title = "Show the contact of this facet";
   const button = element("button", { type: "button", class: "row", "aria-pressed": "false", title, onclick: choose }, String(index + 1));
   const row = element("tr", { class: facet.optimal ? "optimal" : null, "data-facet": index }, element("th", { scope: "row" }, button),
     element("td", {}, textOf(nearestRoot(facet.distance_squared))),
-    element("td", {}, gap === 0 ? (index ? "tie" : "") : `+${roughly(gap)}`),
+    element("td", {}, isTie ? (index ? "tie" : "") : `+${roughly(gap)}`),
     element("td", { class: "text" }, kindOfFacet(facet)));
   const over = () => selection.preview({ facet: index }), out = () => selection.preview(null);
   for (const event of ["mouseenter", "focusin"]) row.addEventListener(event, over);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
-import { bodyParts, ghostOf } from "./bodies.js";
+import { bodyParts, ghostOf, isFaint } from "./bodies.js";
 import { arrowOf, contactText, wayOf } from "./contact.js";
 import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
@@ -40,7 +40,7 @@ function whatPicture(root, view, data, selection) {
   letters(view, bodies, moving, frame);
 
   const views = viewsOf(view, data, frame, moving);
-  root.append(controlsOf(view, selection, views, bodies, norm(first.translation) > 0), legend(data, frame, bodies, first));
+  root.append(controlsOf(view, selection, views, bodies, data, norm(first.translation) > 0), legend(data, frame, bodies, first));
   views.fit();
   onViewLook(view, () => recolour(view.scene));
   return { drawCalls: view.drawCalls, lit: () => ({ bodies: moving.lit() }), contact: () => contactDrawn(data, frame, moving) };
@@ -142,7 +142,7 @@ function contactDrawn(data, frame, moving) {
   return { ...drawn, witness, direction: way.direction, gap: gap * 2 ** -(data.stages.scale?.exponent ?? 0) };
 }
 
-function controlsOf(view, selection, views, bodies, canMove) {
+function controlsOf(view, selection, views, bodies, data, canMove) {
   const button = (name, title, act) => element("button", { type: "button", title, onclick: act }, name);
   const wires = button("wireframe", "Edges without faces", () => {
     const on = wires.getAttribute("aria-pressed") !== "true";
@@ -155,12 +155,12 @@ function controlsOf(view, selection, views, bodies, canMove) {
     button("fit", "All of both bodies, across the way out", views.fit),
     button("along n", "Against the direction of the way out", views.alongN),
     button("contact", "Close to where the bodies meet", views.contact), wires);
-  return element("div", { class: "controls" }, canMove ? sliderOf(selection) : null, buttons);
+  return element("div", { class: "controls" }, canMove ? sliderOf(selection, data.status) : null, buttons);
 }
 
 /** The slider that moves A out, and a button that lets it move by itself. */
-function sliderOf(selection) {
-  const range = element("input", { type: "range", min: 0, max: 1, step: 0.001, id: "moved", "aria-label": "How far A has moved out" });
+function sliderOf(selection, status) {
+  const range = element("input", { type: "range", min: 0, max: 1, step: 0.001, id: "moved", "aria-label": "How far A has moved" });
   let playing = 0;
   range.addEventListener("input", () => {
     cancelAnimationFrame(playing);
@@ -182,16 +182,17 @@ function sliderOf(selection) {
   });
   return element("div", { class: "slider" },
     element("button", { type: "button", class: "plain", onclick: play(0) }, "A now"), range,
-    element("button", { type: "button", class: "plain", onclick: play(1) }, "A moved out"));
+    element("button", { type: "button", class: "plain", onclick: play(1) }, status === "disjoint" ? "A moved to B" : "A moved out"));
 }
 
 function legend(data, frame, bodies, way) {
   const overlap = data.status === "penetrating", apart = data.status === "disjoint", length = norm(frame.move(way.translation));
   const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : "Plane: it separates them.";
   const result = element("p", { class: "soft legend" },
-    element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"), "; where they meet is thick. ",
+    element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
+    way.a.length ? "; where they meet is thick. " : ". ",
     element("span", { class: "of-true" }, arrowText),
-    overlap ? ", ending at the plane that then separates both; dashed: A at its end." : "");
+    overlap ? `, ending at the plane that then separates both; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
   if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
   for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);

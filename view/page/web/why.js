@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 2, Why no shorter way: P around O, the ball that reaches its nearest facets, and the facets that a choice lights.
-import { creases, edgesOfPolygons, frameOf, plus, sideView, times } from "./geometry.js";
+import { wayOf } from "./contact.js";
+import { creases, edgesOfPolygons, frameOf, norm, plus, sideView, times } from "./geometry.js";
 import { element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
 import { arrow, dots, emptied, layer, meshGeometry, recolour, segments, surface, triangles } from "./solids.js";
@@ -29,17 +30,9 @@ function whyPicture(root, view, data, selection) {
     choice.show(state);
     view.render();
   });
-  const facetAt = (hit) => (hit ? shape.owner[hit.faceIndex] : null);
-  view.onPoint([front], {
-    over: (hit) => {
-      view.canvas.style.cursor = hit ? "pointer" : "";
-      selection.preview(hit ? { facet: facetAt(hit) } : null);
-    },
-    chosen: (hit) => selection.set({ facet: facetAt(hit) === selection.chosen().facet ? null : facetAt(hit) }),
-  });
-
-  const way = () => nearestOf(data, selection.get()) ?? data.facets[0];
-  const side = () => sideView(frame.move(times(way().normal, Math.max(way().distance, 1e-300))));
+  if (isListed(data)) pointAtFacets(view, front, shape, selection);
+  const way = () => wayOf(data, selection.get()) ?? { translation: [0, 0, 0] };
+  const side = () => sideView(frame.move(way().translation));
   const all = () => view.fit([...places, center], side()), near = () => view.fit(ballCorners(data, frame, center), side());
   root.append(whyControls(all, ball ? near : null), whyLegend(data, frame));
   all();
@@ -73,11 +66,11 @@ function choiceOf(view, data, frame, places, origin) {
     lit: () => lit,
     show(state) {
       lit = state.pair === null ? [] : data.facetsOfPair(state.pair);
-      const facet = state.facet === null ? null : data.facets[state.facet], shown = facet ?? nearestOf(data, state);
+      const facet = state.facet === null ? null : data.facets[state.facet], way = wayOf(data, state);
       emptied(chosen);
       if (lit.length) chosen.add(...marked(places, polygons, lit, "--lit", 0.55));
       if (facet) chosen.add(...marked(places, polygons, [state.facet], facet.optimal ? "--true" : "--lit", 0.4));
-      shaft.place(frame.place(origin), frame.place(shown ? plus(origin, times(shown.normal, shown.distance)) : origin));
+      shaft.place(frame.place(origin), frame.place(plus(origin, way?.translation ?? [0, 0, 0])));
     },
   };
 }
@@ -88,12 +81,20 @@ function whyControls(all, near) {
   return element("div", { class: "controls" }, element("div", { class: "buttons", role: "group", "aria-label": "Views of P" }, ...buttons));
 }
 
-/** The facet that the chosen optimum lies on. */
-export function nearestOf(data, state) {
-  const optimum = data.optima[state.optimum], optimal = data.facets.filter((f) => f.optimal);
-  if (!optimum || !optimal.length) return optimal[0] ?? null;
-  const along = (f) => f.normal.reduce((s, x, i) => s + x * optimum.direction[i], 0);
-  return optimal.reduce((best, f) => (along(f) > along(best) ? f : best));
+/** Whether facets are those of P or Q, with features; those of a mesh are none. */
+function isListed(data) {
+  return data.stages.sum.kind !== "sampled";
+}
+
+function pointAtFacets(view, front, shape, selection) {
+  const facetAt = (hit) => (hit ? shape.owner[hit.faceIndex] : null);
+  view.onPoint([front], {
+    over(hit) {
+      view.canvas.style.cursor = hit ? "pointer" : "";
+      selection.preview(hit ? { facet: facetAt(hit) } : null);
+    },
+    chosen: (hit) => selection.set({ facet: facetAt(hit) === selection.chosen().facet ? null : facetAt(hit) }),
+  });
 }
 
 /** Facets filled and outlined, one draw call each. */
@@ -109,7 +110,7 @@ function marked(places, polygons, facets, name, opacity) {
 
 /** The ball around O with the depth as its radius: an ellipsoid where axes are scaled apart. */
 function ballOf(data, frame, center) {
-  const radius = data.stages.depth === null ? 0 : data.facets[0].distance;
+  const radius = radiusOf(data);
   if (!(radius > 0)) return null;
   const T = globalThis.THREE, ball = surface(new T.SphereGeometry(1, 48, 32), "--true", layer.solid, { opacity: 0.55, depthWrite: false });
   ball.scale.set(...frame.move([radius, radius, radius]));
@@ -117,16 +118,21 @@ function ballOf(data, frame, center) {
   return ball;
 }
 
+function radiusOf(data) {
+  return data.status === "penetrating" && data.optima.length ? norm(data.optima[0].translation) : 0;
+}
+
 function ballCorners(data, frame, center) {
-  const r = frame.move([1, 1, 1].map(() => data.facets[0].distance * 1.15));
+  const r = frame.move([1, 1, 1].map(() => radiusOf(data) * 1.15));
   return [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => plus(center, [x * r[0], y * r[1], z * r[2]]))));
 }
 
 function whyLegend(data, frame) {
   const ties = data.facets.filter((f) => f.optimal).length, overlap = data.status === "penetrating";
-  const touched = ties === 1 ? "one facet" : `${ties} facets`;
-  const words = overlap ? `Ball: its radius is the depth; it touches ${touched}, striped. ` : "O is not inside. ";
-  const legendText = element("p", { class: "soft legend" }, words, "Point at a facet: section 1 shows the contact there.");
+  const touched = ties === 0 ? "" : `; it touches ${ties === 1 ? "one facet" : `${ties} facets`}, striped`;
+  const words = overlap ? `Ball: its radius is the depth${touched}. ` : "O is not inside. ";
+  const invitation = isListed(data) ? "Point at a facet: section 1 shows the contact there." : "";
+  const legendText = element("p", { class: "soft legend" }, words, invitation);
   if (frame.apart) legendText.append(element("strong", {}, " Axes scaled apart: the ball is drawn as an ellipsoid."));
   return legendText;
 }
