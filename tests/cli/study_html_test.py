@@ -21,6 +21,7 @@ VOID = {"meta", "input", "br"}
 class Element:
     def __init__(self, tag, attributes):
         self.tag, self.attributes, self.children, self.text = tag, attributes, [], ""
+        self.inside = []  # texts and elements, in order
 
     def all(self, tag=None, **attributes):
         """What is below, in order."""
@@ -31,7 +32,7 @@ class Element:
             yield from child.all(tag, **attributes)
 
     def words(self):
-        return " ".join((self.text + " " + " ".join(child.words() for child in self.children)).split())
+        return " ".join(" ".join(piece if isinstance(piece, str) else piece.words() for piece in self.inside).split())
 
 
 class Reader(html.parser.HTMLParser):
@@ -47,18 +48,23 @@ class Reader(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attrs):
         element = Element(tag, dict(attrs))
-        self.path[-1].children.append(element)
+        self.add(element)
         if tag not in VOID:
             self.path.append(element)
 
     def handle_startendtag(self, tag, attrs):
-        self.path[-1].children.append(Element(tag, dict(attrs)))
+        self.add(Element(tag, dict(attrs)))
 
     def handle_endtag(self, tag):
         assert self.path.pop().tag == tag
 
     def handle_data(self, data):
         self.path[-1].text += data
+        self.path[-1].inside.append(data)
+
+    def add(self, element):
+        self.path[-1].children.append(element)
+        self.path[-1].inside.append(element)
 
 
 def spoken(name):

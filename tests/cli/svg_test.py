@@ -166,7 +166,7 @@ class Svg(CliTest):
         for place in (self.folder / "none" / "x.svg", self.folder):
             self.assertIn(f"{place}: cannot write a picture: ", self.refused("depth", "--svg", place, CUBE, ICOSAHEDRON))
         self.assertIn("cannot write a picture: ", self.refused("depth", "--svg", self.file("x.svg", ""), "-", stdin=case(UNIT, BESIDE)))
-        self.assertIn("--svg writes", self.refused("depth", "--svg", "-", CUBE, ICOSAHEDRON))
+        self.assertIn("--svg writes a file", self.refused("depth", "--svg", "-", CUBE, ICOSAHEDRON))
 
     def test_a_full_disk_is_no_success(self):
         if os.path.exists("/dev/full"):

@@ -16,7 +16,7 @@ WITHOUT_COLUMNS = {name: value for name, value in os.environ.items() if name != 
 def on_terminal(columns, *arguments, environment=None):
     """(exit code, the lines that appeared on a terminal of this width, on standard output and error)."""
     code, _, seen = run_on_terminal(*arguments, columns=columns, stdout=None, cwd=DATA, stdin=subprocess.DEVNULL, env=environment or WITHOUT_COLUMNS)
-    return code, seen.decode().replace("\r\n", "\n").splitlines()
+    return code, seen.decode().replace("\x1b[K", "").replace("\r\n", "\n").splitlines()
 
 
 class Width(CliTest):

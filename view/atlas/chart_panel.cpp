@@ -35,7 +35,7 @@ struct Square {
   }
   [[nodiscard]] bool is_pole(const Place& p) const { return std::hypot(dot(p, right), dot(p, chart.z)) < pole; }
 
-  /// The part of an arc in this hemisphere; "" if there is none to be seen.
+  /// The part of an arc in this hemisphere, or a dot where there is only a point of it; "" if there is none to be seen.
   [[nodiscard]] std::string path(const stages::StagedBody& body, Index edge) const {
     const std::optional<SphereArc> arc = arc_of(body, edge);
     std::string result;
@@ -44,6 +44,11 @@ struct Square {
       if (is_pole(part.at(part.begin))) part.begin += 2 * pole;  // there all longitudes meet: the arc's own is that of its inside
       if (is_pole(part.at(part.end))) part.end -= 2 * pole;
       if (part.begin < part.end) result += path_text(polyline(part, [this](const Place& p) { return pixel(p); }));
+    }
+    if (result.empty()) {  // as given, it only touches the equator, from outside: a dot
+      const Place first = arc->at(arc->begin), last = arc->at(arc->end);
+      const Pixel touch = pixel(dot(first, chart.z) > dot(last, chart.z) ? first : last);
+      result = path_text({{touch.x - 1, touch.y}, {touch.x + 1, touch.y}});
     }
     return result;
   }

@@ -85,7 +85,8 @@ std::string optima_table(const Data& depth) {
               fmt::format("data-optimum=\"{}\"", i));
   }
   const std::uint64_t count = optima_count(depth);
-  const std::string more = count > most_optima ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", count - most_optima) : "";
+  const std::string more =
+      count > most_optima ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", count - most_optima) : "";
   return table.text() + more;
 }
 
@@ -114,7 +115,8 @@ std::string facts(const Data& depth) {
   Rows rows;
   rows.add("status", "status", shown(at(depth, "status")));
   if (is(depth, "touching")) rows.add("depth", "depth", length_text(depth));
-  else if (overlap || apart) rows.add(apart ? "distance" : "depth", apart ? "distance" : "depth", length_text(depth), exact_length(length_of(depth)));
+  else if (overlap || apart)
+    rows.add(apart ? "distance" : "depth", apart ? "distance" : "depth", length_text(depth), exact_length(length_of(depth)));
   else rows.add("signed_depth", "signed depth", length_text(depth));
   if (const Data& unit = at(told, "unit_f64"); !unit.is_null())
     rows.add("unit", overlap ? "unit normal n" : "unit direction n", shown(unit), exact_place(at(told, "direction")));

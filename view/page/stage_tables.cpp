@@ -56,7 +56,8 @@ std::string pairs(const stages::Stages& stages) {
     table.add(row(stages, order[k]), fmt::format("data-pair=\"{}\"", order[k]));
   std::string result = "<h3>Canonical pairs</h3>\n";
   if (!table.empty()) result += table.text();
-  if (order.size() > most_pairs) result += fmt::format("<p class=\"soft\">{} more have several crossings.</p>\n", order.size() - most_pairs);
+  if (order.size() > most_pairs)
+    result += fmt::format("<p class=\"soft\">{} more have several crossings.</p>\n", order.size() - most_pairs);
   if (single > 0) result += fmt::format("<p class=\"soft\">{} of one crossing.</p>\n", counted(single, "pair is", "pairs are"));
   return result;
 }
@@ -68,8 +69,12 @@ std::string cutting(const stages::Stages& stages) {
     const stages::StagedLevel& level = stages.cutting->levels[k];
     std::array<std::size_t, 4> fates{};
     for (const stages::StagedBlock& block : level.blocks) ++fates[static_cast<std::size_t>(block.fate)];
-    table.add({std::to_string(k), !level.cut_a ? "-" : *level.cut_a ? "A" : "B", std::to_string(level.blocks.size()),
-               std::to_string(fates[0]), std::to_string(fates[1]), std::to_string(fates[2]), std::to_string(fates[3])});
+    table.add({std::to_string(k),
+               !level.cut_a   ? "-"
+               : *level.cut_a ? "A"
+                              : "B",
+               std::to_string(level.blocks.size()), std::to_string(fates[0]), std::to_string(fates[1]), std::to_string(fates[2]),
+               std::to_string(fates[3])});
   }
   const std::string_view note = stages.cutting->as_searched
                                     ? "The search cut it so."
@@ -85,16 +90,17 @@ std::string lead_where(const stages::Stages& stages) {
   if (stages.winner) {
     using stages::WinnerKind;
     const WinnerKind kind = stages.winner->kind;
-    winner = kind == WinnerKind::edges ? (stages.winner->pair ? fmt::format(" The answer is a crossing of arcs, of canonical pair {}.",
-                                                                            *stages.winner->pair)
-                                                              : std::string(" The answer is where two arcs meet."))
+    winner = kind == WinnerKind::edges
+                 ? (stages.winner->pair ? fmt::format(" The answer is a crossing of arcs, of canonical pair {}.", *stages.winner->pair)
+                                        : std::string(" The answer is where two arcs meet."))
              : kind == WinnerKind::facet_of_a ? " The answer is a node of A: a facet of A against a vertex of B."
                                               : " The answer is a node of B: a facet of B against a vertex of A.";
   }
   return fmt::format(
       "The Gaussian diagrams of -A and of B: a node is a facet's normal, an arc is an edge. A facet of P is a node of one in a face of the "
       "other, or a crossing of two arcs. All {} are in {}, in which every arc of A_i crosses every arc of B_i.{}",
-      counted(stages.counters.crossings, "crossing", "crossings"), counted(stages.pairs.size(), "canonical pair", "canonical pairs"), winner);
+      counted(stages.counters.crossings, "crossing", "crossings"), counted(stages.pairs.size(), "canonical pair", "canonical pairs"),
+      winner);
 }
 
 }  // namespace fathom::page

@@ -71,8 +71,11 @@ std::string costs(const stages::Stages& stages) {
   Table table("Counts beside the bounds of AGHRS, without their constants", heads);
   std::string_view before;
   for (const stages::StagedBound& bound : stages.bounds) {
-    std::vector<std::string> cells{std::string(bound.stage),         std::string(bound.what), std::to_string(bound.count),
-                                   picture::markup(bound.bound),     fmt::format("{:.4g}", bound.bound_value),
+    std::vector<std::string> cells{std::string(bound.stage),
+                                   std::string(bound.what),
+                                   std::to_string(bound.count),
+                                   picture::markup(bound.bound),
+                                   fmt::format("{:.4g}", bound.bound_value),
                                    picture::markup(bound.source)};
     const double seconds = bound.stage == before ? -1 : seconds_of(stages, bound.stage);
     if (!stages.seconds.empty()) cells.push_back(seconds < 0 ? "" : fmt::format("{:.4f}", seconds));

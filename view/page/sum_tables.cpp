@@ -37,12 +37,14 @@ std::string longer(const mpq_class& squared, const mpq_class& least) {
 std::string ranked(const stages::Stages& stages) {
   const std::vector<stages::StagedFacet>& facets = stages.sum.facets;
   if (facets.empty() || stages.sum.kind == stages::SumKind::sampled) return "";
-  Table table("Facets by their distance from O", {"#", "distance", "longer by", stages.sum.kind == stages::SumKind::p ? "'contact" : "'spanned by", "'A's points", "'B's points"});
+  Table table(
+      "Facets by their distance from O",
+      {"#", "distance", "longer by", stages.sum.kind == stages::SumKind::p ? "'contact" : "'spanned by", "'A's points", "'B's points"});
   const mpq_class& least = facets.front().squared;
   for (std::size_t i = 0; i < std::min(facets.size(), most_facets); ++i) {
     const stages::StagedFacet& facet = facets[i];
-    table.add({std::to_string(i + 1), length(facet.squared), longer(facet.squared, least), what(facet, stages.sum.kind == stages::SumKind::p), ids(facet.a),
-               ids(facet.b)},
+    table.add({std::to_string(i + 1), length(facet.squared), longer(facet.squared, least),
+               what(facet, stages.sum.kind == stages::SumKind::p), ids(facet.a), ids(facet.b)},
               fmt::format("data-facet=\"{}\"{}", i, facet.optimal ? " class=\"optimal\"" : ""));
   }
   const std::string more =

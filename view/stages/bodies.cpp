@@ -59,7 +59,8 @@ void add_bodies(const StagesSource& subject, Stages& stages) {
 void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
   stages.status = depth.status();
   stages.contact.direction = unit(depth.direction());
-  if (const Distance* const distance = depth.distance()) stages.contact.translation = times(-placing.length(distance->squared), stages.contact.direction);
+  if (const Distance* const distance = depth.distance())
+    stages.contact.translation = times(-placing.length(distance->squared), stages.contact.direction);
   if (depth.contact()) stages.contact.features = *depth.contact();
   if (!depth.penetration()) return;
   stages.squared = depth.squared();
@@ -72,7 +73,8 @@ void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
   }
   stages.contact.translation = stages.contact.optima.front().translation;
   if (depth.optima_count() > most_optima)
-    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " + std::to_string(depth.optima_count()) + " optima are listed.");
+    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " + std::to_string(depth.optima_count()) +
+                              " optima are listed.");
 }
 
 }  // namespace fathom::stages

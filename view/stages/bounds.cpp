@@ -33,7 +33,9 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
     crossings += of_subsets.product;
   }
   const auto add = [&](std::string_view stage, std::string_view what, std::uint64_t count, std::string_view bound, double value,
-                       std::string_view source) { stages.bounds.push_back({stage, what, count, bound, value, source}); };
+                       std::string_view source) {
+    stages.bounds.push_back({stage, what, count, bound, value, source});
+  };
   const double near_linear = size.both() * size.log() * size.log();
   add("hulls", "vertices of A and B", vertices, "m + n", size.both(), "m, n: the edges of A and of B");
   add("diagrams", "arcs", edges, "m + n", size.both(), "one for each edge: section 2.2");
@@ -48,7 +50,8 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
   add("canonical subsets", "crossings: sum |A_i| |B_i|", crossings, "m n", size.m * size.n, "each crossing once: (C2), (C3)");
   if (stages.status == Status::penetrating)
     add("closest lines", "pairs of lines looked at", stages.counters.pairs_evaluated, "(m n)^(3/4) + m + n",
-        std::pow(size.m * size.n, 0.75) + size.both(), "section 2.3, expected, up to eps in the exponents; not proved for cuttings in order");
+        std::pow(size.m * size.n, 0.75) + size.both(),
+        "section 2.3, expected, up to eps in the exponents; not proved for cuttings in order");
 }
 
 }  // namespace fathom::stages

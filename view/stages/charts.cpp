@@ -9,9 +9,7 @@ namespace {
 
 double dot(const Place& p, const Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
-Place cross(const Place& p, const Place& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
+Place cross(const Place& p, const Place& q) { return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}; }
 
 std::optional<Index> end_of(gaussian::NodeId node) { return node == chart::at_infinity ? std::nullopt : std::optional(node.value); }
 

@@ -13,8 +13,8 @@
 namespace fathom::stages {
 namespace {
 
-constexpr std::size_t most_listed = 20;            // of a kind, as `fathom study` lists
-constexpr std::uint64_t most_tests = 50'000'000;   // of nodes against arcs, a second or two
+constexpr std::size_t most_listed = 20;           // of a kind, as `fathom study` lists
+constexpr std::uint64_t most_tests = 50'000'000;  // of nodes against arcs, a second or two
 
 /// How many pairs of a node and an arc the search for normals on arcs looks at.
 std::uint64_t tests(const studies::Subjects& subjects) {
@@ -40,9 +40,10 @@ Study study_of(const StagesSource& subject, const studies::Subjects& subjects, S
   studies::find_common_normals(subjects, findings);
   if (tests(subjects) <= most_tests) studies::find_normals_on_arcs(subject.context, subjects, findings);
   else
-    stages.left_out.push_back(fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
-                                          "study looks at all.",
-                                          tests(subjects)));
+    stages.left_out.push_back(
+        fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
+                    "study looks at all.",
+                    tests(subjects)));
   studies::find_equator_hits(subjects, findings);
   studies::find_verticals(subjects, findings);
   find_contacts(subject, findings);
@@ -53,7 +54,8 @@ Study study_of(const StagesSource& subject, const studies::Subjects& subjects, S
 
 void add_coincidences(const StagesSource& subject, Stages& stages) {
   const depth::ExactStages& exact = subject.exact;
-  const studies::Subjects subjects{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a}, {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
+  const studies::Subjects subjects{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a},
+                                   {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
   const Study study = study_of(subject, subjects, stages);
   const Decisions decisions(subjects, exact.charts[0].perturbation);
   for (std::size_t i = 0; i < study.coincidences.size(); ++i) {

@@ -46,7 +46,9 @@ const kernels::Direction* Decisions::node(const Member& member) const {
   return found == nodes.end() ? nullptr : &subjects_[member.colour].diagram.nodes[found->second];
 }
 
-const kernels::Direction& Decisions::end(const Member& member, gaussian::NodeId i) const { return subjects_[member.colour].diagram.nodes[i]; }
+const kernels::Direction& Decisions::end(const Member& member, gaussian::NodeId i) const {
+  return subjects_[member.colour].diagram.nodes[i];
+}
 
 void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence kind, const std::vector<Member>& all) const {
   for (const Member& member : all) {
@@ -85,7 +87,8 @@ void Decisions::ask(const kernels::PerturbedKernel& kernel, Coincidence kind, co
       if (node(all[0]) != nullptr && node(all[1]) != nullptr) (void)kernel.x_order(*node(all[0]), *node(all[1]), frame().v);
       return;
     case Coincidence::crossings_on_equator:
-      if (arc(all[0]) != nullptr && arc(all[1]) != nullptr) (void)kernel.order_at_infinity(arc(all[0])->circle, arc(all[1])->circle, frame().z);
+      if (arc(all[0]) != nullptr && arc(all[1]) != nullptr)
+        (void)kernel.order_at_infinity(arc(all[0])->circle, arc(all[1])->circle, frame().z);
       return;
     default: return;
   }

@@ -55,7 +55,8 @@ class ClosestOfPairs {
     if (!trace.nearest) return std::nullopt;  // all are parallel
     const mpz_class& unit = subject_.pair.denominator;
     const mpq_class squared = kernels::ratio(nearest.numerator(), nearest.denominator() * unit * unit);
-    return ClosestPair{scene_.a.edge(trace.nearest->a).value, scene_.b.edge(trace.nearest->b).value, subject_.placing.length(squared), squared};
+    return ClosestPair{scene_.a.edge(trace.nearest->a).value, scene_.b.edge(trace.nearest->b).value, subject_.placing.length(squared),
+                       squared};
   }
 
  private:

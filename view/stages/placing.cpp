@@ -61,7 +61,9 @@ StagedScale scale_of(const Point& origin, const mpq_class& extent) {
 
 double scaled(const mpq_class& value, const StagedScale& scale) { return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0; }
 
-double scaled_root(const mpq_class& squared, const StagedScale& scale) { return root_binary64(times_power_of_two(squared, 2 * scale.exponent)); }
+double scaled_root(const mpq_class& squared, const StagedScale& scale) {
+  return root_binary64(times_power_of_two(squared, 2 * scale.exponent));
+}
 
 Placing::Placing(const polytope::PlacedPair& pair) : scale_(scale_of(pair.origin, extent_of(pair))), pair_(&pair) {}
 
@@ -71,9 +73,7 @@ Place Placing::vector(const Vector& lattice) const {
   return vector(Point{{lattice.x, pair_->denominator}, {lattice.y, pair_->denominator}, {lattice.z, pair_->denominator}});
 }
 
-Place Placing::point(const Point& p) const {
-  return vector(Point{p.x - scale_.center.x, p.y - scale_.center.y, p.z - scale_.center.z});
-}
+Place Placing::point(const Point& p) const { return vector(Point{p.x - scale_.center.x, p.y - scale_.center.y, p.z - scale_.center.z}); }
 
 Place Placing::vector(const Point& v) const { return {scaled(v.x, scale_), scaled(v.y, scale_), scaled(v.z, scale_)}; }
 

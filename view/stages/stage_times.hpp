@@ -28,7 +28,8 @@ class StageTimes : public Monitor {
 
   /// The stage that runs ends here.
   void end() {
-    if (!running_.empty() && begin_ != Clock::time_point{}) running_.back().second = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (!running_.empty() && begin_ != Clock::time_point{})
+      running_.back().second = std::chrono::duration<double>(Clock::now() - begin_).count();
     begin_ = {};
   }
   /// In the order in which they ran. Before the first: not measured.

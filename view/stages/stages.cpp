@@ -26,7 +26,8 @@ void fill(const StagesSource& subject, const Depth& depth, Stages& stages) {
   add_cutting(subject, stages);
   stages.counters = subject.exact.depth.counters;
   if (!depth.penetration())
-    stages.left_out.emplace_back("The bodies do not penetrate: the exact method ends before the search for closest lines, so pairs have no closest lines.");
+    stages.left_out.emplace_back(
+        "The bodies do not penetrate: the exact method ends before the search for closest lines, so pairs have no closest lines.");
   add_sum(subject, stages);
   add_coincidences(subject, stages);
   add_bounds(subject, stages);

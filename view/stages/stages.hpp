@@ -50,7 +50,7 @@ struct StagedBody {
 };
 
 struct StagedOptimum {
-  Place direction, translation;  ///< a unit vector; a translation is on the scale of places
+  Place direction, translation;    ///< a unit vector; a translation is on the scale of places
   std::optional<Contact> contact;  ///< by input points, as in Depth; none of shapes without such
 };
 
@@ -103,10 +103,10 @@ struct ClosestPair {
 struct StagedPair {
   Index chart;
   bool stored_of_a, rising;
-  Indices a, b;                           ///< edges, in the order of the grid
+  Indices a, b;                               ///< edges, in the order of the grid
   std::array<std::optional<Index>, 2> strip;  ///< walls; none: infinity
-  std::optional<ClosestPair> closest;     ///< none unless the bodies penetrate, or if all its edges are parallel
-  std::uint64_t evaluated = 0;            ///< pairs of lines that the search looked at
+  std::optional<ClosestPair> closest;         ///< none unless the bodies penetrate, or if all its edges are parallel
+  std::uint64_t evaluated = 0;                ///< pairs of lines that the search looked at
   PairFate fate = PairFate::none;
 
   [[nodiscard]] std::uint64_t crossings() const { return std::uint64_t{a.size()} * b.size(); }
@@ -203,8 +203,8 @@ struct StagedBound {
 
 struct Stages {
   std::string id;
-  std::optional<Status> status;  ///< none: bounds of a shape leave it open
-  std::optional<double> depth;   ///< the nearest binary64; none unless penetrating, or if it is not one
+  std::optional<Status> status;      ///< none: bounds of a shape leave it open
+  std::optional<double> depth;       ///< the nearest binary64; none unless penetrating, or if it is not one
   std::optional<mpq_class> squared;  ///< none if irrational, or known by bounds only
   StagedScale scale;
   StagedBody a, b;

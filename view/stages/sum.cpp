@@ -133,9 +133,9 @@ void add_sum(const StagesSource& subject, Stages& stages) {
     return;
   }
   stages.sum = inner_sum(subject);
-  const std::string many = fmt::format("P has too many facets to be drawn, more than {}: ", most_facets);
-  stages.left_out.push_back(many + (stages.sum.kind == SumKind::q ? "in its place stands Q, the polytope inside P that proves the depth."
-                                                                  : "and no smaller polytope that proves the depth was found."));
+  const std::string many = fmt::format("P has too many facets to be drawn, more than {}", most_facets);
+  stages.left_out.push_back(many + (stages.sum.kind == SumKind::q ? ": in its place stands Q, the polytope inside P that proves the depth."
+                                                                  : ", and no smaller polytope that proves the depth was found."));
 }
 
 }  // namespace fathom::stages

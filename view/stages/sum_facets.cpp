@@ -41,15 +41,18 @@ class Directions {
     for (const FacetId i : exact_.hulls.a.facets.ids()) found_[-exact_.hulls.a.facets[i].normal].facets.a = i;
     for (const FacetId i : exact_.hulls.b.facets.ids()) found_[exact_.hulls.b.facets[i].normal].facets.b = i;
   }
-  void add_crossings() {
+  /// Stops as soon as there are too many directions.
+  void add_crossings(std::size_t most) {
     Index number = 0;
     for (std::size_t h = 0; h < exact_.subsets.size(); ++h) {
       const chart::Charts& charts = exact_.charts[h];
-      for (std::size_t i = 0; i < exact_.subsets[h].size(); ++i, ++number) {
+      for (std::size_t i = 0; i < exact_.subsets[h].size() && found_.size() <= most; ++i, ++number) {
         const canonical::CanonicalPair pair = exact_.subsets[h][i];
-        for (const chart::ChartArcOfA a : pair.a)
+        for (const chart::ChartArcOfA a : pair.a) {
+          if (found_.size() > most) return;
           for (const chart::ChartArcOfB b : pair.b)
             add(charts.of.a.arcs[chart::ChartArcId(a.value)].arc, charts.of.b.arcs[chart::ChartArcId(b.value)].arc, number);
+        }
       }
     }
   }
@@ -116,7 +119,7 @@ std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& e
   if (exact.subsets[0].sums().product + exact.subsets[1].sums().product > most * crossings_per_facet) return std::nullopt;
   Directions directions(exact);
   directions.add_nodes();
-  directions.add_crossings();
+  directions.add_crossings(most);
   if (directions.found().size() > most) return std::nullopt;
   const Faces faces(exact.hulls);
   std::vector<ExactSumFacet> result;

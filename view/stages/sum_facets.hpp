@@ -22,11 +22,11 @@ struct SumCorner {
 
 /// A facet of P, exactly.
 struct ExactSumFacet {
-  Vector normal;                        ///< outward, primitive
-  mpz_class height;                     ///< h(normal) in the unit of the lattice
-  std::vector<SumCorner> corners;       ///< counter-clockwise from outside, none on a line with its neighbours
+  Vector normal;                         ///< outward, primitive
+  mpz_class height;                      ///< h(normal) in the unit of the lattice
+  std::vector<SumCorner> corners;        ///< counter-clockwise from outside, none on a line with its neighbours
   std::vector<polytope::VertexId> a, b;  ///< the faces of A and B: extreme points, ascending
-  Indices pairs;                        ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
+  Indices pairs;  ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
 };
 
 /// Returns all facets in the order of their normals, or nullopt if there are more than `most`, or far more crossings than that.

@@ -46,8 +46,7 @@ bool holds(const Indices& edges, Index edge) { return std::ranges::find(edges, e
 void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages) {
   if (!depth.penetration()) return;
   const Optimum& first = depth.optima().front();
-  StagedWinner winner{kind_of(first.contact.kind), std::nullopt,
-                      feature_of(subject.exact.hulls.a, first.contact.a, -first.direction),
+  StagedWinner winner{kind_of(first.contact.kind), std::nullopt, feature_of(subject.exact.hulls.a, first.contact.a, -first.direction),
                       feature_of(subject.exact.hulls.b, first.contact.b, first.direction)};
   for (Index i = 0; winner.kind == WinnerKind::edges && i < stages.pairs.size(); ++i) {
     const StagedPair& pair = stages.pairs[i];

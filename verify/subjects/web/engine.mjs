@@ -23,7 +23,7 @@ export const mode = word;
 export const quiet = { print: (...words) => console.error(...words), printErr: (...words) => console.error(...words) };
 
 function refuse(why) {
-  console.error(`${me}: ${why}`);
+  process.stderr.write(`${me}: ${why}\n`);  // an engine's noise may be off by now, and console.error with it
   process.exit(2);
 }
 
@@ -152,7 +152,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
       return { ...answer, microseconds: Number(process.hrtime.bigint() - start) / 1000 };
     } catch (why) {
       if (why instanceof WebAssembly.RuntimeError || why?.name === 'ExitStatus') {
-        console.error(`${me}: ${why?.stack ?? why}`);
+        process.stderr.write(`${me}: ${why?.stack ?? why}\n`);
         process.exit(70);
       }
       if (why instanceof Refused && isFlat(a, b)) throw new Unsupported(`a flat body: ${why.message}`);
