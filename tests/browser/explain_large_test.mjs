@@ -2,7 +2,7 @@
 // A pair with 21,000 edges: the page starts, draws each picture in a few calls, and shows a choice.
 import assert from 'node:assert/strict';
 import { drawn, explained } from './explained.mjs';
-import { accessible, fits, onPage } from './lib.mjs';
+import { fits, onPage } from './lib.mjs';
 
 const most = 100; // draw calls of all pictures together; one a body, a colour or a kind of line, never one an edge
 const page = () => explained(drawn('random_sphere', 3502)).page;
@@ -22,5 +22,4 @@ onPage('explain 21,000 edges', page, {}, async (open) => {
   assert.ok((await open.evaluate(() => globalThis.fathom.drawCalls())) <= most, 'law: a bounded number of draw calls, with a choice');
   assert.ok((await open.locator('main').innerText()).match(/left out|not drawn|too many/i), 'law: what is left out is said');
   await fits(open);
-  await accessible(open);
 });

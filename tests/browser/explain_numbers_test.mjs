@@ -29,7 +29,7 @@ function expected(depth) {
 
 for (const [name, line] of Object.entries(lines))
   for (const javaScriptEnabled of [true, false])
-    onPage(`numbers of ${name}, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => explained(line()).page, { javaScriptEnabled }, async (page) => {
+    onPage(`numbers of ${name}, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => explained(line()).page, { javaScriptEnabled, width: 480, height: 480 }, async (page) => {
       const { depth, stages } = explained(line());
       for (const [field, value] of expected(depth)) {
         const shown = await page.locator(`#facts [data-field="${field}"]`).first().textContent();
