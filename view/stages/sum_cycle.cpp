@@ -50,7 +50,7 @@ class Side {
     std::size_t first = 0;
     for (std::size_t i = 1; i < cycle_.size(); ++i)
       if (lower(i, first)) first = i;
-    std::ranges::rotate(cycle_, cycle_.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(cycle_.begin(), cycle_.begin() + static_cast<std::ptrdiff_t>(first), cycle_.end());
   }
   [[nodiscard]] bool done() const { return taken_ == (has_edges() ? cycle_.size() : 0); }
   [[nodiscard]] Vector next_edge() const { return edge(taken_); }
