@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <set>
 
+#include "tests/support/matches.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "view/atlas/limits.hpp"
@@ -23,13 +23,6 @@ struct Dot {
   double x, y;
 };
 using Line = std::vector<Dot>;
-
-std::vector<std::string> all(const std::string& text, const std::string& pattern) {
-  std::vector<std::string> result;
-  const std::regex regex(pattern);
-  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) result.push_back((*i)[1]);
-  return result;
-}
 
 Line line_of(const std::string& d) {
   Line line;

@@ -5,18 +5,12 @@
 
 #include <cmath>
 #include <limits>
-#include <regex>
 #include <set>
+
+#include "tests/support/matches.hpp"
 
 namespace fathom::plot {
 namespace {
-
-std::vector<std::string> all(const std::string& text, const std::string& pattern) {
-  std::vector<std::string> result;
-  const std::regex regex(pattern);
-  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) result.push_back((*i)[1]);
-  return result;
-}
 
 Figure figure_of(std::vector<Series> series, Scale scale = Scale::linear) {
   return {"Title", "What is seen.", "p", {{"", {"x", scale}, {"y", scale}, std::move(series)}}};
@@ -34,7 +28,7 @@ TEST(Plot, SeriesDifferByMoreThanColour) {
   for (const std::string& style : all(svg, "<path class=\"mark (\\w+)[^\"]*\" d=\"M[0-9. -]*[^\"]*")) marks.insert(style);
   EXPECT_EQ(dashes.size(), distinct_looks);
   std::set<std::string> shapes;
-  for (const std::string& shape : all(svg, "<path class=\"mark (\\w+ look-\\d\" d=\"M)")) shapes.insert(shape);
+  for (const std::string& shape : all(svg, "<path class=\"mark (\\w+ look-[0-9]\" d=\"M)")) shapes.insert(shape);
   EXPECT_EQ(shapes.size(), distinct_looks);
   for (unsigned i = 1; i < distinct_looks; ++i) {
     const std::string rule = ".dash-" + std::to_string(i) + "{stroke-dasharray";
