@@ -9,7 +9,7 @@ const gallery = 'docs/gallery/cases.jsonl';
 /** The path of what a command draws; with a case of the gallery as its input if there is one. */
 function drawn(id, command, words, line) {
   const picture = made(`${id}.svg`);
-  const input = line ? [made(`${id}.jsonl`, `${JSON.stringify(line)}\n`)] : [];
+  const input = line ? ['--case', line.id, made(`${id}.jsonl`, `${JSON.stringify(line)}\n`)] : [];  // alone: a stream fills a folder
   fathom([command, ...input, ...words, '--svg', picture]);
   return picture;
 }
@@ -30,20 +30,19 @@ if (has('stages', '--svg')) pictures.set('stages', () => drawn('stages', 'stages
 for (const [name, draw] of pictures)
   onPage(`picture ${name}`, draw, { width: 800 }, async (page) => {
     const { root, title, label, empty, outside, font } = await page.evaluate(() => {
-      const svg = document.documentElement, box = svg.viewBox.baseVal;
+      const svg = document.documentElement;
       const text = [...svg.querySelectorAll('text')].filter((e) => e.textContent.trim());
+      const whole = svg.getBoundingClientRect();
       const inside = (e) => {
-        const { x, y, width, height } = e.getBBox(), at = e.getCTM(), base = svg.getCTM() ?? svg.getScreenCTM();
-        const to = base.inverse().multiply(e.getScreenCTM() ? svg.getScreenCTM().inverse().multiply(e.getScreenCTM()) : at);
-        const corners = [[x, y], [x + width, y + height]].map(([u, v]) => [to.a * u + to.c * v + to.e, to.b * u + to.d * v + to.f]);
-        return corners.every(([u, v]) => u >= box.x - 1 && u <= box.x + box.width + 1 && v >= box.y - 1 && v <= box.y + box.height + 1);
+        const { left, right, top, bottom } = e.getBoundingClientRect();
+        return left >= whole.left - 1 && right <= whole.right + 1 && top >= whole.top - 1 && bottom <= whole.bottom + 1;
       };
       return { root: svg.localName, title: svg.querySelector('title')?.textContent ?? '', label: svg.getAttribute('role') ?? '',
         empty: !svg.getBBox().width || !svg.getBBox().height, outside: text.filter((e) => !inside(e)).map((e) => e.textContent),
         font: Math.min(...text.map((e) => parseFloat(getComputedStyle(e).fontSize)), 99) };
     });
     assert.equal(root, 'svg', 'law: a picture is well-formed SVG');
-    assert.ok(title.length > 5 && label === 'img', `law: a picture is named (title '${title}', role '${label}')`);
+    assert.ok(title.length > 0 && label === 'img', `law: a picture is named (title '${title}', role '${label}')`);
     assert.ok(!empty, 'law: a picture is not empty');
     assert.deepEqual(outside, [], 'law: no text is cut off');
     assert.ok(font >= 9, `law: text can be read (${font} pixels)`);
