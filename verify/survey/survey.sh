@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # verify/survey/survey.sh [--fathom PROGRAM] [--count N] [--work DIR] [--out DIR] [--resume]
 #
-# Certifies every shipped adapter on the real cases and on N (10000) generated ones, all families in turn with 20 points a body, and writes
+# Certifies every adapter that is built on the real cases and on N (10000) generated ones, all families in turn with 20 points a body, and writes
 # RESULTS.md and results.json to --out (this folder). PROGRAM is the launcher of this project unless given. DIR (build/survey) keeps the cases
 # and every verdict; --resume goes on with what is there. Takes some ten minutes on two cores.
 #
@@ -32,8 +32,9 @@ done
 mkdir -p -- "$work" "$out" || die 3 "cannot write to $work"
 [[ -n $resume ]] || rm -f -- "$work"/{real,generated}.*
 listed=$("$fathom" certify --list-adapters) || die 3 "$fathom certify --list-adapters failed"
-[[ $listed != *"; not built"* ]] || die 3 "adapters are missing: $(grep '; not built' <<<"$listed" | cut -d' ' -f1 | paste -sd' ')"
-mapfile -t adapters < <(cut -d' ' -f1 <<<"$listed")
+mapfile -t adapters < <(grep -v '; not built$' <<<"$listed" | cut -d' ' -f1)
+left_out=$(grep '; not built$' <<<"$listed" | cut -d' ' -f1 | paste -sd' ')
+[[ -z $left_out ]] || printf 'survey: not there, and left out: %s\n' "$left_out" >&2
 
 generate=(cases --family all --count "$count" --size "$size" --seed "$seed")
 "$fathom" "${generate[@]}" >"$work/generated.jsonl" || die 3 "the cases could not be generated"
