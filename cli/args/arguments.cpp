@@ -137,7 +137,9 @@ Arguments completed(Request request, const Texts& texts) {
 HelpPage page_of(Parser& parser, CLI::App* command) {
   if (command == nullptr) return {general_help, options_of(parser.app), {std::begin(command_table), std::end(command_table)}};
   const auto help = std::ranges::find(command_table, command->get_name(), &CommandHelp::name);
-  return {*help, options_of(*command)};
+  HelpPage page{*help, options_of(*command)};
+  if (help->name == "certify") page.commands = {diff_help}, page.takes_input = true;
+  return page;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "cli/args/diff_help.hpp"
 #include "cli/args/golden_help.hpp"
 #include "cli/args/help_page.hpp"
 
@@ -202,8 +203,8 @@ inline constexpr CommandHelp command_table[] = {
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE", cases_examples, usual_exits,
      usual_notes},
     {"certify", "Where another implementation is wrong, case by case.",
-     "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -", certify_examples, certify_exits,
-     usual_notes},
+     "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | - | diff OLD NEW", certify_examples,
+     certify_exits, usual_notes},
     {"check", "Check certificates, independently.", "fathom check [OPTIONS] FILE...", check_examples, check_exits, check_notes},
     golden_table[0],
     {"help", "Help for a command.", "fathom help [COMMAND]", help_examples, usual_exits},

@@ -42,6 +42,7 @@ struct HelpPage {
   CommandHelp command;
   std::vector<OptionHelp> options;
   std::vector<CommandHelp> commands = {};  ///< those one level down
+  bool takes_input = false;                ///< files may stand where else the name of one of these does
 };
 
 /// "fathom depth".

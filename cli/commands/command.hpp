@@ -32,6 +32,9 @@ ExitCode run_explain(const Request& request);
 ExitCode run_cases(const Request& request);
 ExitCode run_certify(const Request& request);
 
+/// Takes the words behind "certify diff".
+ExitCode run_diff(const std::vector<std::string>& words);
+
 /// Takes the words behind "check"; prints itself what is wrong with them.
 ExitCode run_check(std::vector<std::string> words);
 

@@ -13,6 +13,7 @@
 
 #include "cli/args/arguments.hpp"
 #include "cli/args/did_you_mean.hpp"
+#include "cli/args/diff_arguments.hpp"
 #include "cli/args/golden_arguments.hpp"
 #include "cli/args/help.hpp"
 #include "cli/commands/check_page.hpp"
@@ -42,7 +43,9 @@ Pages all_pages() {
   for (const CommandHelp& command : command_table) {
     const auto page = std::ranges::find(parsed, command.name, [](const HelpPage& p) { return p.command.name; });
     if (page != parsed.end()) pages.push_back(*page);
-    else if (command.name == "check") pages.push_back(check_page());
+    if (command.name == "certify") pages.push_back(diff_page_of_help());
+    if (page != parsed.end()) continue;
+    if (command.name == "check") pages.push_back(check_page());
     else if (command.name != "golden") pages.push_back(page_of_help(command));
     else std::ranges::copy(golden_pages(), std::back_inserter(pages));
   }

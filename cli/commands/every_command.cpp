@@ -21,6 +21,7 @@ ExitCode run_command(const Request& request) {
 }
 
 ExitCode run_command(std::string_view name, const std::vector<std::string>& words) {
+  if (name == "certify diff") return run_diff(words);
   if (name == "check") return run_check(words);
   return name == "golden" ? run_golden(words) : run_help(name, words);
 }

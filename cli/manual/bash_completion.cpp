@@ -40,8 +40,9 @@ std::string bash_completion(std::span<const HelpPage> pages) {
   for (const HelpPage& page : pages) {
     add_values(values, page);
     const Lines behind = words_behind(page, pages);
-    words.push_back(fmt::format("    '{}') options='{}' {} ;;", page.command.name, option_words(page),
-                                behind.empty() ? "files=-f" : fmt::format("words='{}'", fmt::join(behind, " "))));
+    words.push_back(fmt::format("    '{}') options='{}' {}{} ;;", page.command.name, option_words(page),
+                                behind.empty() || page.takes_input ? "files=-f " : "",
+                                behind.empty() ? "" : fmt::format("words='{}'", fmt::join(behind, " "))));
   }
   const auto tasks = [&] {
     Lines names;
@@ -75,7 +76,7 @@ _fathom() {{
   esac
   if [[ $word == -* ]]; then words=$options files=; fi
   if [[ -n $files ]]; then mapfile -t COMPREPLY < <(compgen "$files" -- "$word"); fi
-  if [[ -n $words ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"); fi
+  if [[ -n $words ]]; then mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -W "$words" -- "$word"); fi
 }}
 complete -o filenames -F _fathom fathom)",
                      fmt::arg("made_by", made_by), fmt::arg("tasks", tasks()), fmt::arg("values", fmt::join(values, "\n")),

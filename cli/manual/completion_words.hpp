@@ -30,7 +30,7 @@ inline ValueKind value_kind(const OptionHelp& option) {
 
 inline bool is_task(const CommandHelp& command) { return command.name.find(' ') != command.name.npos; }
 
-/// The words, none of which is an option, that may stand behind the command; empty if files do.
+/// The words, none of which is an option, that may stand behind the command; empty if only files do.
 inline std::vector<std::string> words_behind(const HelpPage& page, std::span<const HelpPage> pages) {
   std::vector<std::string> words;
   if (page.command.name == "completion") return {std::begin(shells), std::end(shells)};

@@ -43,8 +43,8 @@ void add_words(Lines& lines, const HelpPage& page, std::span<const HelpPage> pag
   if (page.command.name == "help" || page.command.name == "man") when = condition(page);
   if (page.commands.empty()) lines.push_back(fmt::format("complete -c fathom -f -n {} -a '{}'", fish_quoted(when), fmt::join(behind, " ")));
   for (const CommandHelp& command : page.commands)
-    lines.push_back(
-        fmt::format("complete -c fathom -f -n {} -a {} -d {}", fish_quoted(when), last_word(command), fish_quoted(command.summary)));
+    lines.push_back(fmt::format("complete -c fathom{} -n {} -a {} -d {}", page.takes_input ? "" : " -f", fish_quoted(when),
+                                last_word(command), fish_quoted(command.summary)));
 }
 
 }  // namespace

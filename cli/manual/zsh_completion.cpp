@@ -66,10 +66,12 @@ std::string zsh_completion(std::span<const HelpPage> pages) {
     }
     lines.push_back(fmt::format("    {})", page.command.name));
     add_described(lines, "tasks", page.commands, "      ");
-    lines.insert(lines.end(), {"      if ((CURRENT == 2)); then", "        _describe task tasks", "        _arguments \\"});
+    const std::string no_task = fmt::format(" || [[ $words[2] != ({}) ]]", fmt::join(words_behind(page, pages), "|"));
+    lines.insert(lines.end(), {fmt::format("      if ((CURRENT == 2)){}; then", page.takes_input ? no_task : ""),
+                               "        ((CURRENT > 2)) || _describe task tasks", "        _arguments \\"});
     add_options(lines, page, "          ");
-    lines.insert(lines.end(), {"          '*: : '", "        return", "      fi", "      shift words", "      ((CURRENT--))",
-                               "      case $words[1] in"});
+    lines.insert(lines.end(), {page.takes_input ? "          '*:input:_files'" : "          '*: : '", "        return", "      fi",
+                               "      shift words", "      ((CURRENT--))", "      case $words[1] in"});
     for (const HelpPage& task : pages)
       if (is_task(task.command) && task.command.name.starts_with(page.command.name)) add_branch(lines, task, pages, "        ");
     lines.insert(lines.end(), {"      esac", "      ;;"});

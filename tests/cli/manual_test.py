@@ -71,6 +71,9 @@ class Bash(CliTest):
         self.assertEqual(self.completed("fathom --v"), ["--version"])
         self.assertEqual(self.completed("fathom help m"), ["metric", "man"])
         self.assertEqual(self.completed("fathom completion "), ["bash", "zsh", "fish"])
+        self.file("a.jsonl", "")
+        self.assertEqual(self.completed("fathom certify "), ["a.jsonl", "diff"])
+        self.assertEqual(self.completed("fathom certify diff "), ["a.jsonl"])
         self.assertEqual(self.completed("fathom golden "), [name.split()[1] for name in page_names(self) if name.startswith("golden ")])
 
     def test_options(self):

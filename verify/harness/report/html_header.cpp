@@ -26,23 +26,6 @@ const char* style_of(Verdict verdict) {
   return verdict < Verdict::nan ? "lost" : "wrong";
 }
 
-/// Passes first, then what is wrong, then what has no answer, then what was declined.
-std::vector<picture::Share> shares_of(const TallyRow& all, const std::set<Verdict>& shown) {
-  std::vector<picture::Share> shares;
-  const auto add = [&](Verdict verdict) {
-    const std::string link = shown.contains(verdict) ? std::string(name(verdict)) : "";
-    shares.push_back({std::string(name(verdict)), all[verdict], style_of(verdict), link});
-  };
-  for (const Verdict verdict : {Verdict::pass, Verdict::touching_by_convention}) add(verdict);
-  std::vector<Verdict> failures;
-  for (std::size_t i = 0; i < verdict_count; ++i)
-    if (fails(static_cast<Verdict>(i))) failures.push_back(static_cast<Verdict>(i));
-  std::ranges::stable_sort(failures, {}, place_on_page);
-  for (const Verdict verdict : failures) add(verdict);
-  add(Verdict::unsupported);
-  return shares;
-}
-
 std::string settings_list(const SubjectInfo& subject, const TallyRow& all, const Tolerance& tolerance) {
   std::string rows;
   const auto add = [&](const char* what, const std::string& text) { rows += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text)); };
@@ -65,11 +48,27 @@ std::size_t place_on_page(Verdict verdict) {
   return rank < without_answer ? wrong + rank : rank - without_answer;
 }
 
+std::vector<picture::Share> verdict_shares(const TallyRow& all, const std::set<Verdict>& shown) {
+  std::vector<picture::Share> shares;
+  const auto add = [&](Verdict verdict) {
+    const std::string link = shown.contains(verdict) ? std::string(name(verdict)) : "";
+    shares.push_back({std::string(name(verdict)), all[verdict], style_of(verdict), link});
+  };
+  for (const Verdict verdict : {Verdict::pass, Verdict::touching_by_convention}) add(verdict);
+  std::vector<Verdict> failures;
+  for (std::size_t i = 0; i < verdict_count; ++i)
+    if (fails(static_cast<Verdict>(i))) failures.push_back(static_cast<Verdict>(i));
+  std::ranges::stable_sort(failures, {}, place_on_page);
+  for (const Verdict verdict : failures) add(verdict);
+  add(Verdict::unsupported);
+  return shares;
+}
+
 std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
                         const std::set<Verdict>& shown) {
   const TallyRow& all = tally.all();
   const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
-  const std::string bar = picture::share_bar(shares_of(all, shown), "shares", "Cases by verdict");
+  const std::string bar = picture::share_bar(verdict_shares(all, shown), "shares", "Cases by verdict");
   const std::string both = all[Verdict::touching_by_convention] == 0
                                ? ""
                                : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",

@@ -10,6 +10,7 @@
 
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/tally.hpp"
+#include "view/picture/page.hpp"
 
 namespace fathom::harness {
 
@@ -19,6 +20,9 @@ std::size_t place_on_page(Verdict verdict);
 /// The subject, the answer in one line, warnings, a bar of all verdicts, and how it was judged. `shown`: the verdicts that have a section.
 std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
                         const std::set<Verdict>& shown);
+
+/// Passes first, then what is wrong, then what has no answer, then what was declined. Those in `shown` refer to their sections.
+std::vector<picture::Share> verdict_shares(const TallyRow& all, const std::set<Verdict>& shown);
 
 /// The counts and errors of each family. `linked`: the cells refer to the cases.
 std::string tally_table(const Tally& tally);
