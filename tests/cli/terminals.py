@@ -7,8 +7,12 @@ import signal
 import struct
 import subprocess
 import termios
+import threading
 
 from harness import EXECUTABLE, PATIENCE
+
+
+END = b"\x1c\x1c"  # what no program here writes
 
 
 def run_on_terminal(*arguments, stop_at=None, columns=0, stdout=subprocess.PIPE, **how):
@@ -17,18 +21,20 @@ def run_on_terminal(*arguments, stop_at=None, columns=0, stdout=subprocess.PIPE,
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     with subprocess.Popen([EXECUTABLE, *arguments], stdout=stdout or theirs, stderr=theirs, **how) as process:
-        os.close(theirs)
+        def finish():
+            process.wait()
+            os.write(theirs, END)
+
+        # A terminal that nobody holds any more may lose what was written last: this side holds it, and writes the end itself.
+        end = threading.Thread(target=finish)
+        end.start()
         seen = b""
-        while True:
-            try:
-                piece = os.read(ours, 4096)
-            except OSError:  # how a terminal says that nobody holds its other side
-                break
-            if not piece:
-                break
-            seen += piece
+        while not seen.endswith(END):
+            seen += os.read(ours, 4096)
             if stop_at is not None and stop_at in seen:
                 process.send_signal(signal.SIGINT)
                 stop_at = None
+        end.join()
+        os.close(theirs)
         os.close(ours)
-        return process.wait(PATIENCE), process.stdout.read() if stdout else b"", seen
+        return process.wait(PATIENCE), process.stdout.read() if stdout else b"", seen.removesuffix(END)

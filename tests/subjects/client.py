@@ -38,8 +38,8 @@ class Client:
         self.process = subprocess.Popen([*command, *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True)
         self.lines, self.talk, self.asked = queue.Queue(), [], 0
-        self.readers = [threading.Thread(target=self.read, args=(self.process.stdout, self.lines.put)),
-                        threading.Thread(target=self.read, args=(self.process.stderr, self.talk.append))]
+        self.readers = [threading.Thread(target=self.read, args=(self.process.stdout, self.lines.put), daemon=True),
+                        threading.Thread(target=self.read, args=(self.process.stderr, self.talk.append), daemon=True)]
         for reader in self.readers:
             reader.start()
 
