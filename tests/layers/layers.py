@@ -36,7 +36,8 @@ ORDER = [
     ["reference/curved"],
     ["reference/rounded"],
     ["reference/certificate"],
-    ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/examples", "examples"],
+    ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/reports",
+     "verify/examples", "examples"],
     ["view/picture"],
     ["view/plot", "view/stages"],
     ["verify/judge"],
@@ -50,11 +51,11 @@ ORDER = [
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "tests")
-ALONE = ("verify/subjects", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
+ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")
-PUBLIC_DOMAIN = ("verify/golden/kit/",)  # what exports of golden data begin with
-NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/examples/", "examples/", "tests/", "proofs/")
+PUBLIC_DOMAIN = ("verify/golden/kit/", "verify/reports/")  # what exports of golden data begin with; programs for others
+NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/reports/", "verify/examples/", "examples/", "tests/", "proofs/")
 
 # The namespace of a room is called like its folder, except where a public function has that name.
 NAMESPACES = {"verify/judge": "judging", "verify/study": "studies", "include/fathom": ""}
