@@ -38,7 +38,7 @@ EVERY = 3  # of the pairs of shapes, so that the test ends soon; both orders and
 MODULE = pathlib.Path(__file__).name
 
 
-def install():
+def install(*more):
     """The engines' packages beside their adapters, or the reason why they cannot be there."""
     node, npm = shutil.which("node") or shutil.which("nodejs"), shutil.which("npm")
     if not node or not npm:
@@ -47,7 +47,7 @@ def install():
     lock = os.open(folder / "web-subjects.lock", os.O_CREAT | os.O_WRONLY)
     os.lockf(lock, os.F_LOCK, 0)  # the tests of several engines start at once
     try:
-        done = subprocess.run(["cmake", f"-DFROM={WEB.parent}", f"-DTO={folder / 'web-subjects'}", f"-DNODE={node}", f"-DNPM={npm}", "-P",
+        done = subprocess.run(["cmake", f"-DFROM={WEB.parent}", f"-DTO={folder / 'web-subjects'}", f"-DNODE={node}", f"-DNPM={npm}", *more, "-P",
                                WEB / "install.cmake"], capture_output=True, text=True, check=False)
     finally:
         os.close(lock)

@@ -22,7 +22,8 @@ export const mode = word;
 /** Where engines print: standard output is for answers. */
 export const quiet = { print: (...words) => console.error(...words), printErr: (...words) => console.error(...words) };
 
-function refuse(why) {
+/** Ends the program for a wrong command line. */
+export function refuse(why) {
   process.stderr.write(`${me}: ${why}\n`);  // an engine's noise may be off by now, and console.error with it
   process.exit(2);
 }

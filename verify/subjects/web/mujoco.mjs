@@ -4,10 +4,11 @@
 //   single     the same with one contact: multiccd disabled
 //   libccd     the same with nativeccd disabled: libccd's MPR
 //   distance   mj_geomDistance, which gives points and no direction
-import M0 from '@mujoco/mujoco';
-import { deepest, mode, note, quiet, Refused, serve, setting, turnFrom } from './engine.mjs';
+// version=3.9.0 takes another version of MuJoCo, one of those of history/package.json.
+import { existsSync, readFileSync } from 'node:fs';
+import { deepest, mode, note, quiet, refuse, Refused, serve, setting, turnFrom } from './engine.mjs';
 
-const M = await M0(quiet);
+const M = await (await engineOf(setting('version', ''))).default(quiet);
 const tolerance = setting('ccd_tolerance', 1e-6);
 const iterations = setting('ccd_iterations', 35);
 const farthest = mode === 'distance' ? setting('distmax', 1) : 0;
@@ -15,6 +16,21 @@ note('multiccd', mode === 'single' ? 'disable' : 'default');
 note('nativeccd', mode === 'libccd' ? 'disable' : 'enable');
 const flags = `nativeccd="${mode === 'libccd' ? 'disable' : 'enable'}"${mode === 'single' ? ' multiccd="disable"' : ''}`;
 const ends = M.DoubleBuffer.FromArray([0, 0, 0, 0, 0, 0]);
+
+function engineOf(version) {
+  if (!version) return import('@mujoco/mujoco');
+  const folder = new URL(`./history/node_modules/mujoco-${version}/`, import.meta.url);
+  if (!/^[\d.]+$/.test(version) || !existsSync(folder)) refuse(`version ${JSON.stringify(version)} is not in history/node_modules`);
+  const { main, exports } = JSON.parse(readFileSync(new URL('package.json', folder)));
+  return import(new URL(exports?.['.'].import ?? main, folder));
+}
+
+// 3.3.8 reads files alone.
+function modelOfText(xml) {
+  if (M.MjModel.from_xml_string) return M.MjModel.from_xml_string(xml);
+  M.FS.writeFile('/pair.xml', xml);
+  return M.MjModel.loadFromXML('/pair.xml');
+}
 
 function geometry(body, name) {
   const { shape, radius: r, half_length: h, half, radii } = body;
@@ -29,7 +45,7 @@ const bodyOf = (body, name) => `<body pos="${body.at.join(' ')}"><freejoint/><in
   `<geom ${geometry(body, name)}/></body>`;
 
 function compile(a, b, inertia) {
-  const model = M.MjModel.from_xml_string(
+  const model = modelOfText(
     `<mujoco><option ccd_tolerance="${tolerance}" ccd_iterations="${iterations}"><flag ${flags}/></option>` +
     `<asset>${meshOf(a, 'a', inertia)}${meshOf(b, 'b', inertia)}</asset>` +
     `<worldbody>${bodyOf(a, 'a')}${bodyOf(b, 'b')}</worldbody></mujoco>`);
