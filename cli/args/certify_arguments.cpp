@@ -35,6 +35,10 @@ bool is_time(const std::string& text) {
   const auto time = exact_number(text);
   return time && *time > 0;
 }
+bool is_size(const std::string& text) {
+  const auto size = exact_number(text);
+  return size && *size > 0;
+}
 bool is_tolerance(const std::string& text) {
   const auto value = exact_number(text);
   return value && *value >= 0;
@@ -130,6 +134,11 @@ void add_certify_options(CLI::App& app, Request& request) {
   add_tolerance(app, "--tol-rel", certify.tolerance.relative, "a depth may be wrong by Q times itself; 1/1000 unless given,");
   add_tolerance(app, "--tol-abs", certify.tolerance.absolute, "or by Q times the longest side of the bodies; 1/1000000 unless given,");
   add_count(app, "--tol-ulps", certify.tolerance.ulps, "or by N units in the last place; 0 unless given: the largest of the three");
+  app.add_option_function<std::string>(
+         "--fit", [&certify](const std::string& text) { certify.fit = exact_number(text); },
+         "put each case to the subject scaled by a power of two, so that the longest side of its bodies is less than N and at least N/2")
+      ->check(rule(is_size, "a number above 0, such as 64"))
+      ->type_name("N");
   add_second_method(app, certify.methods,
                     "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare it, and "
                     "every judgement, field by field; may be repeated");

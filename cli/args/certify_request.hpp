@@ -19,7 +19,8 @@ struct CertifyRequest {
   std::optional<unsigned> jobs;  ///< if not set, as many as there are processors
   double time_out = 10;          ///< seconds
   Tolerance tolerance;
-  std::vector<Method> methods;  ///< find every truth and judgement again by these
+  std::optional<mpq_class> fit;  ///< the size that each case is brought to
+  std::vector<Method> methods;   ///< find every truth and judgement again by these
   std::string report;
   bool resume = false;
   std::string metamorphic;                                                        ///< as typed: "all", or a list with commas

@@ -18,8 +18,10 @@ constexpr std::size_t most_told = 5;  // sentences of one kind
 
 Collector::Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected)
     : request_(request), expected_(expected) {
-  const std::string header = harness::header_line(info, request.certify.tolerance,
-                                                  {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods});
+  const std::string header =
+      harness::header_line(info, request.certify.tolerance,
+                           {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods, request.certify.fit});
+  summary_.fit = request.certify.fit;
   const auto remember = [this](harness::Outcome outcome) {
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
     known_.insert_or_assign(std::move(key), std::move(outcome));
@@ -93,8 +95,8 @@ void Collector::close() {
 
 void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
-  const std::string line =
-      harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), summary_.tally().all().judged});
+  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(),
+                                                  summary_.tally().all().judged, &summary_.tally().times(), &summary_.tally().hulls()});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

@@ -9,6 +9,7 @@
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/proof.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/junit.hpp"
@@ -46,14 +47,14 @@ ExpectedFailures earlier_list(const CertifyRequest& certify) {
   return is_there ? ExpectedFailures::read(certify.write_expect_fail) : ExpectedFailures();
 }
 
-CertificateNames write_certificates(const CertifyRequest& certify, Collector& found) {
+CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found) {
   CertificateNames names;
   if (certify.certificates.empty()) return names;
   CertificateFolder folder(certify.certificates);
   for (const FailedCase& failed : found.failed()) {
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
-    CertificateFile(path).write(harness::accepted_certificate(failed.seen, &found.progress()));
+    CertificateFile(path).write(harness::accepted_certificate(harness::judged_bodies(failed.seen, info, outcome.fit), &found.progress()));
     names[failed.outcome] = path;
     if (interrupt_requested()) throw Interrupted();
   }
@@ -63,7 +64,7 @@ CertificateNames write_certificates(const CertifyRequest& certify, Collector& fo
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
                    const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates,
                    const std::string& cut_short) {
-  const harness::RunInfo from{FATHOM_VERSION, certify.command_line, cut_short, found.summary().unattributed_counts()};
+  const harness::RunInfo from{FATHOM_VERSION, certify.command_line, cut_short, found.summary().unattributed_counts(), {}, certify.fit};
   if (!certify.junit.empty())
     CertificateFile(certify.junit, "report")
         .write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check()), from));

@@ -23,7 +23,7 @@ harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
 /// Names of files, by index of the outcome.
 using CertificateNames = std::map<std::size_t, std::string>;
 /// Writes one for each failing case, if requested. Throws OutputError, InputError, Interrupted.
-CertificateNames write_certificates(const CertifyRequest& certify, Collector& found);
+CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
 
 /// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is. Throws OutputError, InputError.
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,

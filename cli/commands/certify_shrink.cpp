@@ -5,12 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/shrink.hpp"
@@ -41,6 +44,12 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
   return best;
 }
 
+/// Whether the subject sees these bodies, and not rounded ones.
+bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long exponent) {
+  const std::optional<Case> seen = harness::as_seen(pair, harness::in_unit(info.format, exponent), info.shapes);
+  return seen && harness::digest_of(*seen) == harness::digest_of(pair);
+}
+
 void report(const Request& request, const harness::SubjectInfo& info, const Shrunk& shrunk, const std::string& title,
             const std::vector<std::string>& files) {
   if (!shrunk.reproduced) return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
@@ -62,9 +71,14 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     const auto& [verdict, variant] = kind;
     const Outcome& outcome = found.outcomes()[failed->outcome];
     const std::string title = fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
-    harness::Examine examine = [&examiner](const Case& pair) { return examiner.examine(pair); };
+    const std::optional<mpq_class>& fit = request.certify.fit;
+    const harness::ExamineInUnit in_unit = [&](const Case& pair, long exponent) {
+      return is_seen_as_it_is(pair, info, exponent) ? examiner.examine(pair, exponent) : harness::declined(pair, "rounded");
+    };
+    harness::Examine examine = [&](const Case& pair) { return in_unit(pair, harness::exponent_to_fit(pair, fit)); };
     // Only a comparison with the original needs both; a variant that fails by itself is a case like any other.
-    if (verdict == Verdict::not_invariant) examine = harness::examine_variant(examine, variant, info.precision, request.certify.tolerance);
+    if (verdict == Verdict::not_invariant)
+      examine = harness::examine_variant(in_unit, variant, info.format, request.certify.tolerance, fit);
     std::vector<std::string> files;
     if (harness::has_words(failed->seen)) {  // of points alone some can be left out, and the others made simpler
       const std::string path = harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
@@ -76,8 +90,9 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
       found.progress().report(fmt::format("shrinking {}: {} points", title, points_of(best.pair)), -1);
     };
     harness::ShrinkSettings settings;
-    settings.precision = info.precision;
-    const Case& begin = verdict == Verdict::not_invariant ? failed->original : failed->seen;
+    settings.precision = info.format.points;
+    settings.judged = [&info](const Case& pair, const Outcome& of) { return harness::judged_bodies(pair, info, of.fit); };
+    const Case begin = harness::in_unit(verdict == Verdict::not_invariant ? failed->original : failed->seen, outcome.fit);
     const Shrunk shrunk = harness::shrink(begin, verdict, examine, better, interrupt_requested, settings);
     found.progress().clear();
     if (interrupt_requested()) throw Interrupted();

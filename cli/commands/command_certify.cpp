@@ -117,16 +117,17 @@ class Certify {
     if (replay_) {
       const harness::Settings set = examiner_settings(certify_);
       const auto workspace = std::make_shared<Workspace>();
-      return {[this, set, workspace](const Case& pair) {
-                return replay_->examine(pair, {set.tolerance, set.second, set.stop, workspace.get()});
+      return {[this, set, workspace](const Case& pair, long exponent) {
+                return replay_->examine(pair, exponent, {set.tolerance, set.second, set.stop, workspace.get()});
               },
               {}};
     }
-    if (elsewhere_.count > 0) return {[this](const Case& pair) { return elsewhere_.examine(pair, hello_text(info())); }, {}};
+    if (elsewhere_.count > 0)
+      return {[this](const Case& pair, long exponent) { return elsewhere_.examine(pair, exponent, hello_text(info())); }, {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
     if (hello_text(examiner->info()) != hello_text(info()))
       throw harness::SubjectError("the subject says something else of itself each time that it is started");
-    return {[examiner](const Case& pair) { return examiner->examine(pair); }, [examiner] { examiner->finish(); }};
+    return {[examiner](const Case& pair, long exponent) { return examiner->examine(pair, exponent); }, [examiner] { examiner->finish(); }};
   }
 
   void examine() {
@@ -135,7 +136,10 @@ class Certify {
     harness::RunPlan plan;
     plan.jobs = elsewhere_.count > 0 ? elsewhere_.count : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
     plan.variants = certify_.variants;
-    plan.precision = info().precision;
+    if (!info().rounding.empty() && std::erase(plan.variants, "scale") > 0)
+      tell("variants left out", "scale is no symmetry of a subject that rounds bodies by a radius of its own");
+    plan.format = info().format;
+    plan.fit = certify_.fit;
     plan.shapes = info().shapes;
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };
@@ -194,7 +198,7 @@ class Certify {
     const bool whole = missing_ + faults_ == 0;
     if (whole) found_->complete();
     complete_ = true;
-    const CertificateNames certificates = write_certificates(certify_, *found_);
+    const CertificateNames certificates = write_certificates(certify_, subject, *found_);
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
     if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
@@ -268,6 +272,7 @@ harness::Settings examiner_settings(const CertifyRequest& certify) {
   harness::Settings settings;
   settings.time_out = certify.time_out;
   settings.tolerance = certify.tolerance;
+  settings.fit = certify.fit;
   for (const Method method : certify.methods) settings.second.push_back(harness::solver_by(method));
   settings.stop = interrupt_requested;
   return settings;

@@ -27,6 +27,19 @@ enum class Precision { binary32, binary64 };
 /// "binary32", "binary64".
 constexpr std::string_view name(Precision precision) { return precision == Precision::binary32 ? "binary32" : "binary64"; }
 
+/// The numbers that an implementation works with. A Precision stands for that of both, in the unit of the bodies.
+struct NumberFormat {
+  Precision points = Precision::binary64;   ///< to which coordinates are rounded before it sees them
+  Precision answers = Precision::binary64;  ///< of the numbers in its answers
+  long exponent = 0;                        ///< the lengths that it sees and answers are 2^exponent times those of the bodies
+  NumberFormat() = default;                 ///< both in binary64
+  NumberFormat(Precision both) : points(both), answers(both) {}  ///< the same for both; NOLINT(google-explicit-constructor)
+  /// points, answers, exponent
+  NumberFormat(Precision of_points, Precision of_answers, long exponent_of_unit = 0)
+      : points(of_points), answers(of_answers), exponent(exponent_of_unit) {}
+  friend bool operator==(const NumberFormat&, const NumberFormat&) = default;
+};
+
 /// What an implementation declares of itself. Judging never guesses these.
 struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
@@ -141,10 +154,10 @@ struct Judgement {
 
 // ---- judging ----
 
-/// Judges the reply about two bodies with coordinates in binary64; they are rounded to the precision first. Any numbers in `reply` are
-/// judged. Throws std::invalid_argument if a body is empty, or a coordinate is not finite or overflows the precision.
+/// Judges the reply about two bodies with coordinates in binary64; they are rounded to the format first. Any numbers in `reply` are
+/// judged. Throws std::invalid_argument if a body is empty, or a coordinate is not finite or overflows the format.
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions = {},
-                Precision precision = Precision::binary64, const Tolerance& tolerance = {});
+                const NumberFormat& format = {}, const Tolerance& tolerance = {});
 
 /// Two bodies as the implementation saw them, and the exact answer.
 struct Truth {
@@ -152,15 +165,15 @@ struct Truth {
   Depth depth;       ///< the exact answer
 };
 
-/// Returns the points rounded to nearest, which is what an implementation of this precision sees, in binary64; nullopt if a coordinate
-/// overflows.
-std::optional<GivenPoints> seen(const GivenPoints& points, Precision precision);
+/// Returns the points rounded to nearest, which is what an implementation of this format sees, in the unit that they were given in; nullopt
+/// if a coordinate overflows.
+std::optional<GivenPoints> seen(const GivenPoints& points, const NumberFormat& format);
 
 /// Returns the truth about two bodies, to judge several replies by. Throws as penetration_depth does.
 Truth truth_about(GivenPoints a, GivenPoints b, const Options& options = {});
 
 /// Judges the reply by a truth that is known.
-Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
+Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
                 const Tolerance& tolerance = {});
 
 // ---- shapes ----
@@ -176,7 +189,7 @@ ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {})
 
 /// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for every value within the bounds of the truth;
 /// where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
-Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, Precision precision = Precision::binary64,
+Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
                 const Tolerance& tolerance = {});
 
 }  // namespace fathom

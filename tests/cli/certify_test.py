@@ -101,7 +101,7 @@ class Subjects(CertifyTest):
         _, lines, _ = self.certify("--metamorphic", "--subject", liar("nan"), "-", stdin=boxes(0) + boxes(1, marked=True))
         for line in lines:
             validator(VERDICT).validate(line)
-        self.assertEqual({line.get("variant") for line in lines}, {None, "swap", "translate", "permute", "scale"})
+        self.assertEqual({line.get("variant") for line in lines}, {None, "swap", "translate", "permute", "scale", "repeat"})
         _, things, _ = self.certify("--subject", liar("one-shot"), "-", stdin=boxes(0))
         self.assertEqual([line["type"] for line in things], ["header", "case", "unattributed", "summary"])
         lines += things
@@ -146,6 +146,10 @@ class Agreement(CertifyTest):
                         {"id": True}, {"id": ["7"]}, {"type": "Reply"}, {"type": None}, {"more": None}, {"direction": [1, "0", "nan"]}, {"direction": [1, 2]},
                         {"direction": [1, 2, None]}, {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None}, {"witness": {}},
                         {"witness": {"a": None}}, {"witness": {"a": [1, 2, 3]}}, {"witness": {"a": [1, 2, 3], "b": "x"}}, {"witness": [1]},
+                        {"hull": {}}, {"hull": {"a": [[1, 2, 3]]}}, {"hull": {"a": [["0x1p3", "2", .5], [1, 2, 3]], "b": [[0, 0, 0]]}}, {"hull": {"a": []}},
+                        {"hull": {"b": [[1, 2]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}}, {"hull": {"a": [[1, "inf", 3]]}},
+                        {"hull": None}, {"hull": []}, {"hull": {"a": None}}, {"hull": {"a": 7}}, {"hull": {"a": ["123"]}}, {"hull": {"b": [7]}},
+                        {"microseconds": 3.5}, {"microseconds": "soon"}, {"microseconds": None}, {"microseconds": -1},
                         {"unsupported": "x"}, {"failed": "x"}, {"unsupported": None}, {"failed": 7}):
             self.check("reply", {**self.REPLY, **changes})
             self.check("reply", {**self.REPLY, "overlap": False, **changes})
@@ -154,7 +158,7 @@ class Agreement(CertifyTest):
         for name in ("unsupported", "failed"):
             for value in ("x", "", 7, None, True, ["x"]):
                 self.check("reply", {**nothing, name: value})
-            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"unsupported": "y"}, {"failed": "y"}, {"more": 1}):
+            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"hull": {}}, {"unsupported": "y"}, {"failed": "y"}, {"more": 1}):
                 self.check("reply", {**nothing, name: "x", **other})
 
     def test_hellos(self):
@@ -164,7 +168,10 @@ class Agreement(CertifyTest):
                         {"capabilities": None}, {"capabilities": {}}, {"capabilities": {"faces": 1}}, {"capabilities": {"faces": None}},
                         {"conventions": None}, {"conventions": {}}, {"promises": []}, {"promises": ["depth", "direction", "witness"]},
                         {"promises": ["depth", "depth"]}, {"promises": ["overlap"]}, {"promises": "depth"}, {"promises": None}, {"promises": [1]},
-                        {"protocol": 1}, {"more": None}):
+                        {"precision": {"points": "binary32", "answers": "binary64"}}, {"precision": {"points": "binary32"}}, {"precision": {}},
+                        {"precision": {"points": "binary32", "answers": 64}}, {"rounding": 0.5}, {"rounding": 0}, {"rounding": -1}, {"rounding": "0.5"},
+                        {"rounding": None}, {"rounding": {}}, {"rounding": {"vertices": 0.5, "box": 0}}, {"rounding": {"margin": 1}}, {"rounding": {"box": -1}},
+                        {"rounding": {"rounded_box": 1}}, {"rounding": [1]}, {"protocol": 1}, {"more": None}):
             hello = {**self.HELLO, **changes}
             with self.subTest(changes):
                 self.assertEqual(self.takes(json.dumps(hello), good), validator(SUBJECT, ("hello",)).is_valid(hello))

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
@@ -44,6 +45,11 @@ inline harness::Examine judged(std::function<void(const Case&, Reply&)> rule, To
     outcome.verdict = outcome.judgement->verdict;
     return outcome;
   };
+}
+
+/// For a subject that the unit is nothing to.
+inline harness::ExamineInUnit in_any_unit(harness::Examine examine) {
+  return [examine = std::move(examine)](const Case& pair, long) { return examine(pair); };
 }
 
 /// An outcome without a reply.

@@ -50,6 +50,9 @@ Outcome rich(const std::string& id) {
   j.witness_gap = 2;
   j.sentence = "too deep by 0.1";
   outcome.judgement = j;
+  outcome.microseconds = 2.5;
+  outcome.fit = -3;
+  outcome.hulls = {j, mpq_class(1, 4), mpq_class(2, 9)};
   return outcome;
 }
 
@@ -72,6 +75,11 @@ TEST(Lines, RoundTrip) {
   EXPECT_EQ(read.judgement->price_squared, mpq_class(-7, 9));
   EXPECT_EQ(read.judgement->verdict, Verdict::too_deep);
   EXPECT_EQ(read.verdict, Verdict::not_invariant);
+  EXPECT_EQ(read.fit, -3);
+  EXPECT_EQ((*read.reply->witness_b)[0], 1) << "in the subject's unit";
+  EXPECT_EQ(read.microseconds, 2.5);
+  EXPECT_EQ(read.hulls->grown_squared, mpq_class(2, 9));
+  EXPECT_EQ(read.hulls->query.price_squared, mpq_class(-7, 9));
 }
 
 TEST(Lines, EveryPrefixIsNoOutcome) {

@@ -28,7 +28,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
 TEST(Hello, IsReadAndWrittenBack) {
   const SubjectInfo info = read_hello(hello);
   EXPECT_EQ(info.name, "x");
-  EXPECT_EQ(info.precision, Precision::binary32);
+  EXPECT_EQ(info.format, Precision::binary32);
   EXPECT_EQ(info.conventions.touching, Conventions::Touching::separate);
   EXPECT_EQ(info.conventions.depth, Conventions::Sign::negative);
   EXPECT_EQ(info.conventions.moves, Conventions::Body::b);

@@ -33,7 +33,7 @@ class Runs : public testing::TestWithParam<unsigned> {
     };
     plan_.worker = [this]() -> Worker {
       ++workers_;
-      return {[this](const Case& pair) { return examine(pair); }, [this] { ++finished_; }};
+      return {[this](const Case& pair, long) { return examine(pair); }, [this] { ++finished_; }};
     };
     plan_.found = [this](const Case&, const Case& seen, const Outcome& outcome, bool known) {
       EXPECT_EQ(seen.id, outcome.id);

@@ -205,10 +205,10 @@ TEST(ShapesSeen, TheTruthIsProved) {
 
 TEST(ShapesSeen, AreJudgedAsTheyWereSeen) {
   SubjectInfo info;
-  info.precision = Precision::binary32;
+  info.format = Precision::binary32;
   info.shapes = {"sphere"};
   const Case pair{"id", ball(tenth), files::body_of(posed(named("sphere", {{"radius", {tenth}}}), {1, 0, 0, 0}, {mpq_class(3, 20), 0, 0}))};
-  const Case seen = *as_seen(pair, info.precision, info.shapes);
+  const Case seen = *as_seen(pair, info.format, info.shapes);
   Reply reply;
   reply.overlap = true;
   reply.depth = round_binary32(2 * exact_value(0.1F) - exact_value(0.15F));
@@ -216,7 +216,7 @@ TEST(ShapesSeen, AreJudgedAsTheyWereSeen) {
   Judging judging;
   judging.tolerance = {0, 0, 0};
   Outcome outcome = outcome_for(seen);
-  judge_answer(outcome, seen, {"", reply, ""}, info, judging);
+  judge_answer(outcome, seen, {"", reply}, info, judging);
   EXPECT_EQ(outcome.judgement->accuracy, Accuracy::correctly_rounded) << outcome.judgement->sentence;
   const std::optional<Outcome> read = read_outcome(outcome_line(outcome));
   ASSERT_TRUE(read);

@@ -19,7 +19,7 @@ inline harness::SubjectInfo subject(const std::string& library, const std::strin
   info.name = name;
   info.version = "1.0";
   info.wants_faces = faces;
-  info.precision = precision;
+  info.format = precision;
   return info;
 }
 

@@ -106,7 +106,7 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
   ASSERT_EQ(truth.depth.status(), Status::penetrating);
   Reply reply = fathom::testing::right_reply(truth.depth);
   reply.direction = Triple{0.6, 0, 0.8};  // its travel is found by the certificate's polytope in one way, by a ray in the other
-  const SubjectAnswer answer{"1", reply, ""};
+  const SubjectAnswer answer{"1", reply};
   const auto judged = [&](std::vector<Solver> second) {
     Outcome outcome = outcome_for(pair);
     judge_answer(outcome, pair, answer, {}, {{}, std::move(second), {}});

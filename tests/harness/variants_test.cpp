@@ -15,7 +15,7 @@ namespace {
 
 using namespace fathom::testing;
 
-const std::vector<std::string> all_names = {"swap", "translate", "permute", "scale"};
+const std::vector<std::string> all_names = {"swap", "translate", "permute", "scale", "repeat"};
 
 std::vector<Case> pairs(Precision precision) {
   std::vector<Case> result;
@@ -73,6 +73,9 @@ TEST_P(OfEachPrecision, EachVariantIsWhatItsNameSays) {
         for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(difference(a.points[i], pair.a.points[i]), step);
         for (std::size_t i = 0; i < b.points.size(); ++i) EXPECT_EQ(difference(b.points[i], pair.b.points[i]), step);
         longest += abs(step.x) >= 1 ? 1 : 0;
+      } else if (variant.name == "repeat") {
+        EXPECT_EQ(digest_of(variant.seen), digest_of(pair));
+        EXPECT_EQ(variant.exponent, 0);
       } else {
         EXPECT_NE(variant.exponent, 0);
         for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i].y, scaled(pair.a.points[i].y, variant.exponent));
@@ -96,8 +99,9 @@ TEST(Variants, WithoutAnExactFormAreLeftOutAndTold) {
   const Case pair{"wide", {{{top, top, top}}}, {{{bottom, bottom, bottom}}}};
   std::vector<std::string> left_out;
   const std::vector<Variant> found = variants(pair, Precision::binary64, all_names, &left_out);
-  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].name, "swap");
+  EXPECT_EQ(found[1].name, "repeat");
   ASSERT_EQ(left_out.size(), 3u);
   EXPECT_NE(left_out[0].find("no translate other"), std::string::npos) << left_out[0];
   EXPECT_NE(left_out[2].find("scale"), std::string::npos) << left_out[2];
@@ -122,7 +126,7 @@ TEST(CompareVariant, ARightSubjectIsInvariant) {
   const Examine right = judged([](const Case&, Reply&) {});
   for (const Case& pair : pairs(Precision::binary64))
     for (const std::string& name : all_names) {
-      const Outcome outcome = examine_variant(right, name, Precision::binary64, {})(pair);
+      const Outcome outcome = examine_variant(in_any_unit(right), name, Precision::binary64, {})(pair);
       EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << name << ": " << outcome.judgement->sentence;
       EXPECT_TRUE(outcome.variant == name || outcome.variant.empty());
     }

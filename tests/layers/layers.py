@@ -8,7 +8,7 @@ installed only the headers in INSTALLED are installed
 cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a *_cgal.hpp, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
-length    no source has more than 350 lines
+length    no source has more than 350 lines, but for one that is to be copied
 names     no two types share a name, whatever their namespaces; tests, and what stands alone (NAMES_OF_THEIR_OWN), may use theirs again
 namespace a room's names are in its own namespace inside fathom, those for users in fathom itself
 examples  each installed header is included, and each of its functions called, by a program in examples
@@ -66,6 +66,7 @@ CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 350
+TO_COPY = {"verify/subjects/kit/fathom_subject.hpp": 450}  # one file, to be copied: it may be longer
 SOURCE = (".cpp", ".hpp")
 SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 
@@ -143,8 +144,8 @@ def source_breaches(root, path, text, listed):
         yield from include_breaches(root, path, text, listed)
     if not name.startswith(("kernels/", "tests/")) and (hit := ROUNDING.search(text)):
         yield "rounding", f"{hit.group()} outside kernels"
-    if (lines := text.count("\n")) > LINES:
-        yield "length", f"{lines} lines, more than {LINES}"
+    if (lines := text.count("\n")) > (most := TO_COPY.get(name, LINES)):
+        yield "length", f"{lines} lines, more than {most}"
     room = room_of(name)
     if room and not name.startswith(NAMES_OF_THEIR_OWN):
         own = NAMESPACES.get(room, room.rsplit("/", 1)[-1])

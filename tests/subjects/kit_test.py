@@ -53,10 +53,11 @@ class Kit(unittest.TestCase):
     def test_hello(self):
         for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}]):
             self.assertEqual(json.loads(done.stdout),
-                             {"type": "hello", "protocol": "fathom/subject/1", "name": "trial", "version": "7", "precision": "binary32",
+                             {"type": "hello", "protocol": "fathom/subject/1", "name": "trial", "version": "7",
+                              "precision": {"points": "binary32", "answers": "binary64"},
                               "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False},
                               "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
-                              "settings": {"limit": "3"}})
+                              "rounding": {"vertices": 0.1, "box": 0.25}, "settings": {"limit": "3"}})
 
     def test_numbers_are_kept_and_timed(self):
         for [(reply)], _ in self.replies((POINTS, POINTS)):
@@ -87,6 +88,11 @@ class Kit(unittest.TestCase):
             self.assertEqual(capsule["witness"], {"a": [1, 2, 3.25], "b": [1, 2, 3]})
             self.assertEqual((matrix["depth"], matrix["direction"]), (1, [1, 0, 0]))
             self.assertEqual(matrix["witness"], {"a": [4, 5, 6], "b": POINTS["vertices"][-1]})
+
+    def test_hulls(self):
+        for [reply], _ in self.replies((marked(6), POINTS)):
+            self.assertGreater(reply.pop("microseconds"), 0)
+            self.assertEqual(reply, {"overlap": True, "depth": 0.25, "hull": {"a": [[6, 0, 0], [1, 1, 1]]}})
 
     def test_what_is_no_message_ends_it(self):
         for done in self.talk(['{"type":"run","id":"1","a":']):

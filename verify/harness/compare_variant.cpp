@@ -7,11 +7,10 @@
 #include <optional>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/allowance.hpp"
-#include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -37,11 +36,6 @@ mpq_class squared_depth(const Judgement& judgement) {
   const double high = judgement.signed_depth->high;
   const mpq_class most = std::isfinite(high) && high > 0 ? exact_value(high) : mpq_class(0);
   return most * most;
-}
-
-judging::Sizes sizes_of(const Case& seen) {
-  if (!seen.a.shape && !seen.b.shape) return judging::sizes_of(seen.a.points, seen.b.points);
-  return judging::sizes_of(files::shape_of(seen.a), files::shape_of(seen.b), judging::usual_bits);
 }
 
 /// Whether all of x differs from all of y / 2^exponent by more than the square root of `allowed`.
@@ -80,9 +74,8 @@ class Comparison {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = sizes_of(made_.seen);
     const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
-    const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.precision, tolerance.ulps);
-    const judging::Slack slack_there =
-        judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.precision, tolerance.ulps);
+    const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.format, tolerance.ulps);
+    const judging::Slack slack_there = judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
     const auto allowed = [&](mpq_class judging::Slack::*const residual) {
       const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
       return judging::Allowance(tolerance.relative, depth_squared, std::max(absolute, both)).squared();
@@ -95,7 +88,7 @@ class Comparison {
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
     if (!reply.overlap) return mpq_class(0);
     if (!reply.depth || !std::isfinite(*reply.depth)) return std::nullopt;
-    return scaled(exact_value(*reply.depth), -exponent);
+    return scaled(exact_value(*reply.depth), -exponent - made_.format.exponent);
   }
 
   [[nodiscard]] std::string of_depths() const {

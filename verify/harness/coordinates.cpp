@@ -9,13 +9,6 @@
 
 namespace fathom::harness {
 
-mpq_class scaled(const mpq_class& value, long exponent) {
-  mpq_class result;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
 long exponent_of(const mpq_class& value) {
   const long guess =
       static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
@@ -27,11 +20,12 @@ long lowest_bit(const mpq_class& value) {
   return static_cast<long>(mpz_scan1(value.get_num_mpz_t(), 0));
 }
 
-std::optional<mpq_class> rounded(const mpq_class& value, Precision precision) {
+std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& format) {
+  const mpq_class there = scaled(value, format.exponent);
   const double nearest =
-      precision == Precision::binary32 ? static_cast<double>(round_binary32(value, Rounding::rn)) : round_binary64(value, Rounding::rn);
+      format.points == Precision::binary32 ? static_cast<double>(round_binary32(there, Rounding::rn)) : round_binary64(there, Rounding::rn);
   if (!std::isfinite(nearest)) return std::nullopt;
-  return exact_value(nearest);
+  return scaled(exact_value(nearest), -format.exponent);
 }
 
 namespace {
@@ -74,20 +68,44 @@ mpq_class& place_along(files::NamedBody& words, std::size_t axis) {
   return axis == 0 ? words.place.x : axis == 1 ? words.place.y : words.place.z;
 }
 
-std::optional<files::NamedBody> rounded(files::NamedBody words, Precision precision) {
+std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberFormat& format) {
   bool fits = true;
-  const auto round = [&](mpq_class& value) {
-    const std::optional<mpq_class> nearest = rounded(value, precision);
-    fits = fits && nearest;
-    if (nearest) value = *nearest;
+  const auto rounding_to = [&fits](const NumberFormat& to) {
+    return [&fits, to](mpq_class& value) {
+      const std::optional<mpq_class> nearest = rounded(value, to);
+      fits = fits && nearest;
+      if (nearest) value = *nearest;
+    };
   };
-  for_each_length(words, round);
-  for_each_slope(words, round);
+  for_each_length(words, rounding_to(format));
+  for_each_slope(words, rounding_to(format.points));
   make_plain(words);
   return fits ? std::optional(std::move(words)) : std::nullopt;
 }
 
-bool representable(const mpq_class& value, Precision precision) { return rounded(value, precision) == value; }
+bool representable(const mpq_class& value, const NumberFormat& format) { return rounded(value, format) == value; }
+
+Case in_unit(Case pair, long exponent) {
+  if (exponent == 0) return pair;
+  for (Body* body : {&pair.a, &pair.b}) {
+    if (!body->words) {
+      body->points = scaled(body->points, exponent);
+      continue;
+    }
+    files::NamedBody words = *body->words;
+    for_each_length(words, [&](mpq_class& value) { value = scaled(value, exponent); });
+    *body = files::body_of(std::move(words));
+  }
+  return pair;
+}
+
+Reply in_unit(Reply reply, long exponent) {
+  const auto scale = [exponent](double& x) { x = std::ldexp(x, static_cast<int>(exponent)); };
+  if (reply.depth) scale(*reply.depth);
+  for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b})
+    if (*point) std::ranges::for_each(**point, scale);
+  return reply;
+}
 
 mpq_class largest_coordinate(const Case& pair) {
   mpq_class largest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coordinates as numbers of the subject's precision: exact.
+// Coordinates as numbers of the subject's format: exact.
 #pragma once
 
 #include <gmpxx.h>
@@ -12,11 +12,11 @@
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/named_body.hpp"
+#include "verify/judge/scaled.hpp"
 
 namespace fathom::harness {
 
-/// value * 2^exponent.
-mpq_class scaled(const mpq_class& value, long exponent);
+using judging::scaled;
 
 /// floor(log2 |value|); the value must not be 0.
 long exponent_of(const mpq_class& value);
@@ -24,15 +24,15 @@ long exponent_of(const mpq_class& value);
 /// The largest e for which value is a multiple of 2^e; the value must be a binary fraction, and not 0.
 long lowest_bit(const mpq_class& value);
 
-/// Rounds `value` to the nearest number of the precision; returns nullopt if it overflows.
-std::optional<mpq_class> rounded(const mpq_class& value, Precision precision);
+/// Rounds a length to the nearest one that is a number of the format's points in its unit; returns nullopt if it overflows.
+std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& format);
 
-/// Whether `value` is a finite number of the precision.
-bool representable(const mpq_class& value, Precision precision);
+/// Whether a length is a finite number of the format's points in its unit.
+bool representable(const mpq_class& value, const NumberFormat& format);
 
-/// The words with each number rounded: parameters, margins, poses. A margin that is 0 is left out, and so is "rounded_". Returns nullopt if a
+/// The words with each number rounded: parameters, margins, poses. Turns, matrices and normals have no unit. A margin that is 0 is left out, and so is "rounded_". Returns nullopt if a
 /// number overflows.
-std::optional<files::NamedBody> rounded(files::NamedBody words, Precision precision);
+std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberFormat& format);
 
 /// Applies use(mpq_class&) to each length of a named body: radii, margins, points, offsets, the place; not to normals and turns.
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
@@ -66,6 +66,13 @@ void for_each_coordinate(const Case& pair, Look look) {
       for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
   }
 }
+
+/// The case with all lengths times 2^exponent. A shape must have words.
+Case in_unit(Case pair, long exponent);
+/// The answer with all lengths times 2^exponent, each rounded to nearest. Directions have no unit.
+Reply in_unit(Reply reply, long exponent);
+/// The format of a subject that sees lengths times 2^exponent.
+inline NumberFormat in_unit(const NumberFormat& format, long exponent) { return {format.points, format.answers, exponent}; }
 
 /// The largest |coordinate|; 0 if all are 0.
 mpq_class largest_coordinate(const Case& pair);

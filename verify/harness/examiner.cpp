@@ -10,6 +10,8 @@
 
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
@@ -114,10 +116,12 @@ void Examiner::start() {
   }
 }
 
-Outcome Examiner::examine(const Case& pair) {
+Outcome Examiner::examine(const Case& pair) { return examine(pair, exponent_to_fit(pair, settings_.fit)); }
+
+Outcome Examiner::examine(const Case& pair, long exponent) {
   std::string why;
-  const std::optional<Case> seen = as_seen(pair, info_.precision, info_.shapes, &why);
-  return seen ? ask(*seen) : declined(pair, why);
+  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
+  return seen ? ask(*seen, exponent) : declined(pair, why);
 }
 
 void Examiner::start_again() {
@@ -133,11 +137,11 @@ void Examiner::start_again() {
 }
 
 /// A failure is the case's if it happens twice, the second time in a fresh process.
-Outcome Examiner::ask(const Case& seen) {
+Outcome Examiner::ask(const Case& seen, long exponent) {
   std::optional<Fault> before;
   for (int faults = 1;; ++faults) {
     if (!process_) start_again();
-    Outcome outcome = outcome_for(seen);
+    Outcome outcome = outcome_for(seen, exponent);
     const std::optional<Fault> found = ask_once(seen, outcome);
     if (found) process_.reset();
     const bool leftover_before = before && before->after;
@@ -177,7 +181,7 @@ void Examiner::tell(const Fault& fault, const char* when) {
 
 /// Returns nullopt if the case was answered: then the outcome is judged.
 std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome) {
-  const std::string message = run_message(std::to_string(++tickets_), seen, info_.precision, info_.wants_faces);
+  const std::string message = run_message(std::to_string(++tickets_), in_unit(seen, outcome.fit), info_.format.points, info_.wants_faces);
   const Clock::time_point begin = Clock::now();
   process_->send(message);
   std::string line;
@@ -201,7 +205,8 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
   const std::string what = "wrote " + quoted(line), ticket = std::to_string(tickets_);
   std::optional<SubjectAnswer> answer;
   try {
-    answer = read_reply(line, info_.precision);
+    answer = read_reply(line, info_.format);
+    demand_sent_as_vertices(seen, *answer);
   } catch (const ProtocolError& error) {
     const std::string reason = error.what();
     return fault(Verdict::garbage, what, reason.find(quoted(line)) == reason.npos ? reason + "; the line: " + quoted(line) : reason);

@@ -27,6 +27,7 @@ struct Settings {
   double time_out = 10;                                   ///< seconds that a case may take
   double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};                               ///< of the verdicts
+  std::optional<mpq_class> fit = {};                      ///< the size that cases are brought to; see exponent_to_fit
   std::vector<Solver> second;                             ///< ways to find every truth and judgement again
   std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
   std::function<void(const Unattributed&)> unattributed;  ///< hears of failures that no case caused; called from any thread
@@ -51,9 +52,11 @@ class Examiner {
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, rounded to the subject's precision, and judges the answer. Throws Interrupted, Disagreement, and SubjectError if a subject that
+  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Throws Interrupted, Disagreement, and SubjectError if a subject that
   /// ended cannot be started again, ends each time before it reads the case, or sends a different hello.
   Outcome examine(const Case& pair);
+  /// The same, with all lengths times 2^exponent, whatever the settings say.
+  Outcome examine(const Case& pair, long exponent);
 
   /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that follows gets a fresh process.
   void finish();
@@ -71,7 +74,7 @@ class Examiner {
 
   void start();
   void start_again();
-  Outcome ask(const Case& seen);
+  Outcome ask(const Case& seen, long exponent);
   std::optional<Fault> ask_once(const Case& seen, Outcome& outcome);
   std::optional<Fault> understand(const std::string& line, const Case& seen, Outcome& outcome);
   Fault fault(Verdict verdict, std::string seen, std::string reason = "");

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "verify/harness/coverage.hpp"
+#include "verify/harness/extras.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/run_info.hpp"
 
@@ -30,6 +31,8 @@ bool same_run(std::string_view header, std::string_view other);
 struct Totals {
   std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0, unattributed = 0;
   Coverage judged = {};
+  const Times* times = nullptr;      ///< may be null
+  const HullCount* hulls = nullptr;  ///< may be null
 };
 std::string summary_line(const Totals& totals);
 

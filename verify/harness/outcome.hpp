@@ -15,28 +15,41 @@ namespace fathom::harness {
 
 /// In the place of a shape's name: a margin around any of them.
 inline constexpr const char* margin_word = "margin";
+/// In the place of a shape's name: bodies that are sent as vertices.
+inline constexpr const char* vertices_word = "vertices";
 
 /// What a subject says of itself in its hello.
 struct SubjectInfo {
   std::string name, version;  ///< "libccd-epa", "2.1"
   std::string library;        ///< whose calls a snippet makes: "libccd", "fcl", "bullet", "ode"; may be empty
-  Precision precision = Precision::binary64;
+  NumberFormat format;        ///< of points and of answers, in the unit of the cases
   Conventions conventions;
   std::set<std::string> shapes = {};  ///< the names that it takes bodies by, and "margin"; others it gets as vertices, or not at all
   bool wants_faces = false;           ///< each case comes with the facets of the hulls, as polygons of point indices
   std::set<std::string> promises;     ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
+  /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices", a shape's name, or "" for all.
+  std::map<std::string, mpq_class> rounding = {};
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
+};
+
+/// The same answer about the hulls that the subject says it used, and how far these are from the asked bodies.
+struct AboutHulls {
+  Judgement query;                        ///< of the answer, by the used hulls
+  mpq_class lost_squared, grown_squared;  ///< the largest distance of an asked vertex from the used hull; of a used one from the asked body
 };
 
 struct Outcome {
   std::string id;       ///< of the case
-  std::string variant;  ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale"
+  std::string variant;  ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale", "repeat"
   std::string digest;   ///< of the points as the subject saw them: 16 hexadecimal digits
   Verdict verdict = Verdict::garbage;
   std::string detail;          ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line, a misspelt field
-  std::optional<Reply> reply;  ///< if one was understood
+  std::optional<Reply> reply;  ///< if one was understood: in the subject's unit; see in_unit
+  long fit = 0;                ///< the subject saw all lengths times 2^fit
   std::optional<Judgement> judgement;  ///< if the reply was judged
+  std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
   double seconds = 0;                  ///< wall time until the answer
+  std::optional<double> microseconds;  ///< the same without the protocol, as the subject measured it
 };
 
 /// A failure that no case caused: after a good answer the process ended, wrote something or stopped reading, and a fresh process
@@ -51,5 +64,7 @@ std::string family_of(const std::string& id);
 
 /// Puts one case to the subject and judges what comes back. Never throws for anything that a subject does.
 using Examine = std::function<Outcome(const Case&)>;
+/// The same, with all lengths times 2^exponent.
+using ExamineInUnit = std::function<Outcome(const Case&, long exponent)>;
 
 }  // namespace fathom::harness

@@ -8,6 +8,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
 
@@ -82,8 +83,18 @@ std::string outcome_line(const Outcome& outcome) {
   json["verdict"] = name(outcome.verdict);
   if (!outcome.detail.empty()) json["detail"] = outcome.detail;
   json["seconds"] = number(outcome.seconds);
-  if (outcome.reply) json["reply"] = reply_json(*outcome.reply);
+  if (outcome.microseconds) json["microseconds"] = number(*outcome.microseconds);
+  if (outcome.fit != 0) json["fit"] = outcome.fit;
+  if (outcome.reply) json["reply"] = reply_json(in_unit(*outcome.reply, -outcome.fit));
   if (outcome.judgement) json["judgement"] = judgement_json(*outcome.judgement);
+  if (outcome.hulls) {
+    const AboutHulls& hulls = *outcome.hulls;
+    json["hulls"] = {{"query", judgement_json(hulls.query)},
+                     {"lost", number(root_binary64(hulls.lost_squared, Rounding::rn))},
+                     {"lost_squared", exact_text(hulls.lost_squared)},
+                     {"grown", number(root_binary64(hulls.grown_squared, Rounding::rn))},
+                     {"grown_squared", exact_text(hulls.grown_squared)}};
+  }
   return dumped(json);
 }
 
@@ -101,6 +112,7 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
   json["subject"] = Json::parse(hello_text(info));
   json["tolerance"] = {
       {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
+  if (from.fit) json["fit"] = exact_text(*from.fit);
   for (const Method method : from.second) json["methods"].push_back(name(method));
   return dumped(json);
 }
@@ -118,6 +130,17 @@ std::string summary_line(const Totals& totals) {
                     {"depth", judged.depth},
                     {"direction", judged.direction},
                     {"witness", judged.witness}};
+  if (totals.times && !totals.times->empty())
+    json["microseconds"] = {{"answers", totals.times->count()},
+                            {"median", number(totals.times->median())},
+                            {"worst", number(totals.times->worst().amount)},
+                            {"worst_case", totals.times->worst().id}};
+  if (totals.hulls && totals.hulls->count > 0) {
+    const HullCount& hulls = *totals.hulls;
+    json["hulls"] = {{"answers", hulls.count}, {"query_passed", hulls.passed}};
+    for (const auto& [name, most] : {std::pair("lost", &hulls.lost), {"grown", &hulls.grown}})
+      json["hulls"][name] = {{"length", number(most->amount)}, {"case", most->id}};
+  }
   return dumped(json);
 }
 

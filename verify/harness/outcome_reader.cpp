@@ -5,6 +5,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {
@@ -112,8 +113,14 @@ Outcome outcome(const Json& json) {
   outcome.verdict = verdict(json.at("verdict"));
   outcome.detail = json.value("detail", std::string());
   outcome.seconds = number(json.at("seconds"));
-  if (json.contains("reply")) outcome.reply = reply(json.at("reply"));
+  outcome.fit = json.value("fit", 0L);
+  if (json.contains("reply")) outcome.reply = in_unit(reply(json.at("reply")), outcome.fit);
   if (json.contains("judgement")) outcome.judgement = judgement(json.at("judgement"));
+  if (json.contains("microseconds")) outcome.microseconds = number(json.at("microseconds"));
+  if (json.contains("hulls")) {
+    const Json& hulls = json.at("hulls");
+    outcome.hulls = {judgement(hulls.at("query")), exact(hulls.at("lost_squared")), exact(hulls.at("grown_squared"))};
+  }
   return outcome;
 }
 

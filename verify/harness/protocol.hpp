@@ -47,13 +47,15 @@ struct Failed {
 struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
-  std::string remark;  ///< of a reply: unknown fields that look misspelt; see near_misses
+  std::optional<double> microseconds = std::nullopt;                                ///< how long the answer took, as it says
+  std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;  ///< the vertices of the hulls that it used
+  std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
-/// Numbers are rounded to the precision. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
+/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
 /// spellings. Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are skipped, with a remark if
 /// they look misspelt. Throws ProtocolError.
-SubjectAnswer read_reply(std::string_view line, Precision precision);
+SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
 
 /// Whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);

@@ -10,6 +10,8 @@
 
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 
 namespace fathom::harness {
 
@@ -41,7 +43,7 @@ Replay Replay::read(const std::string& given) {
 
 void Replay::take(std::string_view line, const std::string& path, std::size_t number) {
   try {
-    SubjectAnswer answer = read_reply(line, info_.precision);
+    SubjectAnswer answer = read_reply(line, info_.format);
     std::string id = answer.ticket;
     answers_[std::move(id)].push_back(std::move(answer));
   } catch (const ProtocolError& error) {
@@ -49,15 +51,22 @@ void Replay::take(std::string_view line, const std::string& path, std::size_t nu
   }
 }
 
-Outcome Replay::examine(const Case& pair, const Judging& judging) const {
+Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging) const {
   const auto found = answers_.find(pair.id);
   if (found == answers_.end()) throw NoReply("no reply to case " + kernels::shown(pair.id));
   std::string why;
-  const std::optional<Case> seen = as_seen(pair, info_.precision, info_.shapes, &why);
+  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
   if (!seen) return declined(pair, why);
-  Outcome outcome = outcome_for(*seen);
-  if (found->second.size() == 1) judge_answer(outcome, *seen, found->second[0], info_, judging);
-  else outcome.detail = fmt::format("{} replies to one case", found->second.size());  // the verdict stays garbage
+  Outcome outcome = outcome_for(*seen, exponent);
+  outcome.detail = fmt::format("{} replies to one case", found->second.size());  // the verdict stays garbage
+  if (found->second.size() > 1) return outcome;
+  try {
+    demand_sent_as_vertices(*seen, found->second[0]);
+  } catch (const ProtocolError& error) {
+    outcome.detail = error.what();
+    return outcome;
+  }
+  judge_answer(outcome, *seen, found->second[0], info_, judging);
   return outcome;
 }
 

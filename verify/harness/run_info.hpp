@@ -2,8 +2,11 @@
 // What a report says of its run, beside the verdicts.
 #pragma once
 
+#include <gmpxx.h>
+
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +29,8 @@ struct RunInfo {
   std::string command;    ///< the command line, ready for a shell
   std::string cut_short;  ///< why the run ended before every case was judged; empty if it did not
   UnattributedCounts unattributed = {};
-  std::vector<Method> second = {};  ///< methods that found every truth again, and agreed
+  std::vector<Method> second = {};              ///< methods that found every truth again, and agreed
+  std::optional<mpq_class> fit = std::nullopt;  ///< the size that each case was brought to; see exponent_to_fit
 };
 
 }  // namespace fathom::harness

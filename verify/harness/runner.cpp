@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
 
@@ -47,7 +48,7 @@ class Run {
     return pair;
   }
 
-  void examine_guarded(const Case& pair, const Examine& examine) {
+  void examine_guarded(const Case& pair, const ExamineInUnit& examine) {
     try {
       examine_all(pair, examine);
     } catch (...) {
@@ -57,16 +58,25 @@ class Run {
   }
 
   /// The case and its variants.
-  void examine_all(const Case& pair, const Examine& examine) {
+  void examine_all(const Case& pair, const ExamineInUnit& examine) {
     std::string why;
-    const std::optional<Case> seen = as_seen(pair, plan_.precision, plan_.shapes, &why);
+    const long exponent = exponent_to_fit(pair, plan_.fit);
+    const NumberFormat format = in_unit(plan_.format, exponent);
+    const std::optional<Case> seen = as_seen(pair, format, plan_.shapes, &why);
     if (!seen) return tell(pair, pair, declined(pair, why), false);
-    const Outcome original = outcome_of(*seen, *seen, "", [&] { return examine(*seen); });
+    bool fresh = exponent == 0;  // in another unit a report may hold fewer digits of an answer
+    const auto ask = [&] {
+      fresh = true;
+      return examine(*seen, exponent);
+    };
+    Outcome original = outcome_of(*seen, *seen, "", ask);
     if (plan_.variants.empty()) return;
     std::vector<std::string> sentences;
-    for (const Variant& variant : variants(*seen, plan_.precision, plan_.variants, &sentences)) {
-      outcome_of(*seen, variant.seen, variant.name,
-                 [&] { return compare_variant(original, examine(variant.seen), variant, plan_.tolerance); });
+    for (const Variant& variant : variants(*seen, format, plan_.variants, &sentences)) {
+      outcome_of(*seen, variant.seen, variant.name, [&] {
+        if (!fresh) original = ask();
+        return compare_variant(original, examine(variant.seen, exponent), variant, plan_.tolerance);
+      });
     }
     const std::lock_guard lock(results_);
     for (const std::string& sentence : sentences) plan_.left_out(pair, sentence);

@@ -15,7 +15,7 @@ namespace fathom::harness {
 
 /// What one thread works with.
 struct Worker {
-  Examine examine;
+  ExamineInUnit examine;
   std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
 };
 
@@ -24,7 +24,8 @@ struct Worker {
 struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
-  Precision precision = Precision::binary64;
+  NumberFormat format = {};
+  std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
   std::set<std::string> shapes = {};  ///< that the subject takes by name
   Tolerance tolerance = {};
 

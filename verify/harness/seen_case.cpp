@@ -13,10 +13,13 @@
 
 #include "fathom/numbers.hpp"
 #include "reference/files/body_json.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/judgement_difference.hpp"
 #include "verify/harness/proof.hpp"
+#include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -39,7 +42,7 @@ bool is_halfspace(const Body& body) { return body.shape && std::holds_alternativ
 
 /// How a subject sees bodies.
 struct Eyes {
-  Precision precision;
+  const NumberFormat& format;
   const std::set<std::string>& shapes;
   std::string& why;  ///< it does not see one
 
@@ -50,8 +53,8 @@ struct Eyes {
       if (body.shape) return nothing(fmt::format("the subject does not declare \"{}\" among its shapes", word));
     }
     if (body.shape) return nothing("the subject does not take shapes without a name");
-    std::optional<GivenPoints> points = seen(body.points, precision);
-    if (!points) return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(precision)));
+    std::optional<GivenPoints> points = seen(body.points, format);
+    if (!points) return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(format.points)));
     return Body{*std::move(points)};
   }
 
@@ -73,12 +76,12 @@ struct Eyes {
   }
 
   [[nodiscard]] std::optional<Body> see(const files::NamedBody& words) const {
-    const std::optional<files::NamedBody> rounded = harness::rounded(words, precision);
-    if (!rounded) return nothing(fmt::format("a number of a shape overflows {}, the precision of the subject", name(precision)));
+    const std::optional<files::NamedBody> rounded = harness::rounded(words, format);
+    if (!rounded) return nothing(fmt::format("a number of a shape overflows {}, the precision of the subject", name(format.points)));
     try {
       return files::body_of(*rounded);
     } catch (const std::invalid_argument& error) {
-      return nothing(fmt::format("rounding to {} leaves no shape: {}", name(precision), error.what()));
+      return nothing(fmt::format("rounding to {} leaves no shape: {}", name(format.points), error.what()));
     }
   }
 };
@@ -110,9 +113,9 @@ void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<s
 
 }  // namespace
 
-std::optional<Case> as_seen(const Case& pair, Precision precision, const std::set<std::string>& shapes, std::string* why) {
+std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes, std::string* why) {
   std::string reason;
-  const Eyes eyes{precision, shapes, why ? *why : reason};
+  const Eyes eyes{format, shapes, why ? *why : reason};
   std::optional<Body> a = eyes.see(pair.a);
   if (!a) return std::nullopt;
   std::optional<Body> b = eyes.see(pair.b);
@@ -135,9 +138,25 @@ std::string digest_of(const Case& pair) {
   return fmt::format("{:016x}", hash.value());
 }
 
-Outcome outcome_for(const Case& seen) {
+long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size) {
+  const auto has_no_words = [](const Body& body) { return body.shape && !body.words; };
+  if (!size || has_no_words(pair.a) || has_no_words(pair.b)) return 0;
+  const mpq_class extent = sizes_of(pair).extent;
+  if (extent == 0) return 0;
+  const mpq_class factor = *size / extent;
+  const long exponent = exponent_of(factor);
+  return scaled(1, exponent) == factor ? exponent - 1 : exponent;
+}
+
+judging::Sizes sizes_of(const Case& pair) {
+  if (!pair.a.shape && !pair.b.shape) return judging::sizes_of(pair.a.points, pair.b.points);
+  return judging::sizes_of(files::shape_of(pair.a), files::shape_of(pair.b), judging::usual_bits);
+}
+
+Outcome outcome_for(const Case& seen, long exponent) {
   Outcome outcome;
   outcome.id = seen.id;
+  outcome.fit = exponent;
   outcome.digest = digest_of(seen);
   return outcome;
 }
@@ -162,12 +181,12 @@ Outcome declined(const Case& pair, const std::string& why) {
 
 namespace {
 
-Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo& info, const Judging& judging) {
+Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
   options.workspace = judging.workspace;
-  const auto judged = [&](const Truth& truth) { return judge(truth, reply, info.conventions, info.precision, judging.tolerance); };
+  const auto judged = [&](const Truth& truth) { return judge(truth, reply, info.conventions, format, judging.tolerance); };
   const Truth truth = truth_about(seen.a.points, seen.b.points, options);
   Judgement judgement = judged(truth);
   for (const Solver& solver : judging.second) {
@@ -181,14 +200,14 @@ Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo&
   return judgement;
 }
 
-Judgement judged_shapes(const Case& seen, const Reply& reply, const SubjectInfo& info, const Judging& judging) {
+Judgement judged_shapes(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
   StopWhen stopping(judging.stop);
   SignedDepthOptions options;
   options.cores.monitor = &stopping;
   options.cores.workspace = judging.workspace;
   const ShapeTruth truth = truth_about(files::shape_of(seen.a), files::shape_of(seen.b), options);
   if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
-  return judge(truth, reply, info.conventions, info.precision, judging.tolerance);
+  return judge(truth, reply, info.conventions, format, judging.tolerance);
 }
 
 }  // namespace
@@ -205,8 +224,18 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
     return;
   }
   outcome.reply = std::get<Reply>(answer.said);
-  outcome.judgement = seen.a.shape || seen.b.shape ? judged_shapes(seen, *outcome.reply, info, judging)
-                                                   : judged_points(seen, *outcome.reply, info, judging);
+  outcome.microseconds = answer.microseconds;
+  const NumberFormat format = in_unit(info.format, outcome.fit);
+  const auto judged = [&](const Case& asked) {
+    const Case bodies = judged_bodies(asked, info, outcome.fit);
+    return bodies.a.shape || bodies.b.shape ? judged_shapes(bodies, *outcome.reply, info, format, judging)
+                                            : judged_points(bodies, *outcome.reply, info, format, judging);
+  };
+  outcome.judgement = judged(seen);
+  if (answer.hull_a || answer.hull_b) {
+    const Case used = used_hulls(seen, answer, outcome.fit);
+    outcome.hulls = {judged(used), squared_way(seen, used, answer), squared_way(used, seen, answer)};
+  }
   hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;

@@ -11,6 +11,7 @@
 
 #include "verify/families/random.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -37,7 +38,7 @@ bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
 }
 
 /// A power of two, or its negative, that can be added to all coordinates on this axis: the largest up to eight times the largest of them.
-std::optional<mpq_class> shift(const Case& pair, std::size_t axis, Precision precision) {
+std::optional<mpq_class> shift(const Case& pair, std::size_t axis, const NumberFormat& format) {
   mpq_class largest = 0;
   std::optional<long> finest;
   all_coordinates(pair, axis, [&](const mpq_class& value) {
@@ -45,12 +46,12 @@ std::optional<mpq_class> shift(const Case& pair, std::size_t axis, Precision pre
     if (value != 0) finest = std::min(finest.value_or(lowest_bit(value)), lowest_bit(value));
     return true;
   });
-  if (!finest) return scaled(1, 0);
+  if (!finest) return scaled(1, -format.exponent);
   const long highest = exponent_of(largest) + 3;
   for (long exponent = highest; exponent >= *finest && exponent > highest - 64; --exponent)
     for (const int sign : {1, -1}) {
       const mpq_class step = scaled(sign, exponent);
-      if (all_coordinates(pair, axis, [&](const mpq_class& value) { return representable(value + step, precision); })) return step;
+      if (all_coordinates(pair, axis, [&](const mpq_class& value) { return representable(value + step, format); })) return step;
     }
   return std::nullopt;
 }
@@ -65,7 +66,7 @@ std::optional<Variant> translated(Variant variant) {
   const Case original = variant.seen;
   bool moved = false;
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    if (const std::optional<mpq_class> step = shift(original, axis, variant.precision)) {
+    if (const std::optional<mpq_class> step = shift(original, axis, variant.format)) {
       moved = true;
       for (Body* body : {&variant.seen.a, &variant.seen.b}) {
         if (body->words) {
@@ -105,12 +106,12 @@ std::optional<Variant> permuted(Variant variant) {
 std::optional<Variant> rescaled(Variant variant) {
   const mpq_class largest = largest_coordinate(variant.seen);
   if (largest == 0) return std::nullopt;
-  const long sign = exponent_of(largest) >= bulky ? -1 : 1;
+  const long sign = exponent_of(largest) + variant.format.exponent >= bulky ? -1 : 1;
   for (const long size : exponents) {
     const long exponent = sign * size;
     bool exact = true;
     for_each_coordinate(std::as_const(variant.seen),
-                        [&](const mpq_class& value) { exact = exact && representable(scaled(value, exponent), variant.precision); });
+                        [&](const mpq_class& value) { exact = exact && representable(scaled(value, exponent), variant.format); });
     if (!exact) continue;
     for_each_coordinate(variant.seen, [&](mpq_class& value) { value = scaled(value, exponent); });
     variant.exponent = exponent;
@@ -119,36 +120,39 @@ std::optional<Variant> rescaled(Variant variant) {
   return std::nullopt;
 }
 
-std::optional<Variant> made(std::string_view name, const Case& as_seen, Precision precision) {
-  Variant variant{std::string(name), as_seen, false, 0, precision};
+std::optional<Variant> made(std::string_view name, const Case& as_seen, const NumberFormat& format) {
+  Variant variant{std::string(name), as_seen, false, 0, format};
   if (name == "swap") return swapped(std::move(variant));
   if (name == "translate") return translated(std::move(variant));
   if (name == "permute") return permuted(std::move(variant));
-  return rescaled(std::move(variant));
+  if (name == "scale") return rescaled(std::move(variant));
+  return variant;  // once more
 }
 
 }  // namespace
 
-std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
+std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, std::span<const std::string> names,
                               std::vector<std::string>* left_out) {
   std::vector<Variant> result;
   for (const std::string_view name : variant_names) {
     if (std::ranges::find(names, name) == names.end()) continue;
-    if (std::optional<Variant> variant = made(name, as_seen, precision)) result.push_back(*std::move(variant));
+    if (std::optional<Variant> variant = made(name, as_seen, format)) result.push_back(*std::move(variant));
     else if (left_out)
-      left_out->push_back(fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name, fathom::name(precision)));
+      left_out->push_back(
+          fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name, fathom::name(format.points)));
   }
   return result;
 }
 
 mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original) { return scaled(of_original, 2 * variant.exponent); }
 
-Examine examine_variant(Examine examine, std::string name, Precision precision, Tolerance tolerance) {
+Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance, std::optional<mpq_class> fit) {
   return [=](const Case& pair) {
     const std::string names[] = {name};
-    const Outcome original = examine(pair);
-    const std::vector<Variant> found = variants(pair, precision, names);
-    return found.empty() ? original : compare_variant(original, examine(found.front().seen), found.front(), tolerance);
+    const long exponent = exponent_to_fit(pair, fit);
+    const Outcome original = examine(pair, exponent);
+    const std::vector<Variant> found = variants(pair, in_unit(format, exponent), names);
+    return found.empty() ? original : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance);
   };
 }
 

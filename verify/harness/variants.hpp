@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,26 +16,27 @@
 
 namespace fathom::harness {
 
-/// The case under one symmetry. Every coordinate is a finite number of the subject's precision, so it sees just these points.
+/// The case under one symmetry. Every coordinate is a finite number of the subject's format, so it sees just these points.
 struct Variant {
-  std::string name;  ///< "swap", "translate", "permute" or "scale"
+  std::string name;  ///< one of variant_names
   Case seen;         ///< under the id of the original
   bool swapped = false;
   long exponent = 0;  ///< lengths are 2^exponent times those of the original
-  Precision precision = Precision::binary64;
+  NumberFormat format = {};
 };
 
 /// All names, in the order in which `variants` makes them.
-inline constexpr std::string_view variant_names[] = {"swap", "translate", "permute", "scale"};
+inline constexpr std::string_view variant_names[] = {"swap", "translate", "permute", "scale", "repeat"};
 
-/// The variants of `as_seen` that are exact in `precision`, for those of the names that are known:
+/// The variants of `as_seen` that are exact in `format`, for those of the names that are known:
 ///   swap       B for A and A for B
 ///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
 ///   permute    the points of both bodies in another order, the same each time
 ///   scale      all coordinates times 2^10, or another power of two where that is not exact
+///   repeat     the case itself: once more, for subjects whose answers depend on what they were asked before
 /// Of a body that has words, its place moves, the vertices among its words change their order, and all its lengths are scaled.
 /// Variants that are not exact are left out; if `left_out` is given, a sentence about each is added to it.
-std::vector<Variant> variants(const Case& as_seen, Precision precision, std::span<const std::string> names,
+std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, std::span<const std::string> names,
                               std::vector<std::string>* left_out = nullptr);
 
 /// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the original.
@@ -47,7 +49,8 @@ mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original)
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance);
 
 /// Examines a case and then its variant of this name: the outcome of the variant, compared. For shrinking. A case without such a variant
-/// yields the outcome of the case itself.
-Examine examine_variant(Examine examine, std::string name, Precision precision, Tolerance tolerance);
+/// yields the outcome of the case itself. `fit`: the size that the case is brought to; see exponent_to_fit.
+Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
+                        std::optional<mpq_class> fit = std::nullopt);
 
 }  // namespace fathom::harness

@@ -6,22 +6,18 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/lowest_terms.hpp"
+#include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {
 
-struct Format {
+struct Digits {
   long bits, least_exponent;
 };
 
-constexpr Format format(Precision precision) { return precision == Precision::binary64 ? Format{53, -1074} : Format{24, -149}; }
+constexpr Digits digits_of(Precision precision) { return precision == Precision::binary64 ? Digits{53, -1074} : Digits{24, -149}; }
 
-mpq_class power_of_two(long exponent) {
-  mpq_class one = 1;
-  if (exponent >= 0) mpq_mul_2exp(one.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(one.get_mpq_t(), one.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return one;
-}
+mpq_class power_of_two(long exponent) { return scaled(1, exponent); }
 
 long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
@@ -40,24 +36,26 @@ bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
 }
 
 /// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
-bool correctly_rounded(const mpq_class& d, const mpq_class& squared, Precision precision) {
-  const double nearest = precision == Precision::binary64 ? root_binary64(squared, Rounding::rn) : root_binary32(squared, Rounding::rn);
-  return std::isfinite(nearest) && exact_value(nearest) == d;
+bool correctly_rounded(const mpq_class& d, const mpq_class& squared, const NumberFormat& format) {
+  const mpq_class there = scaled(squared, 2 * format.exponent);
+  const double nearest = format.answers == Precision::binary64 ? root_binary64(there, Rounding::rn) : root_binary32(there, Rounding::rn);
+  return std::isfinite(nearest) && exact_value(nearest) == scaled(d, format.exponent);
 }
 
 }  // namespace
 
-mpq_class ulp_at_root(const mpq_class& squared, Precision precision) {
-  const Format f = format(precision);
-  return power_of_two(sgn(squared) == 0 ? f.least_exponent : std::max(exponent_of_root(squared) - f.bits + 1, f.least_exponent));
+mpq_class ulp_at_root(const mpq_class& squared, const NumberFormat& format) {
+  const Digits digits = digits_of(format.answers);
+  const long least = digits.least_exponent - format.exponent;
+  return power_of_two(sgn(squared) == 0 ? least : std::max(exponent_of_root(squared) - digits.bits + 1, least));
 }
 
-mpq_class unit_roundoff(Precision precision) { return power_of_two(-format(precision).bits); }
+mpq_class unit_roundoff(Precision precision) { return power_of_two(-digits_of(precision).bits); }
 
-Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, unsigned long ulps) {
-  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)), of_depth = most * ulp_at_root(depth_squared, precision),
-                  of_point = most * ulp_at_root(square(sizes.farthest), precision),
-                  of_direction = most * 4 * unit_roundoff(precision) * sizes.reach;
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, unsigned long ulps) {
+  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)), of_depth = most * ulp_at_root(depth_squared, format),
+                  of_point = most * ulp_at_root(square(sizes.farthest), format),
+                  of_direction = most * 4 * unit_roundoff(format.answers) * sizes.reach;
   return {of_depth, of_depth + of_direction, mpq_class(7, 4) * of_point, 3 * of_depth + mpq_class(7, 2) * of_point};
 }
 
@@ -66,12 +64,12 @@ Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, 
       proportional_(sgn(relative) > 0 ? mpq_class(square(relative) * depth_squared) : mpq_class(0)),
       squared_(std::max(proportional_, square(fixed_))) {}
 
-Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance) {
+Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, const Tolerance& tolerance) {
   for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
   const mpq_class absolute = tolerance.absolute * sizes.extent;
-  const Slack slack = rounding_slack(sizes, depth_squared, precision, tolerance.ulps);
+  const Slack slack = rounding_slack(sizes, depth_squared, format, tolerance.ulps);
   const auto allowed = [&](const mpq_class& length) { return Allowance(tolerance.relative, depth_squared, std::max(absolute, length)); };
-  classification = allowed(tolerance.ulps * ulp_at_root(depth_squared, precision));
+  classification = allowed(tolerance.ulps * ulp_at_root(depth_squared, format));
   depth = allowed(slack.depth);
   direction = allowed(slack.direction);
   witness = allowed(slack.witness);
@@ -88,9 +86,9 @@ bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
 
 bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
 
-Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision) {
-  if (correctly_rounded(d, depth_squared, precision)) return Accuracy::correctly_rounded;
-  if (within(d, depth_squared, 4 * ulp_at_root(depth_squared, precision))) return Accuracy::ulps_4;
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, const NumberFormat& format) {
+  if (correctly_rounded(d, depth_squared, format)) return Accuracy::correctly_rounded;
+  if (within(d, depth_squared, 4 * ulp_at_root(depth_squared, format))) return Accuracy::ulps_4;
   if (within(d, depth_squared, 16 * u_r)) return Accuracy::u_r_16;
   const mpq_class millionth(1, 1'000'000);  // (1 - e) depth <= d <= (1 + e) depth
   const bool close =

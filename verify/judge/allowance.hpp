@@ -20,7 +20,7 @@ struct Slack {
 
 /// Returns the slack of an answer whose numbers (depth, unit direction, witness points) are each off by at most `ulps` ulps, or by half an
 /// ulp, as after correct rounding, if that is more.
-Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, unsigned long ulps);
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, unsigned long ulps);
 
 /// The length that a residual may have: max(relative * depth, fixed). Lengths come as rationals d, or as signed squares s: of sqrt(s),
 /// of -sqrt(-s).
@@ -45,18 +45,18 @@ class Allowance {
 
 /// `classification` is the tolerance alone; for each residual it is the tolerance or the slack, whichever is larger.
 struct Allowances {
-  Allowances(const Sizes& sizes, const mpq_class& depth_squared, Precision precision, const Tolerance& tolerance);
+  Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, const Tolerance& tolerance);
 
   Allowance classification, depth, direction, witness, gap;
 };
 
-/// The distance from one number of the format to the next where sqrt(squared) lies, as if exponents had no upper end.
-mpq_class ulp_at_root(const mpq_class& squared, Precision precision);
+/// The distance from one number of the format's answers to the next where sqrt(squared) lies, as if exponents had no upper end.
+mpq_class ulp_at_root(const mpq_class& squared, const NumberFormat& format);
 
 /// 2^-53 or 2^-24.
 mpq_class unit_roundoff(Precision precision);
 
 /// Returns the best class of a depth d that is within the tolerance; u_r is u R.
-Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, Precision precision);
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, const NumberFormat& format);
 
 }  // namespace fathom::judging

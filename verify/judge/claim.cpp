@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -19,6 +20,13 @@ std::optional<Point> point_of(const std::optional<Triple>& p) {
   return exact_point(*p);
 }
 
+std::optional<Point> point_of(const std::optional<Triple>& p, long exponent) {
+  std::optional<Point> point = point_of(p);
+  if (point && exponent != 0)
+    for (mpq_class* x : {&point->x, &point->y, &point->z}) *x = scaled(*x, -exponent);
+  return point;
+}
+
 }  // namespace
 
 Point exact_point(const Triple& p) { return {exact_value(p[0]), exact_value(p[1]), exact_value(p[2])}; }
@@ -27,7 +35,7 @@ bool is_finite(const Triple& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
-Claim exact_claim(const Reply& reply, const Conventions& conventions) {
+Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent) {
   Claim claim;
   claim.overlap = reply.overlap;
   if (!reply.overlap) return claim;
@@ -35,7 +43,7 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions) {
     claim.finite = std::isfinite(*reply.depth);
     for (const auto* p : {&reply.direction, &reply.witness_a, &reply.witness_b}) claim.finite &= !*p || is_finite(**p);
     if (std::isfinite(*reply.depth)) {
-      const mpq_class depth = exact_value(*reply.depth);
+      const mpq_class depth = scaled(exact_value(*reply.depth), -exponent);
       claim.depth = conventions.depth == Conventions::Sign::negative ? mpq_class(-depth) : depth;
     }
   }
@@ -44,8 +52,8 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions) {
     const Vector v = integral(*u);
     if (!is_zero(v)) claim.direction = conventions.moves == Conventions::Body::b ? -v : v;
   }
-  claim.witness_a = point_of(reply.witness_a);
-  claim.witness_b = point_of(reply.witness_b);
+  claim.witness_a = point_of(reply.witness_a, exponent);
+  claim.witness_b = point_of(reply.witness_b, exponent);
   return claim;
 }
 

@@ -21,8 +21,8 @@ struct Claim {
   std::optional<Point> witness_a, witness_b;
 };
 
-/// Defined for every reply.
-Claim exact_claim(const Reply& reply, const Conventions& conventions);
+/// Defined for every reply. Its lengths are 2^exponent times those of the claim.
+Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent = 0);
 
 /// Returns the exact point. The coordinates must be finite.
 Point exact_point(const Triple& p);

@@ -19,13 +19,13 @@ namespace {
 
 class Judge {
  public:
-  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance)
+  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format, const Tolerance& tolerance)
       : truth_(truth),
         reply_(reply),
         conventions_(conventions),
-        precision_(precision),
+        format_(format),
         tolerance_(tolerance),
-        claim_(exact_claim(reply, conventions)) {}
+        claim_(exact_claim(reply, conventions, format.exponent)) {}
 
   Judgement run() {
     truth_.measure(claim_, result_);
@@ -39,7 +39,7 @@ class Judge {
     }
     truth_.conclude(result_);
     conclude();
-    result_.sentence = sentence(result_, truth_, reply_, claim_, precision_, remarks_);
+    result_.sentence = sentence(result_, truth_, reply_, claim_, format_, remarks_);
     return std::move(result_);
   }
 
@@ -109,7 +109,7 @@ class Judge {
   [[nodiscard]] bool is_direction(const mpq_class& square) const {
     if (sgn(square) == 0) return false;
     if (!conventions_.unit) return true;
-    const mpq_class u = unit_roundoff(precision_),
+    const mpq_class u = unit_roundoff(format_.answers),
                     t = std::max({tolerance_.relative, mpq_class(16 * u), mpq_class(2 * u * tolerance_.ulps)});
     return sign({-1 - t, square}) <= 0 && sign({t - 1, square}) >= 0;
   }
@@ -137,7 +137,7 @@ class Judge {
   Measures& truth_;
   const Reply& reply_;
   const Conventions& conventions_;
-  Precision precision_;
+  NumberFormat format_;
   const Tolerance& tolerance_;
   Claim claim_;
   Remarks remarks_;
@@ -150,18 +150,19 @@ class Judge {
 
 namespace fathom {
 
-Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, Precision precision, const Tolerance& tolerance) {
+Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                const Tolerance& tolerance) {
   const kernels::DefaultFloatEnvironment environment;
-  const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, precision, tolerance);
-  return judging::Judge(*measures, reply, conventions, precision, tolerance).run();
+  const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance);
+  return judging::Judge(*measures, reply, conventions, format, tolerance).run();
 }
 
-Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions, Precision precision,
+Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
                 const Tolerance& tolerance) {
   const kernels::DefaultFloatEnvironment environment;
   for (unsigned bits = judging::usual_bits;; bits *= 2) {
-    const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, precision, tolerance, bits);
-    Judgement judgement = judging::Judge(*measures, reply, conventions, precision, tolerance).run();
+    const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, bits);
+    Judgement judgement = judging::Judge(*measures, reply, conventions, format, tolerance).run();
     if (!measures->open() || bits >= judging::most_bits) return judgement;
   }
 }

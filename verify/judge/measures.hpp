@@ -69,8 +69,8 @@ class Measures {
   [[nodiscard]] virtual double away_b() const = 0;
 };
 
-std::unique_ptr<Measures> measures_of(const Truth& truth, Precision precision, const Tolerance& tolerance);
+std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);
 /// With bounds of `bits` bits.
-std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits);
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits);
 
 }  // namespace fathom::judging

@@ -16,12 +16,12 @@ double root(const mpq_class& squared) { return root_binary64(squared, Rounding::
 
 class PolytopeMeasures final : public Measures {
  public:
-  PolytopeMeasures(const Truth& truth, Precision precision, const Tolerance& tolerance)
+  PolytopeMeasures(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance)
       : truth_(truth),
         depth_(truth.depth),
-        precision_(precision),
+        format_(format),
         scene_(truth),
-        allowed_(scene_.sizes(), truth.depth.squared(), precision, tolerance) {}
+        allowed_(scene_.sizes(), truth.depth.squared(), format, tolerance) {}
 
   [[nodiscard]] std::optional<Status> status() const override { return depth_.status(); }
   bool is_deep() override { return !allowed_.classification.negligible(depth_.squared()); }
@@ -39,7 +39,7 @@ class PolytopeMeasures final : public Measures {
   bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
   bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
   bool misses(const Surd& squared_gap) override { return !allowed_.gap.negligible(squared_gap); }
-  Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, depth_.squared(), rounding_unit(), precision_); }
+  Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, depth_.squared(), rounding_unit(), format_); }
 
   void measure(const Claim& claim, Judgement& result) override {
     result.status = depth_.status();
@@ -75,10 +75,10 @@ class PolytopeMeasures final : public Measures {
 
  private:
   /// u R.
-  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * scene_.sizes().farthest; }
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(format_.points) * scene_.sizes().farthest; }
 
   void measure_depth(const mpq_class& d, Judgement& result) const {
-    const mpq_class &s = depth_.squared(), ulp = ulp_at_root(s, precision_), u_r = rounding_unit();
+    const mpq_class &s = depth_.squared(), ulp = ulp_at_root(s, format_), u_r = rounding_unit();
     result.error = kernels::nearest_binary64({d, -s});
     if (sgn(s) > 0) {
       result.error_ulps = kernels::nearest_binary64({d / ulp, -s / (ulp * ulp)});
@@ -98,7 +98,7 @@ class PolytopeMeasures final : public Measures {
 
   const Truth& truth_;
   const Depth& depth_;
-  Precision precision_;
+  NumberFormat format_;
   Scene scene_;
   Allowances allowed_;
   std::optional<mpq_class> price_, away_a_, away_b_;
@@ -108,8 +108,8 @@ class PolytopeMeasures final : public Measures {
 
 }  // namespace
 
-std::unique_ptr<Measures> measures_of(const Truth& truth, Precision precision, const Tolerance& tolerance) {
-  return std::make_unique<PolytopeMeasures>(truth, precision, tolerance);
+std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance) {
+  return std::make_unique<PolytopeMeasures>(truth, format, tolerance);
 }
 
 }  // namespace fathom::judging

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/dyadic.hpp"
 #include "kernels/number/surd.hpp"
 
 namespace fathom::judging {
@@ -15,9 +16,9 @@ std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(di
 
 class Teller {
  public:
-  Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
+  Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, const NumberFormat& format,
          const Remarks& remarks)
-      : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), precision_(precision), remarks_(remarks) {}
+      : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), format_(format), remarks_(remarks) {}
 
   [[nodiscard]] std::string all() const {
     if (judgement_.findings.empty()) return truth_.status() == Status::touching ? touching() : pass();
@@ -28,7 +29,8 @@ class Teller {
 
  private:
   [[nodiscard]] std::string shortest(double x) const {
-    return precision_ == Precision::binary32 && std::isfinite(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
+    const bool narrow = format_.answers == Precision::binary32 && std::isfinite(x) && kernels::nearest_binary32(x) == x;
+    return narrow ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);  // in another unit it may be no binary32
   }
   [[nodiscard]] std::string depth() const { return truth_.depth(); }
   [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.depth, 0})); }
@@ -73,7 +75,7 @@ class Teller {
     std::string result;
     if (remarks_.depth_sign) {
       const bool below = *reply_.depth > 0;  // the right one
-      result = fmt::format("the depth has the wrong sign: {} is claimed, by its conventions {}{} is right", shortest(*reply_.depth),
+      result = fmt::format("the depth has the wrong sign: {}{} is claimed, by its conventions {}{} is right", below ? "" : "-", claimed(),
                            below ? "-" : "", depth());
     }
     if (remarks_.direction_sign) result += std::string(result.empty() ? "" : "; ") + "the direction points the wrong way";
@@ -119,15 +121,15 @@ class Teller {
   const Measures& truth_;
   const Reply& reply_;
   const Claim& claim_;
-  Precision precision_;
+  NumberFormat format_;
   const Remarks& remarks_;
 };
 
 }  // namespace
 
-std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
+std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, const NumberFormat& format,
                      const Remarks& remarks) {
-  return Teller(judgement, truth, reply, mended, precision, remarks).all();
+  return Teller(judgement, truth, reply, mended, format, remarks).all();
 }
 
 }  // namespace fathom::judging

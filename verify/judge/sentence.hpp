@@ -18,7 +18,7 @@ struct Remarks {
 };
 
 /// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.
-std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, Precision precision,
+std::string sentence(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, const NumberFormat& format,
                      const Remarks& remarks);
 
 }  // namespace fathom::judging

@@ -15,6 +15,7 @@
 #include "reference/shapes/support.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/measures.hpp"
+#include "verify/judge/scaled.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
@@ -58,8 +59,8 @@ Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
 
 class ShapeMeasures final : public Measures {
  public:
-  ShapeMeasures(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits)
-      : truth_(truth), precision_(precision), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
+  ShapeMeasures(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits)
+      : truth_(truth), format_(format), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
     const SignedDepth* signed_depth = &truth.depth;
     if (bits != usual_bits && truth.depth.bounds()) signed_depth = &closer_.emplace(of(truth.a));
     status_ = signed_depth->status();
@@ -111,7 +112,7 @@ class ShapeMeasures final : public Measures {
 
   Accuracy accuracy(const mpq_class& d) override {
     if (is_correctly_rounded(d)) return Accuracy::correctly_rounded;
-    if (is_within(d, known(4 * ulp_at_root(depth_.low * depth_.low, precision_)))) return Accuracy::ulps_4;
+    if (is_within(d, known(4 * ulp_at_root(depth_.low * depth_.low, format_)))) return Accuracy::ulps_4;
     if (is_within(d, known(16 * rounding_unit()))) return Accuracy::u_r_16;
     return is_within(d, depth_ / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
   }
@@ -161,8 +162,8 @@ class ShapeMeasures final : public Measures {
                       absolute = std::max({mpq_class(0), mpq_class(tolerance.absolute * sizes_.extent), fixed});
       return greater({relative * depth_.low, relative * depth_.high}, known(absolute));
     };
-    const Slack slack = rounding_slack(sizes_, deepest, precision_, tolerance.ulps);
-    classification_ = allowed(tolerance.ulps * ulp_at_root(deepest, precision_));
+    const Slack slack = rounding_slack(sizes_, deepest, format_, tolerance.ulps);
+    classification_ = allowed(tolerance.ulps * ulp_at_root(deepest, format_));
     of_depth_ = allowed(slack.depth);
     of_direction_ = allowed(slack.direction);
     of_witness_ = allowed(slack.witness);
@@ -243,14 +244,14 @@ class ShapeMeasures final : public Measures {
 
   // ---- the claimed depth ----
 
-  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(precision_) * sizes_.farthest; }
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(format_.points) * sizes_.farthest; }
 
   void measure_depth(const mpq_class& d, Judgement& result) const {
     const RationalInterval error = known(d) - depth_;
     const mpq_class u_r = rounding_unit();
     result.error = least(error);
     if (sgn(depth_.low) > 0) {
-      result.error_ulps = least(error / ulp_at_root(depth_.high * depth_.high, precision_));
+      result.error_ulps = least(error / ulp_at_root(depth_.high * depth_.high, format_));
       result.error_relative = least(quotient(error, depth_));
     }
     if (sgn(u_r) > 0) result.error_u_r = least(error / u_r);
@@ -267,16 +268,18 @@ class ShapeMeasures final : public Measures {
 
   bool is_correctly_rounded(const mpq_class& d) {
     const auto round = [&](const mpq_class& x) {
-      return precision_ == Precision::binary64 ? round_binary64(x) : static_cast<double>(round_binary32(x));
+      const mpq_class there = scaled(x, format_.exponent);
+      return format_.answers == Precision::binary64 ? round_binary64(there) : static_cast<double>(round_binary32(there));
     };
     const double low = round(depth_.low), high = round(depth_.high);
-    if (low == high) return std::isfinite(low) && exact_value(low) == d;
-    open_ = open_ || (std::isfinite(low) && exact_value(low) <= d && (std::isinf(high) || d <= exact_value(high)));
+    const mpq_class claimed = scaled(d, format_.exponent);
+    if (low == high) return std::isfinite(low) && exact_value(low) == claimed;
+    open_ = open_ || (std::isfinite(low) && exact_value(low) <= claimed && (std::isinf(high) || claimed <= exact_value(high)));
     return false;
   }
 
   const ShapeTruth& truth_;
-  Precision precision_;
+  NumberFormat format_;
   unsigned bits_;
   std::optional<SignedDepth> closer_;
   std::optional<Status> status_;
@@ -307,8 +310,8 @@ Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
   return sizes;
 }
 
-std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, Precision precision, const Tolerance& tolerance, unsigned bits) {
-  return std::make_unique<ShapeMeasures>(truth, precision, tolerance, bits);
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits) {
+  return std::make_unique<ShapeMeasures>(truth, format, tolerance, bits);
 }
 
 }  // namespace fathom::judging

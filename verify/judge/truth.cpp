@@ -12,6 +12,7 @@
 #include "kernels/number/dyadic.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -34,8 +35,8 @@ std::optional<GivenPoints> rounded(std::span<const P> points, Precision precisio
   return GivenPoints(std::move(result));
 }
 
-GivenPoints points_of(const std::vector<Triple>& body, Precision precision) {
-  std::optional<GivenPoints> rounded = seen(GivenPoints(body), precision);
+GivenPoints points_of(const std::vector<Triple>& body, const NumberFormat& format) {
+  std::optional<GivenPoints> rounded = seen(GivenPoints(body), format);
   if (!rounded) throw std::invalid_argument("a coordinate is beyond the subject's precision");
   return std::move(*rounded);
 }
@@ -46,8 +47,13 @@ GivenPoints points_of(const std::vector<Triple>& body, Precision precision) {
 
 namespace fathom {
 
-std::optional<GivenPoints> seen(const GivenPoints& points, Precision precision) {
+std::optional<GivenPoints> seen(const GivenPoints& points, const NumberFormat& format) {
   const kernels::DefaultFloatEnvironment environment;
+  if (format.exponent != 0) {
+    const std::optional<GivenPoints> there = seen(judging::scaled(points, format.exponent), format.points);
+    return there ? std::optional(judging::scaled(*there, -format.exponent)) : std::nullopt;
+  }
+  const Precision precision = format.points;
   if (!points.in_binary64()) return judging::rounded(std::span<const Point>(points.exact()), precision);
   return precision == Precision::binary64 ? points : judging::rounded(points.binary64(), precision);
 }
@@ -58,8 +64,8 @@ Truth truth_about(GivenPoints a, GivenPoints b, const Options& options) {
 }
 
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,
-                Precision precision, const Tolerance& tolerance) {
-  return judge(truth_about(judging::points_of(a, precision), judging::points_of(b, precision)), reply, conventions, precision, tolerance);
+                const NumberFormat& format, const Tolerance& tolerance) {
+  return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format, tolerance);
 }
 
 }  // namespace fathom

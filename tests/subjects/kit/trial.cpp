@@ -39,6 +39,11 @@ Reply solve(const Body& a, const Body& b) {
   }
   if (what == 3) throw std::runtime_error("no \"way\" out");
   if (what == 4) throw fathom_subject::Unsupported("too flat");
+  if (what == 6) {
+    reply.depth = 0.25;
+    reply.hull[0] = a.vertices;
+    return reply;
+  }
   if (what == 5) reply.overlap = false;
   else reply.depth = 1.0 / 3 + static_cast<double>(a.faces.size());
   return reply;
@@ -49,6 +54,7 @@ Reply solve(const Body& a, const Body& b) {
 int main() {
   fathom_subject::Subject subject{"trial", "7"};
   subject.precision = "binary32";
+  subject.answers = "binary64";
   subject.touching = "overlap";
   subject.depth = "negative";
   subject.moves = "b";
@@ -57,5 +63,6 @@ int main() {
   subject.shapes = {"capsule", "box", "margin"};
   subject.promises = {"depth"};
   subject.settings = {{"limit", "3"}};
+  subject.rounding = {{"vertices", 0.1}, {"box", 0.25}};
   return fathom_subject::run(subject, solve);
 }

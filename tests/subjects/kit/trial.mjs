@@ -16,6 +16,7 @@ run((a, b) => {
   }
   if (what === 3) throw new Error('no "way" out');
   if (what === 4) throw new Unsupported('too flat');
+  if (what === 6) return { overlap: true, depth: 0.25, hull: { a: a.vertices } };
   return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
-}, { name: 'trial', version: '7', precision: 'binary32', touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
-     shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' } });
+}, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
+     shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 } });

@@ -5,6 +5,8 @@
 #include <exception>
 
 #include "fathom/numbers.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/report/html_parts.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/picture.hpp"
@@ -122,6 +124,14 @@ std::string residual_list(const Judgement& judgement) {
   return facts.list("Residuals");
 }
 
+std::string hulls_list(const AboutHulls& hulls) {
+  Facts facts;
+  facts.add("the same answer about them", std::string(name(hulls.query.verdict)) + ": " + hulls.query.sentence);
+  facts.add("asked vertices are away from them by", length_text(hulls.lost_squared));
+  facts.add("their vertices are away from the bodies by", length_text(hulls.grown_squared));
+  return facts.list("Hulls that it used");
+}
+
 /// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
@@ -189,14 +199,16 @@ std::string figure_element(const std::string& svg, const std::string& caption) {
   return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
 }
 
-std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const std::optional<Truth>& truth, const std::string& anchor) {
+std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const Case& judged, const std::optional<Truth>& truth,
+                   const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
   const std::string of = markup(shown_id(outcome.id, outcome.variant));
   if (truth) {
-    const std::optional<Point> claimed = outcome.reply ? claimed_translation(*outcome.reply, subject.conventions) : std::nullopt;
+    const std::optional<Point> claimed =
+        outcome.reply ? claimed_translation(in_unit(*outcome.reply, -outcome.fit), subject.conventions) : std::nullopt;
     return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of), caption(subject, *truth, claimed.has_value()));
   }
-  if (const std::string svg = shapes_picture(failure.seen, anchor, "Shapes of " + of); !svg.empty())
+  if (const std::string svg = shapes_picture(judged, anchor, "Shapes of " + of); !svg.empty())
     return figure_element(svg,
                           "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; "
                           "<span class=\"key true\">arrow</span>: the true way of A, and A after it, dashed");
@@ -207,18 +219,20 @@ std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const
 
 std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
-  const std::optional<Truth> truth = truth_of(failure.seen);
+  const Case judged = judged_bodies(failure.seen, subject, outcome.fit);
+  const std::optional<Truth> truth = truth_of(judged);
   std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
                                    markup(shown_id(outcome.id, outcome.variant)));
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
   std::string said = "<div class=\"facts\">\n";
-  if (outcome.reply) said += claim_list(*outcome.reply, subject.conventions);
+  if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions);
   said += truth_list(outcome, truth, failure.certificate_name);
   if (outcome.judgement) said += residual_list(*outcome.judgement);
+  if (outcome.hulls) said += hulls_list(*outcome.hulls);
   said += "</div>\n" + case_text(subject, failure, anchor);
   if (const std::string exact = exact_numbers(outcome, truth); !exact.empty())
     said += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
-  return result + picture::beside(figure(subject, failure, truth, anchor), said) + "</article>\n";
+  return result + picture::beside(figure(subject, failure, judged, truth, anchor), said) + "</article>\n";
 }
 
 }  // namespace fathom::harness

@@ -26,15 +26,22 @@ const char* style_of(Verdict verdict) {
   return verdict < Verdict::nan ? "lost" : "wrong";
 }
 
-std::string settings_list(const SubjectInfo& subject, const TallyRow& all, const Tolerance& tolerance) {
+std::string settings_list(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from) {
+  const TallyRow& all = tally.all();
   std::string rows;
   const auto add = [&](const char* what, const std::string& text) { rows += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text)); };
   if (const std::vector<std::string> classes = accuracy_entries(all); !classes.empty())
     add("passes", fmt::format("{}", fmt::join(classes, "; ")));
   add("judged", fmt::format("{}", fmt::join(coverage_entries(all.judged), "; ")));
+  if (const std::vector<std::string> times = time_entries(tally.times()); !times.empty())
+    add("time", fmt::format("{}", fmt::join(times, "; ")));
+  if (const std::vector<std::string> hulls = hull_entries(tally.hulls()); !hulls.empty())
+    add("hulls", fmt::format("{}", fmt::join(hulls, "; ")));
   add("conventions", conventions_text(subject.conventions));
+  for (const std::string& rounding : rounding_text(subject)) add("rounding", rounding);
   for (const std::string& setting : settings_text(subject)) add("setting", setting);
   add("tolerance", tolerance_text(tolerance));
+  if (from.fit) add("fit", fit_text(*from.fit));
   return fmt::format("<details><summary>How they were judged</summary><dl class=\"settings\">{}</dl></details>", rows);
 }
 
@@ -75,7 +82,7 @@ std::string html_header(const SubjectInfo& subject, const Tally& tally, const To
                                              all[Verdict::pass], all[Verdict::touching_by_convention]);
   return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}</header>\n", markup(title(subject)),
                      totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(cut_short),
-                     warning(coverage_warning(all.judged)), bar, both, settings_list(subject, all, tolerance));
+                     warning(coverage_warning(all.judged)), bar, both, settings_list(subject, tally, tolerance, from));
 }
 
 }  // namespace fathom::harness

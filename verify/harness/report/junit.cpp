@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"
 
@@ -69,6 +70,7 @@ std::string properties(const SubjectInfo& subject, const RunInfo& from) {
   add("subject", title(subject));
   add("conventions", conventions_text(subject.conventions));
   for (const auto& [name, value] : subject.settings) add("setting." + name, value);
+  if (from.fit) add("fit", exact_text(*from.fit));
   return result + "    </properties>\n";
 }
 

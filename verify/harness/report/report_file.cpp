@@ -35,13 +35,20 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, st
   for (const auto& [name, value] : json.items()) flatten(value, path.empty() ? name : path + '.' + name, fields);
 }
 
+/// Of the points.
+bool header_says_binary32(const std::map<std::string, std::string>& header) {
+  for (const char* field : {"subject.precision", "subject.precision.points"})
+    if (const auto found = header.find(field); found != header.end() && found->second == name(Precision::binary32)) return true;
+  return false;
+}
+
 void take_header(const Json& header, ReportFile& report) {
   Json lasting = header;
   for (const char* name : {"schema", "type", "command"}) lasting.erase(name);
   for (const char* name : {"type", "protocol"})
     if (lasting.contains("subject") && lasting["subject"].is_object()) lasting["subject"].erase(name);
   flatten(lasting, "", report.header);
-  const bool is_binary32 = report.header["subject.precision"] == name(Precision::binary32);
+  const bool is_binary32 = header_says_binary32(report.header);
   report.unit_roundoff = std::ldexp(1, -(is_binary32 ? digits_of_binary32 : digits_of_binary64));
 }
 

@@ -7,8 +7,13 @@
 
 namespace fathom::harness {
 
+std::string precision_text(const NumberFormat& format) {
+  const std::string_view points = name(format.points), answers = name(format.answers);
+  return points == answers ? std::string(points) : fmt::format("points {}, answers {}", points, answers);
+}
+
 std::string title(const SubjectInfo& subject) {
-  const std::string_view precision = name(subject.precision);
+  const std::string precision = precision_text(subject.format);
   const std::string library = subject.library.empty() ? "" : subject.library + ", ";
   return fmt::format("{}{}{} ({}{})", subject.name, subject.version.empty() ? "" : " ", subject.version, library, precision);
 }
@@ -31,11 +36,22 @@ std::vector<std::string> settings_text(const SubjectInfo& subject) {
   return result;
 }
 
+std::vector<std::string> rounding_text(const SubjectInfo& subject) {
+  std::vector<std::string> result;
+  for (const auto& [word, radius] : subject.rounding)
+    result.push_back(fmt::format("{} of {}", round_binary64(radius), word.empty() ? "every body" : word));
+  return result;
+}
+
 std::string tolerance_text(const Tolerance& tolerance) {
   std::string result =
       fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative), exact_text(tolerance.absolute));
   if (tolerance.ulps > 0) result += fmt::format(", {} ulp", tolerance.ulps);
   return result + "; the largest counts";
+}
+
+std::string fit_text(const mpq_class& fit) {
+  return fmt::format("every case by a power of two: its longest side is less than {}, and at least half of that", exact_text(fit));
 }
 
 std::string sentence_of(const Outcome& outcome) {

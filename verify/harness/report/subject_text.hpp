@@ -11,6 +11,8 @@
 
 namespace fathom::harness {
 
+/// "binary64"; "points binary32, answers binary64".
+std::string precision_text(const NumberFormat& format);
 /// "libccd-epa 2.1 (libccd, binary64)". Any bytes that the subject gave.
 std::string title(const SubjectInfo& subject);
 /// "bodies that touch are either; the depth is positive; A moves; directions have length 1".
@@ -19,8 +21,12 @@ std::string conventions_text(const Conventions& conventions);
 const char* moving_body(const Conventions& conventions);
 /// "epa_tolerance = 1e-4", sorted by name.
 std::vector<std::string> settings_text(const SubjectInfo& subject);
+/// "0.01 of every body"; "0.01 of vertices", one for each word.
+std::vector<std::string> rounding_text(const SubjectInfo& subject);
 /// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts".
 std::string tolerance_text(const Tolerance& tolerance);
+/// "every case by a power of two: its longest side is less than 64, and at least half of that".
+std::string fit_text(const mpq_class& fit);
 
 /// What there is to say of an outcome in one sentence: the judge's, and what the harness saw; else the name of its verdict.
 std::string sentence_of(const Outcome& outcome);

@@ -154,6 +154,8 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   Lines lines{ascii(title(subject), widest)};
   add_entries(lines, widest, "conventions", {conventions_text(subject.conventions)});
   add_entries(lines, widest, "settings", settings_text(subject));
+  add_entries(lines, widest, "rounding", rounding_text(subject));
+  if (fit) add_entries(lines, widest, "fit", {fit_text(*fit)});
   lines.emplace_back();
   add_table(lines, tally_, widest);
   lines.emplace_back();
@@ -161,6 +163,8 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   if (failures() > 0) add_entries(lines, widest, "see", where);
   add_entries(lines, widest, "passes", accuracy_entries(tally_.all()));
   add_entries(lines, widest, "judged", coverage_entries(tally_.all().judged));
+  add_entries(lines, widest, "time", time_entries(tally_.times()));
+  add_entries(lines, widest, "hulls", hull_entries(tally_.hulls()));
   Lines things;
   for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
   add_entries(lines, widest, "unattributed", things);

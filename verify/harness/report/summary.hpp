@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ class Summary {
   [[nodiscard]] std::size_t unattributed() const { return sum(unattributed_); }
   [[nodiscard]] const UnattributedCounts& unattributed_counts() const { return unattributed_; }
   [[nodiscard]] const Tally& tally() const { return tally_; }
+
+  std::optional<mpq_class> fit;  ///< the size that cases were brought to
 
  private:
   Tally tally_;

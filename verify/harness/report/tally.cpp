@@ -69,6 +69,8 @@ std::size_t TallyRow::passes() const { return total - failures() - (*this)[Verdi
 
 void Tally::add(const Outcome& outcome) {
   all_.add(outcome);
+  times_.add(outcome);
+  hulls_.add(outcome);
   (outcome.variant.empty() ? families_[family_of(outcome.id)] : variants_["~" + outcome.variant]).add(outcome);
 }
 

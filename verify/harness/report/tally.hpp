@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verify/harness/coverage.hpp"
+#include "verify/harness/extras.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {
@@ -50,6 +51,8 @@ class Tally {
  public:
   void add(const Outcome& outcome);
   [[nodiscard]] const TallyRow& all() const { return all_; }
+  [[nodiscard]] const Times& times() const { return times_; }
+  [[nodiscard]] const HullCount& hulls() const { return hulls_; }
 
   struct Line {
     std::string label;  ///< of outcomes without a family: "(no family)"; printable ASCII, at most 32 characters
@@ -62,6 +65,8 @@ class Tally {
 
  private:
   TallyRow all_;
+  Times times_;
+  HullCount hulls_;
   std::map<std::string, TallyRow> families_, variants_;
 };
 

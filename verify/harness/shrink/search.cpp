@@ -35,6 +35,7 @@ bool is_solid(const Body& body) {
 
 /// The text of a certificate of the truth, which the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {
+  if (pair.a.shape || pair.b.shape) return accepted_certificate(pair, nullptr);
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
   std::string text = accepted_certificate(pair, depth);
   // The truth of a variant is that of the case up to a power of 4; the harness judged it by a solution of its own.
@@ -53,6 +54,7 @@ Search::Search(Verdict verdict, const Examine& examine, const std::function<void
       on_better_(on_better),
       stop_(stop),
       precision_(settings.precision),
+      judged_(settings.judged),
       tries_(settings.tries != 0            ? settings.tries
              : verdict == Verdict::time_out ? slow_tries
                                             : usual_tries),
@@ -86,7 +88,7 @@ bool Search::offer(Case candidate) {
 }
 
 bool Search::keep(Case pair, Outcome outcome) {
-  if (certify_) result_.certificate = proved(pair, outcome);
+  if (certify_) result_.certificate = proved(judged_ ? judged_(pair, outcome) : pair, outcome);
   size_ = size_of(pair);
   result_.pair = std::move(pair);
   result_.outcome = std::move(outcome);

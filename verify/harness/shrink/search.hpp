@@ -37,6 +37,7 @@ class Search {
   const std::function<void(const Shrunk&)>& on_better_;
   const std::function<bool()>& stop_;
   Precision precision_;
+  const std::function<Case(const Case&, const Outcome&)>& judged_;
   std::size_t tries_;
   bool keep_solid_, certify_, solid_a_ = false, solid_b_ = false;  ///< whether the bodies have to keep an interior
   bool over_ = false;

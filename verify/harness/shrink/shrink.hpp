@@ -24,7 +24,9 @@ struct ShrinkSettings {
   Precision precision = Precision::binary64;  ///< the subject's: coordinates stay in it
   std::size_t tries = 0;                      ///< cases put to the subject at most; 0: 4000, or 100 where each try waits for a time-out
   bool keep_solid = true;                     ///< a body with an interior keeps one: flat bodies fail for reasons of their own
-  bool certify = true;                        ///< certify the truth about each kept case; if not, `certificate` stays empty
+  /// The bodies that an answer is judged on, if they are others than the case's; see judged_bodies.
+  std::function<Case(const Case&, const Outcome&)> judged = {};
+  bool certify = true;  ///< certify the truth about each kept case; if not, `certificate` stays empty
 };
 
 /// Delta debugging, in passes until none helps: inner points and chunks of points dropped, bodies moved to the origin, scaled by powers of

@@ -11,7 +11,9 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
 #include "verify/harness/variants.hpp"
 
@@ -71,28 +73,37 @@ std::string claim_text(const Outcome& outcome) {
   return text;
 }
 
-std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const std::string& command) {
+/// The truth that the outcome was judged by; of a variant that about the case.
+std::string truth_text(const Case& pair, const Outcome& outcome) {
+  if (outcome.judgement && outcome.judgement->signed_depth) {
+    const Between& depth = *outcome.judgement->signed_depth;
+    return fmt::format("of the bodies as the subject rounds them: the signed depth is between {} and {}", depth.low, depth.high);
+  }
   Status status = Status::disjoint;
   mpq_class squared;
   if (outcome.judgement && outcome.variant.empty()) {
     status = *outcome.judgement->status;  // of polytopes
-    squared = outcome.judgement->depth_squared;
+    squared = scaled(outcome.judgement->depth_squared, 2 * outcome.fit);
   } else {
     const Truth truth = truth_about(pair.a.points, pair.b.points);
     status = truth.depth.status();
     squared = truth.depth.squared();
   }
+  return fmt::format("{}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared), root_binary64(squared, Rounding::rn));
+}
+
+std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const std::string& command) {
   std::string settings;
   for (const auto& [key, value] : info.settings) settings += (settings.empty() ? "; " : ", ") + key + " = " + value;
   const std::string sentence = outcome.judgement ? outcome.judgement->sentence : outcome.detail;
   const std::string behind = outcome.variant.empty() ? "" : fmt::format(" (variant \"{}\")", outcome.variant);
   std::string text;
   const auto line = [&text](const std::string& words) { text += "// " + comment_text(words) + '\n'; };
-  line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, name(info.precision), settings));
-  line(fmt::format("truth:   {}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared),
-                   root_binary64(squared, Rounding::rn)));
+  line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, precision_text(info.format), settings));
+  line("truth:   " + truth_text(pair, outcome));
   line("claim:   " + claim_text(outcome) + behind);
   line(fmt::format("verdict: {}{}{}", name(outcome.verdict), sentence.empty() ? "" : ": ", sentence));
+  if (outcome.fit != 0) line(fmt::format("unit:    as the subject saw it, 2^{} of the case's; the verdict is in the case's", -outcome.fit));
   line("compile: " + command);
   return text;
 }
@@ -100,7 +111,7 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
 /// The case as the variant that the outcome is about.
 std::optional<Case> variant_of(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const std::string names[] = {outcome.variant};
-  std::vector<Variant> found = variants(pair, info.precision, names);
+  std::vector<Variant> found = variants(pair, info.format, names);
   return found.empty() ? std::nullopt : std::optional(found.front().seen);
 }
 
@@ -153,8 +164,10 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
     text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   text += reply_text(outcome) + conventions_text(info.conventions);
-  text += fmt::format("  const fathom::Judgement judgement = fathom::judge(a, b, reply, conventions, fathom::Precision::{});\n",
-                      name(info.precision));
+  const std::string of_answers =
+      info.format.points == info.format.answers ? "" : fmt::format(", fathom::Precision::{}}}", name(info.format.answers));
+  text += fmt::format("  const fathom::Judgement judgement = fathom::judge(a, b, reply, conventions, {}fathom::Precision::{}{});\n",
+                      of_answers.empty() ? "" : "{", name(info.format.points), of_answers);
   return text + "  EXPECT_TRUE(fathom::passes(judgement.verdict)) << judgement.sentence;\n}\n";
 }
 
@@ -162,7 +175,8 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
 
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const std::optional<Program> program = program_for(info);
-  return program ? program_text(info, pair, outcome, *program) : test_text(info, pair, outcome);
+  const Case there = in_unit(pair, outcome.fit);
+  return program ? program_text(info, there, outcome, *program) : test_text(info, there, outcome);
 }
 
 }  // namespace fathom::harness

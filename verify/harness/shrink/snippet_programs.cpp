@@ -221,7 +221,7 @@ Program fcl_program(const SubjectInfo& info) {
 }
 
 Program bullet_program(const SubjectInfo& info) {
-  const bool pair = info.name.find("pair") != std::string::npos, wide = info.precision == Precision::binary64;
+  const bool pair = info.name.find("pair") != std::string::npos, wide = info.format.points == Precision::binary64;
   std::string includes = "#include <BulletCollision/CollisionShapes/btConvexHullShape.h>\n";
   for (const char* header :
        {"btGjkEpa2", "btGjkEpaPenetrationDepthSolver", "btGjkPairDetector", "btPointCollector", "btVoronoiSimplexSolver"})

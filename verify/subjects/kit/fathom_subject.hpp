@@ -59,6 +59,7 @@ struct Reply {
   std::optional<double> depth = {};                   ///< with the sign that is declared
   std::optional<Vector> direction = {};               ///< moving the declared body by |depth| * direction takes the bodies apart
   std::optional<std::array<Vector, 2>> witness = {};  ///< a point of A and one of B, which differ by that translation of A
+  std::array<std::vector<Vector>, 2> hull = {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
 };
 
 /// Throw it for a pair that your code does not take: the case is not judged then. Any other exception is a failure to answer.
@@ -82,6 +83,8 @@ struct Subject {
   std::vector<std::string> promises = {};  ///< what each answer holds that says "overlap": "depth", "direction", "witness"
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
   std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
+  std::string answers = {};                          ///< the precision of answers, if `precision` is that of points alone
+  std::map<std::string, double> rounding = {};       ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
 };
 
 namespace details {
@@ -202,11 +205,15 @@ inline std::string number(double x) {
 
 inline std::string vector(const Vector& v) { return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']'; }
 
-inline std::string list(const std::vector<std::string>& words) {
+/// What `text` makes of each item, with commas.
+template <class Items, class Text>
+std::string joined(const Items& items, Text text) {
   std::string result;
-  for (const std::string& word : words) result += (result.empty() ? "" : ",") + quoted(word);
-  return '[' + result + ']';
+  for (const auto& item : items) result += (result.empty() ? "" : ",") + text(item);
+  return result;
 }
+
+inline std::string list(const std::vector<std::string>& words) { return '[' + joined(words, quoted) + ']'; }
 
 template <std::size_t n>
 std::array<double, n> numbers(const Json& from) {
@@ -271,15 +278,25 @@ inline Body body_of(const Json& from) {
   return body;
 }
 
+inline std::string precision(const Subject& subject) {
+  if (subject.answers.empty()) return quoted(subject.precision);
+  return "{\"points\":" + quoted(subject.precision) + ",\"answers\":" + quoted(subject.answers) + '}';
+}
+
+inline std::string rounding(const std::map<std::string, double>& radii) {
+  if (radii.empty()) return "";
+  if (const auto of_all = radii.find(""); of_all != radii.end()) return ",\"rounding\":" + number(of_all->second);
+  return ",\"rounding\":{" + joined(radii, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) + '}';
+}
+
 inline std::string hello(const Subject& subject) {
-  std::string settings;
-  for (const auto& [key, value] : subject.settings) settings += (settings.empty() ? "" : ",") + quoted(key) + ':' + quoted(value);
+  const std::string settings = joined(subject.settings, [](const auto& each) { return quoted(each.first) + ':' + quoted(each.second); });
   return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) + ",\"version\":" + quoted(subject.version) +
-         ",\"precision\":" + quoted(subject.precision) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
+         ",\"precision\":" + precision(subject) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
          ",\"depth\":" + quoted(subject.depth) + ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
          "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) + '}' +
          (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) + ",\"promises\":" + list(subject.promises) +
-         ",\"settings\":{" + settings + "}}";
+         rounding(subject.rounding) + ",\"settings\":{" + settings + "}}";
 }
 
 inline std::string answer(const Reply& reply) {
@@ -287,6 +304,11 @@ inline std::string answer(const Reply& reply) {
   if (reply.depth) result += ",\"depth\":" + number(*reply.depth);
   if (reply.direction) result += ",\"direction\":" + vector(*reply.direction);
   if (reply.witness) result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
+  std::string hulls;
+  for (const std::size_t i : {0U, 1U})
+    if (!reply.hull[i].empty())
+      hulls += (hulls.empty() ? "\"" : ",\"") + std::string(1, "ab"[i]) + "\":[" + joined(reply.hull[i], vector) + ']';
+  if (!hulls.empty()) result += ",\"hull\":{" + hulls + '}';
   return result;
 }
 

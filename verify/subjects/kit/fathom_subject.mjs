@@ -67,6 +67,9 @@ function replyOf(answer) {
   if (isGiven(answer.depth)) reply.depth = number(answer.depth);
   if (isGiven(answer.direction)) reply.direction = vector(answer.direction);
   if (isGiven(answer.witness)) reply.witness = { a: vector(answer.witness.a), b: vector(answer.witness.b) };
+  if (isGiven(answer.hull))
+    reply.hull = Object.fromEntries(['a', 'b'].filter((name) => isGiven(answer.hull[name]))
+                                        .map((name) => [name, Array.from(answer.hull[name], vector)]));
   if (isGiven(answer.microseconds)) reply.microseconds = Number(answer.microseconds);
   return reply;
 }
@@ -104,11 +107,13 @@ function divertPrints() {
 
 /**
  * Answers cases until there are no more. solve(a, b) returns, now or by a promise, { overlap, depth, direction, witness: { a, b } }; all but
- * `overlap` may be left out, and what is there is judged. `microseconds` says how long the answer took, where solve measured a part of its
+ * `overlap` may be left out, and what is there is judged. `hull: { a, b }`, or one of them, tells the vertices of the hulls that were really
+ * used, where they may be others than the asked ones. `microseconds` says how long the answer took, where solve measured a part of its
  * time itself. What the subject declares:
  *
  * name, version   of what is tested
- * precision       'binary64' or 'binary32': in which it computes. Bodies are rounded to it before they are sent
+ * precision       'binary64' or 'binary32': in which it computes. Bodies are rounded to it before they are sent. Or { points, answers }, if
+ *                 points are seen in one and answers are of the other
  * touching        what it says of bodies that touch: 'overlap', 'separate', or 'either' if it makes no promise
  * depth           the sign of the depth of bodies that overlap: 'positive' or 'negative'
  * moves           which body |depth| * direction moves apart: 'a' or 'b'
@@ -117,12 +122,13 @@ function divertPrints() {
  * shapes          names of the shapes that it takes, and 'margin' if they may have one; others come as vertices or not at all
  * promises        which of 'depth', 'direction', 'witness' each answer holds that says 'overlap'
  * settings        { iterations: 100, ... }: shown beside the verdicts
+ * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes
  */
 export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
-          shapes = [], promises = [], settings = {} } = declared;
+          shapes = [], promises = [], settings = {}, rounding } = declared;
   const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit },
-                  capabilities: { faces, shapes }, promises, settings };
+                  capabilities: { faces, shapes }, promises, settings, rounding };
   divertPrints();
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     const message = JSON.parse(line);

@@ -71,10 +71,12 @@ class Reply:
     depth      how deep, with the sign that `run` declares
     direction  moving the declared body by |depth| * direction takes the bodies apart
     witness    a point of A and one of B, which differ by that translation of A
+    hull       the vertices of A's and of B's hull that your code really used, where they may be others than the asked ones; None for either
+               whose are not known
     """
 
-    def __init__(self, overlap, depth=None, direction=None, witness=None):
-        self.overlap, self.depth, self.direction, self.witness = overlap, depth, direction, witness
+    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None):
+        self.overlap, self.depth, self.direction, self.witness, self.hull = overlap, depth, direction, witness, hull
 
     def fields(self):
         found = {"overlap": bool(self.overlap)}
@@ -85,6 +87,8 @@ class Reply:
         if self.witness is not None:
             a, b = self.witness
             found["witness"] = {"a": _vector(a), "b": _vector(b)}
+        if self.hull is not None:
+            found["hull"] = {name: [_vector(v) for v in hull] for name, hull in zip("ab", self.hull) if hull is not None}
         return found
 
 
@@ -120,11 +124,12 @@ def _answer(solve, message):
 
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
-        faces=False, shapes=(), promises=(), settings=None):
+        faces=False, shapes=(), promises=(), settings=None, rounding=None):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
-    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent
+    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent. Or {"points": ..., "answers":
+                    ...}, if points are seen in one and answers are of the other
     touching        what it says of bodies that touch: "overlap", "separate", or "either" if it makes no promise
     depth           the sign of the depth of bodies that overlap: "positive" or "negative"
     moves           which body |depth| * direction moves apart: "a" or "b"
@@ -133,10 +138,13 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     shapes          names of the shapes that it takes, and "margin" if they may have one; others come as vertices or not at all
     promises        which of "depth", "direction", "witness" each answer holds that says "overlap"
     settings        {"iterations": 100, ...}: shown beside the verdicts
+    rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
     """
     hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
              "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit},
              "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
+    if rounding is not None:
+        hello["rounding"] = rounding
     answers = _answers()
     for line in sys.stdin:
         message = json.loads(line)

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/harness/extras.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fathom/numbers.hpp"
+
+namespace fathom::harness {
+namespace {
+
+std::string name_of(const Outcome& outcome) { return outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant; }
+
+std::string at(const Most& most) { return fmt::format("{:.4g} ({})", most.amount, most.id); }
+
+}  // namespace
+
+void Most::add(double other, const std::string& of) {
+  if (!id.empty() && (other < amount || (other == amount && of >= id))) return;
+  amount = other;
+  id = of;
+}
+
+void Times::add(const Outcome& outcome) {
+  if (!outcome.microseconds) return;
+  all_.push_back(*outcome.microseconds);
+  worst_.add(*outcome.microseconds, name_of(outcome));
+}
+
+double Times::median() const {
+  std::vector<double> sorted = all_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
+}
+
+void HullCount::add(const Outcome& outcome) {
+  if (!outcome.hulls) return;
+  ++count;
+  passed += passes(outcome.hulls->query.verdict) ? 1 : 0;
+  lost.add(root_binary64(outcome.hulls->lost_squared, Rounding::rn), name_of(outcome));
+  grown.add(root_binary64(outcome.hulls->grown_squared, Rounding::rn), name_of(outcome));
+}
+
+std::vector<std::string> time_entries(const Times& times) {
+  if (times.empty()) return {};
+  return {fmt::format("median {:.4g} us", times.median()), fmt::format("worst {:.4g} us ({})", times.worst().amount, times.worst().id)};
+}
+
+std::vector<std::string> hull_entries(const HullCount& hulls) {
+  if (hulls.count == 0) return {};
+  return {fmt::format("told in {} answers", hulls.count), fmt::format("by them {} pass", hulls.passed), "lost at most " + at(hulls.lost),
+          "grown at most " + at(hulls.grown)};
+}
+
+}  // namespace fathom::harness

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What answers say beside their verdicts, counted: the time they took, and the hulls that they are about.            [docs/certify.md]
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "verify/harness/outcome.hpp"
+
+namespace fathom::harness {
+
+/// The most of something, and the case where it was: of several the one with the least name.
+struct Most {
+  double amount = 0;
+  std::string id = {};  ///< with "~swap" of a variant; empty: there was nothing
+  void add(double other, const std::string& of);
+};
+
+/// Microseconds of answers, as the subject measured them.
+class Times {
+ public:
+  void add(const Outcome& outcome);
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+  [[nodiscard]] std::size_t count() const { return all_.size(); }
+  /// Of an even number the lower of the middle two. There must be one.
+  [[nodiscard]] double median() const;
+  [[nodiscard]] const Most& worst() const { return worst_; }
+
+ private:
+  std::vector<double> all_;
+  Most worst_;
+};
+
+/// Answers that told their hulls.
+struct HullCount {
+  std::size_t count = 0, passed = 0;  ///< passed: by the hulls that were used
+  Most lost, grown;                   ///< lengths in the unit of the cases, correctly rounded
+  void add(const Outcome& outcome);
+};
+
+/// "median 3.1 us", "worst 250 us (boxes-n8-s3)"; nothing without times.
+std::vector<std::string> time_entries(const Times& times);
+/// "told in 9 of 12 answers"... ; nothing without hulls.
+std::vector<std::string> hull_entries(const HullCount& hulls);
+
+}  // namespace fathom::harness

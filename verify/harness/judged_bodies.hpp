@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bodies that an answer is judged on, where they are not the ones that were asked: rounded, or as the subject's hulls are.
+//                                                                                         [verify/PROTOCOL.md; verify/judge/VERDICTS.md]
+#pragma once
+
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/protocol.hpp"
+
+namespace fathom::harness {
+
+/// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose lengths are 2^exponent times those of the
+/// case. What has a radius is a shape without words.
+Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
+
+/// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices.
+void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
+
+/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of the case.
+Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent);
+
+/// Returns the square of the largest distance of a vertex of `from` from the body of the same letter in `to`, over the bodies whose hulls the
+/// answer tells.
+mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& answer);
+
+}  // namespace fathom::harness
