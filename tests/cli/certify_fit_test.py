@@ -38,6 +38,8 @@ def solve(a, b):
     if asked % 2 == 0:
         depth *= options.get("second", 1)
     hulls = [[[x + options["hull"] for x in v] for v in a.vertices], None] if "hull" in options else None
+    if "stretch" in options:
+        hulls = [None, [[x * options["stretch"] for x in v] for v in b.vertices]]
     return fathom_subject.Reply(depth > 0, max(depth, 0), direction, hull=hulls)
 
 
@@ -261,6 +263,12 @@ class Declared(Subject):
         _, out, _ = self.run_cli("certify", "--html", str(page), "--subject", self.subject(hull=0.125, factor=2), "-", stdin=cases)
         self.assertRegex(out, r"hulls +told in 2 answers; by them 0 pass; lost at most 0\.2165 \(box::0\); grown at most 0\.2165 \(box::0\)")
         self.assertIn("Hulls that it used", page.read_text())
+
+    def test_lost_is_not_grown(self):
+        """A unit cube, and about it its own hull twice as large or half as large."""
+        for stretch, lost, grown in ((2, "0", "3"), (0.5, "3/4", "0")):
+            _, lines, _ = self.judged(stdin=case(box([4, 0, 0], [5, 1, 1]), box([0, 0, 0], [1, 1, 1]), id="cube"), stretch=stretch)
+            self.assertEqual((lines[1]["hulls"]["lost_squared"], lines[1]["hulls"]["grown_squared"]), (lost, grown))
 
     def test_used_hulls_are_of_the_fitted_case(self):
         _, lines, _ = self.judged("--fit", "64", stdin=small(-40, "small"), hull=0.125)
