@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reports of `fathom certify` as numbers: results.json of schema fathom/survey/2.
+
+A set has cells, one for each family or, where every case has a row of its own, for each case: `n` counts verdicts, and `worst` is the worst
+failing answer as [case, digest, verdict, sentence]. Errors are the claimed depth less the true one, in parts of R, the largest coordinate.
+"""
+import collections
+import json
+import re
+import statistics
+
+import sets
+
+PASSES = ("pass", "touching-by-convention")
+CLASSES = ("correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance")
+# What a verdict is in few words, in the order of the tables.
+GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shallow",),
+          "wrong status": ("false-separation", "false-overlap"),
+          "other wrong": ("not-a-direction", "wrong-sign", "too-far", "too-near", "not-separating", "inconsistent", "witness-off",
+                          "witness-outside", "not-invariant", "nan"),
+          "no answer": ("crash", "time-out", "silent", "garbage", "failed"), "declined": ("unsupported",)}
+GROUP_OF = {verdict: group for group, verdicts in GROUPS.items() for verdict in verdicts}
+BADNESS = ("wrong status", "too shallow", "too deep", "other wrong", "no answer")  # of equal errors, and where there is none
+SUBSETS = ("solid", "metre_sized")  # fields of a report's line that are true or false
+LONGEST = 160  # characters of a sentence
+
+
+def group_of(verdict):
+    return GROUP_OF.get(verdict, "other wrong")
+
+
+def family_of(case):
+    """The family that an id names, as fathom's own tables group them."""
+    found = re.fullmatch(r"(.+?)(?:::.*|-n\d+-s\d+)", case)
+    return found.group(1) if found else ""
+
+
+def read(path):
+    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
+
+
+def numbers_of(hello):
+    """(those of points, those of answers)"""
+    precision = hello["precision"]
+    return (precision["points"], precision["answers"]) if isinstance(precision, dict) else (precision, precision)
+
+
+def numbers_text(hello):
+    points, answers = numbers_of(hello)
+    return points if points == answers else f"{points}, answers {answers}"
+
+
+def is_whole(path):
+    with path.open("rb") as file:
+        file.seek(max(0, path.stat().st_size - 4096))
+        last = file.read().splitlines()[-1:]
+    return bool(last) and last[0].startswith(b'{"schema":"fathom/verdict/1","type":"summary"')
+
+
+def outcomes_of(lines):
+    """A case that was run again counts once."""
+    return list({line["id"]: line for line in lines if line["type"] == "case"}.values())
+
+
+def error_of(outcome, unit_roundoff):
+    """In parts of R; None without a claimed depth."""
+    value = outcome.get("judgement", {}).get("error_u_r")
+    return None if value is None or isinstance(value, str) else value * unit_roundoff
+
+
+def sentence_of(outcome):
+    text = outcome.get("judgement", {}).get("sentence") or outcome.get("detail", "")
+    while len(text) > LONGEST and "; " in text:
+        text = text.rpartition("; ")[0]
+    return text if len(text) <= LONGEST else text[:LONGEST - 3] + "..."
+
+
+def worst_of(outcomes, unit_roundoff):
+    """The failing outcome that errs most; wrong answers before silence."""
+    failing = [o for o in outcomes if group_of(o["verdict"]) in BADNESS]
+    if not failing:
+        return None
+
+    def rank(outcome):
+        group = group_of(outcome["verdict"])
+        return group != "no answer", abs(error_of(outcome, unit_roundoff) or 0), -BADNESS.index(group), outcome["id"]
+    return max(failing, key=rank)
+
+
+def groups(outcomes):
+    counts = collections.Counter(group_of(o["verdict"]) for o in outcomes)
+    return {group: counts[group] for group in GROUPS if counts[group]}
+
+
+def cell(outcomes, unit_roundoff):
+    found = {"n": dict(collections.Counter(o["verdict"] for o in outcomes))}
+    if worst := worst_of(outcomes, unit_roundoff):
+        found["worst"] = [worst["id"], worst["digest"], worst["verdict"], sentence_of(worst)]
+    return found
+
+
+def microseconds(outcomes):
+    """Of the answers that subjects timed themselves: the median and the worst."""
+    times = [t for o in outcomes if (t := o.get("microseconds", o.get("reply", {}).get("microseconds"))) is not None]
+    return {"median": statistics.median(times), "worst": max(times), "timed": len(times)} if times else None
+
+
+def extreme(outcomes, unit_roundoff, verdict, sign):
+    """Of the answers with that verdict, the one that is the farthest off on that side."""
+    found = [(sign * (error_of(o, unit_roundoff) or 0), o["id"]) for o in outcomes if o["verdict"] == verdict]
+    if not found:
+        return None
+    error, case = max(found)
+    return {"error": sign * error, "case": case}
+
+
+def summary(outcomes, unit_roundoff, by_case):
+    cells = collections.defaultdict(list)
+    for outcome in outcomes:
+        cells[outcome["id"] if by_case else family_of(outcome["id"])].append(outcome)
+    relative = [abs(value) for o in outcomes if isinstance(value := o.get("judgement", {}).get("error_relative"), (int, float))]
+    accuracy = collections.Counter(o["judgement"]["accuracy"] for o in outcomes if "accuracy" in o.get("judgement", {}))
+    result = {"cases": len(outcomes), "groups": groups(outcomes), "verdicts": dict(collections.Counter(o["verdict"] for o in outcomes)),
+              "accuracy": {name: accuracy[name] for name in CLASSES if accuracy[name]},
+              "median_relative_error": statistics.median(relative) if relative else None,
+              "most_too_deep": extreme(outcomes, unit_roundoff, "too-deep", 1),
+              "most_too_shallow": extreme(outcomes, unit_roundoff, "too-shallow", -1), "microseconds": microseconds(outcomes),
+              "subsets": {name: groups(chosen) for name in SUBSETS if (chosen := [o for o in outcomes if o.get(name) is True])}}
+    result["cells"] = {name: cell(found, unit_roundoff) for name, found in cells.items()}
+    return result
+
+
+def results(work, names, adapters):
+    """The sets with their commands and rows, and every subject with what its reports say."""
+    found = {"groups": list(GROUPS), "sets": {}, "subjects": []}
+    for name in names:
+        chosen = sets.SETS[name]
+        cases = sets.read_cases(work / f"{name}.jsonl")
+        rows = collections.Counter(case if chosen.by_case else family_of(case) for case in cases)
+        found["sets"][name] = {"title": chosen.title, "about": chosen.about, "command": chosen.command(), "cases": len(cases),
+                               "by_case": chosen.by_case, "rows": dict(sorted(rows.items()) if not chosen.by_case else rows)}
+    for adapter, description in adapters.items():
+        subject = {"adapter": adapter, "description": description, "sets": {}}
+        for name in names:
+            lines = read(work / f"{name}.{adapter}.jsonl")
+            header = lines[0]
+            hello, found["tolerance"] = header["subject"], header["tolerance"]
+            subject["hello"] = {key: value for key, value in hello.items() if key not in ("type", "protocol")}
+            unit_roundoff = 2.0**-24 if numbers_of(hello)[0] == "binary32" else 2.0**-53
+            subject["sets"][name] = summary(outcomes_of(lines), unit_roundoff, sets.SETS[name].by_case)
+        found["subjects"].append(subject)
+    return found
+
+
+def text(results_):
+    """JSON with a line for each set of each subject: compact, and a change is a few lines of a difference."""
+    subjects = []
+    for subject in results_["subjects"]:
+        head = json.dumps({key: value for key, value in subject.items() if key != "sets"})[:-1]
+        each = ",\n  ".join(f"{json.dumps(name)}:{json.dumps(found, separators=(',', ':'))}" for name, found in subject["sets"].items())
+        subjects.append(f'{head}, "sets": {{\n  {each}}}}}')
+    head = json.dumps({key: value for key, value in results_.items() if key != "subjects"}, indent=1)[:-2]
+    return f'{head},\n "subjects": [\n' + ",\n".join(subjects) + "\n]}\n"
