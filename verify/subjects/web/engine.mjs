@@ -139,7 +139,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
   note('call', own.call);
   note('centre', 'mean of the vertices');
   const { depth, moves, unit: isUnit = true, shapes = [] } = own;
-  const round = precision === 'binary32' ? Math.fround : (x) => x;
+  const round = (precision.points ?? precision) === 'binary32' ? Math.fround : (x) => x;
 
   const solve = (a, b) => {
     const made = [];

@@ -95,7 +95,7 @@ const conventions = { depth: 'negative', moves: 'b', shapes: ['sphere', 'box', '
 let first = null;
 
 await serve({
-  name: 'mujoco', version: M.mj_versionString(), precision: 'binary32',
+  name: 'mujoco', version: M.mj_versionString(), precision: { points: 'binary32', answers: 'binary64' },
   modes: {
     native: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
     single: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
