@@ -15,7 +15,8 @@ namespace fathom::cli {
 /// Who examines cases instead of threads of this process.
 struct ExaminersElsewhere {
   unsigned count = 0;  ///< cases at once; 0: nobody does
-  /// Examines a case, all lengths times 2^exponent, with a subject whose hello must be `hello`. Called from as many threads. Throws as Examiner::examine.
+  /// Examines a case, all lengths times 2^exponent, with a subject whose hello must be `hello`. Called from as many threads. Throws as
+  /// Examiner::examine.
   std::function<harness::Outcome(const Case&, long exponent, const std::string& hello)> examine = {};
 };
 

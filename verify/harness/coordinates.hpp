@@ -30,8 +30,8 @@ std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& for
 /// Whether a length is a finite number of the format's points in its unit.
 bool representable(const mpq_class& value, const NumberFormat& format);
 
-/// The words with each number rounded: parameters, margins, poses. Turns, matrices and normals have no unit. A margin that is 0 is left out, and so is "rounded_". Returns nullopt if a
-/// number overflows.
+/// The words with each number rounded: parameters, margins, poses. Turns, matrices and normals have no unit. A margin that is 0 is left
+/// out, and so is "rounded_". Returns nullopt if a number overflows.
 std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberFormat& format);
 
 /// Applies use(mpq_class&) to each length of a named body: radii, margins, points, offsets, the place; not to normals and turns.

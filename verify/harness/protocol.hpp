@@ -26,8 +26,8 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 /// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
 
-/// What fathom sends, without the newline. A body that has words is sent by them, any other by its vertices. Numbers are the shortest decimals
-/// that read back as the same number of the precision; `seen` must hold such numbers only.
+/// What fathom sends, without the newline. A body that has words is sent by them, any other by its vertices. Numbers are the shortest
+/// decimals that read back as the same number of the precision; `seen` must hold such numbers only.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
@@ -52,9 +52,9 @@ struct SubjectAnswer {
   std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
-/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf and C99 hex floats are understood as bare words and as strings, in any of their usual
-/// spellings. Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are skipped, with a remark if
-/// they look misspelt. Throws ProtocolError.
+/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf and C99 hex floats are understood as
+/// bare words and as strings, in any of their usual spellings. Known fields must have their type, whatever `overlap` says; null has none.
+/// Unknown fields are skipped, with a remark if they look misspelt. Throws ProtocolError.
 SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
 
 /// Whether the line is a hello, valid or not: the first line of a replay may be one.

@@ -15,15 +15,15 @@
 
 namespace fathom::harness {
 
-/// Returns the case as a subject of this format sees it, in the unit of the case, which takes bodies by the names in `shapes`. A body that was given by such a name has
-/// its parameters, its margin and its pose rounded, and is the body of these. Any other has its points rounded, and no words. Returns nullopt,
-/// and the reason in `why`, if a number overflows the format, rounding leaves no body, a body is no polytope and its name is not in
-/// `shapes`, or both are half-spaces. What was seen is seen again as it is.
+/// Returns the case as a subject of this format sees it, in the unit of the case, which takes bodies by the names in `shapes`. A body that
+/// was given by such a name has its parameters, its margin and its pose rounded, and is the body of these. Any other has its points
+/// rounded, and no words. Returns nullopt, and the reason in `why`, if a number overflows the format, rounding leaves no body, a body is no
+/// polytope and its name is not in `shapes`, or both are half-spaces. What was seen is seen again as it is.
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes = {},
                             std::string* why = nullptr);
 
-/// Returns the k for which the extent of the bodies times 2^k is less than `size`, and at least half of it; 0 without a size, and for a point
-/// on a point. The size is above 0.
+/// Returns the k for which the extent of the bodies times 2^k is less than `size`, and at least half of it; 0 without a size, and for a
+/// point on a point. The size is above 0.
 long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
 
 /// The lengths of the bodies, those of shapes rounded up.
