@@ -114,8 +114,8 @@ void add_reports(CLI::App& app, Request& request) {
   app.add_flag("--resume", certify.resume, "go on with the report that is there: what it holds is not run again");
   app.add_flag("--json", request.json, "the same lines on standard output, instead of the table");
   app.add_flag("--metamorphic{all}", certify.metamorphic,
-               fmt::format("each case also under these symmetries: {}, which is all that are meant without a list",
-                           fmt::join(all_variants(), ",")))
+               fmt::format("each case also under symmetries, any of {} with commas between them; all without a list",
+                           fmt::join(all_variants(), ", ")))
       ->type_name("[=LIST]");
   add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails");
   add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list; comments of one that is there stay");
