@@ -243,9 +243,8 @@ TEST(Html, WrongAnswersBeforeThoseThatAreNotThere) {
   Outcomes outcomes{judged("fine", Verdict::pass, 0, 0), outcome("touch", Verdict::touching_by_convention),
                     outcome("not mine", Verdict::unsupported)};
   for (const Verdict verdict : {Verdict::crash, Verdict::time_out}) failures.push_back({outcome("lost", verdict), cubes("lost", 1), ""});
-  for (const double error : {0.25, 4.0, 0.5})
-    failures.push_back({judged("deep" + std::to_string(error)[0], Verdict::too_deep, error, 1), cubes("deep", 1), ""});
-  failures[2].outcome.id = "deep little", failures[3].outcome.id = "deep most", failures[4].outcome.id = "deep more";
+  for (const auto& [id, error] : {std::pair{"deep little", 0.25}, std::pair{"deep most", 4.0}, std::pair{"deep more", 0.5}})
+    failures.push_back({judged(id, Verdict::too_deep, error, 1), cubes("deep", 1), ""});
   for (const HtmlFailure& each : failures) outcomes.push_back(each.outcome);
   const Element page = read_page(html_page(subject(), outcomes, failures, {}));
   std::vector<std::string> headings, cards;
