@@ -2,7 +2,9 @@
 // The judge for C: plain structs in and out.
 #include "fathom/judge.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,11 +19,34 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-static_assert(static_cast<int>(Verdict::pass) == FATHOM_VERDICT_PASS && static_cast<int>(Verdict::failed) == FATHOM_VERDICT_FAILED);
-static_assert(static_cast<int>(Verdict::nan) == FATHOM_VERDICT_NAN &&
-              static_cast<int>(Verdict::false_overlap) == FATHOM_VERDICT_FALSE_OVERLAP);
-static_assert(static_cast<int>(Verdict::too_deep) == FATHOM_VERDICT_TOO_DEEP &&
-              static_cast<int>(Verdict::witness_off) == FATHOM_VERDICT_WITNESS_OFF);
+/// The verdicts by their numbers for C, which are in order of rank but for the last two.
+constexpr Verdict verdicts[] = {Verdict::crash,
+                                Verdict::time_out,
+                                Verdict::silent,
+                                Verdict::garbage,
+                                Verdict::failed,
+                                Verdict::nan,
+                                Verdict::false_separation,
+                                Verdict::false_overlap,
+                                Verdict::not_a_direction,
+                                Verdict::wrong_sign,
+                                Verdict::too_deep,
+                                Verdict::too_shallow,
+                                Verdict::not_separating,
+                                Verdict::inconsistent,
+                                Verdict::witness_off,
+                                Verdict::not_invariant,
+                                Verdict::unsupported,
+                                Verdict::touching_by_convention,
+                                Verdict::pass,
+                                Verdict::too_far,
+                                Verdict::too_near};
+static_assert(std::size(verdicts) == FATHOM_VERDICT_TOO_NEAR + 1 && std::size(verdicts) == static_cast<std::size_t>(Verdict::pass) + 1);
+static_assert(verdicts[FATHOM_VERDICT_NAN] == Verdict::nan && verdicts[FATHOM_VERDICT_TOO_SHALLOW] == Verdict::too_shallow);
+static_assert(verdicts[FATHOM_VERDICT_WITNESS_OFF] == Verdict::witness_off && verdicts[FATHOM_VERDICT_PASS] == Verdict::pass);
+
+int number_of(Verdict verdict) { return static_cast<int>(std::ranges::find(verdicts, verdict) - std::begin(verdicts)); }
+
 static_assert(static_cast<int>(Status::penetrating) == FATHOM_PENETRATING && static_cast<int>(Status::disjoint) == FATHOM_DISJOINT);
 static_assert(static_cast<int>(Accuracy::correctly_rounded) == FATHOM_CORRECTLY_ROUNDED);
 static_assert(static_cast<int>(Accuracy::tolerance) == FATHOM_WITHIN_TOLERANCE);
@@ -79,8 +104,8 @@ void set_bounds(double& low, double& high, const std::optional<mpq_class>& signe
 fathom_judgement judgement_of(const Judgement& from, int status, const RoundedDepth& truth) {
   fathom_judgement to;
   fathom_judgement_init(&to);
-  to.verdict = static_cast<int>(from.verdict);
-  for (const Verdict finding : from.findings) to.findings |= 1U << static_cast<unsigned>(finding);
+  to.verdict = number_of(from.verdict);
+  for (const Verdict finding : from.findings) to.findings |= 1U << static_cast<unsigned>(number_of(finding));
   to.accuracy = from.accuracy ? static_cast<int>(*from.accuracy) : FATHOM_NO_CLASS;
   to.status = status;
   to.signed_depth = truth.nearest;
@@ -174,7 +199,7 @@ int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim*
 }
 
 const char* fathom_verdict_name(int verdict) {
-  return verdict < 0 || verdict > FATHOM_VERDICT_PASS ? nullptr : fathom::name(static_cast<fathom::Verdict>(verdict)).data();
+  return verdict < 0 || verdict > FATHOM_VERDICT_TOO_NEAR ? nullptr : fathom::name(verdicts[verdict]).data();
 }
 
 int fathom_verdict_passes(int verdict) { return verdict == FATHOM_VERDICT_PASS || verdict == FATHOM_VERDICT_TOUCHING_BY_CONVENTION; }

@@ -12,6 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/variants.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -139,6 +140,13 @@ void add_certify_options(CLI::App& app, Request& request) {
          "put each case to the subject scaled by a power of two, so that the longest side of its bodies is less than N and at least N/2")
       ->check(rule(is_size, "a number above 0, such as 64"))
       ->type_name("N");
+  app.add_option_function<std::string>(
+         "--policy", [&certify](const std::string& text) { certify.tolerance.policy = *judging::policy_of(text); },
+         "which depths pass that are the price of their own direction, though a shorter way out exists: as the subject's hello claims "
+         "(declared, unless given), none (minimum), all (separating), or up to P % above the depth (within=P%)")
+      ->check(rule([](const std::string& text) { return judging::policy_of(text).has_value(); },
+                   "declared, minimum, separating or within=P%, such as within=5%"))
+      ->type_name("POLICY");
   add_second_method(app, certify.methods,
                     "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare it, and "
                     "every judgement, field by field; may be repeated");

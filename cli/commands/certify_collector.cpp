@@ -95,8 +95,9 @@ void Collector::close() {
 
 void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
-  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(),
-                                                  summary_.tally().all().judged, &summary_.tally().times(), &summary_.tally().hulls()});
+  const harness::Tally& tally = summary_.tally();
+  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), tally.all().judged,
+                                                  &tally.times(), &tally.hulls(), &tally.all(), tally.parts()});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

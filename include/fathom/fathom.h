@@ -193,7 +193,7 @@ FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, 
 
 /* ---- the judge ---- */
 
-/** Verdicts, in order of rank; their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
+/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW; their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
  * come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,
@@ -214,7 +214,9 @@ enum {
   FATHOM_VERDICT_NOT_INVARIANT = 15,
   FATHOM_VERDICT_UNSUPPORTED = 16,
   FATHOM_VERDICT_TOUCHING_BY_CONVENTION = 17, /**< a pass */
-  FATHOM_VERDICT_PASS = 18
+  FATHOM_VERDICT_PASS = 18,
+  FATHOM_VERDICT_TOO_FAR = 19, /**< of a distance, which no fathom_claim has */
+  FATHOM_VERDICT_TOO_NEAR = 20
 };
 
 /** The best class that a right depth is in. */

@@ -45,10 +45,12 @@ struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
   enum class Sign { positive, negative };             ///< of a depth
   enum class Body { a, b };                           ///< which of the two
+  enum class Claims { minimum, separating };          ///< of a translation: that none is shorter; or that it separates, at its own price
   Touching touching = Touching::either;               ///< of bodies that touch
   Sign depth = Sign::positive;                        ///< of the depth of bodies that overlap
   Body moves = Body::a;                               ///< the body that |depth| * direction moves apart
   bool unit = true;                                   ///< whether directions are promised to have length 1
+  Claims claims = Claims::minimum;                    ///< what a depth with a direction means
 };
 
 /// x, y, z.
@@ -56,20 +58,32 @@ using Triple = std::array<double, 3>;
 
 /// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32 numbers are given as their equal doubles.
 struct Reply {
-  bool overlap = false;  ///< whether the bodies overlap, or penetrate
-  // Read only if overlap:
-  std::optional<double> depth;                 ///< of the overlap
-  std::optional<Triple> direction;             ///< in which a body moves apart
-  std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation that moves A apart
+  bool overlap = false;            ///< whether the bodies overlap, or penetrate
+  std::optional<double> depth;     ///< of the overlap; read only if overlap
+  std::optional<Triple> position;  ///< a point of both bodies; read only beside a depth
+  std::optional<double> distance;  ///< of the bodies, at least 0; read only if they are said to be apart
+  // Read beside a depth or a distance:
+  std::optional<Triple> direction;             ///< in which a body moves apart, or farther apart
+  std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation of A that makes the bodies touch
+};
+
+/// Which translations pass that are longer than need be, with a depth that is the price of their own direction.
+struct Policy {
+  enum class Kind { declared, minimum, separating, within };  ///< what the conventions claim; none; all; prices up to (1 + most) depths
+  Kind kind = Kind::declared;
+  mpq_class most = 0;  ///< of `within`
+  friend bool operator==(const Policy&, const Policy&) = default;
 };
 
 /// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
-/// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Negative values count as 0.
+/// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Of a claimed distance it is
+/// the true distance that counts in the depth's place. Negative values count as 0.
 /// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
 struct Tolerance {
   mpq_class relative{1, 1000};       ///< of the depth
   mpq_class absolute{1, 1'000'000};  ///< of the extent
   unsigned long ulps = 0;            ///< of the depth
+  Policy policy = {};                ///< of depths that are too deep
 };
 
 // ---- the verdict ----
@@ -87,12 +101,14 @@ enum class Verdict {
   false_separation,  ///< the bodies overlap by more than the tolerance, and it says that they do not
   false_overlap,     ///< the bodies are apart by more than the tolerance, and it says that they overlap
   not_a_direction,   ///< the direction is zero, or not of unit length where that was promised
-  wrong_sign,        ///< only a sign is wrong: of the depth, or of the direction
+  wrong_sign,        ///< only a sign is wrong: of the depth, of the distance, or of the direction
   too_deep,          ///< the depth is larger than the penetration depth
   too_shallow,       ///< the depth is smaller than the penetration depth
+  too_far,           ///< the distance is larger than that of the bodies, which is 0 if they overlap
+  too_near,          ///< the distance is smaller than that of the bodies
   not_separating,    ///< the bodies still overlap after the translation that it gives
-  inconsistent,      ///< the depth is not that of its own direction
-  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation
+  inconsistent,      ///< the depth, or the distance, is not that of its own direction
+  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation; or a position is not in both
   not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
@@ -111,7 +127,7 @@ constexpr bool passes(Verdict verdict) { return verdict >= Verdict::touching_by_
 /// Whether it is neither a pass nor `unsupported`.
 constexpr bool fails(Verdict verdict) { return verdict < Verdict::unsupported; }
 
-/// The best class that a right depth is in; u_r_16 is within 16 u R, the unit roundoff times the largest coordinate.
+/// The best class that a right depth or distance is in; u_r_16 is within 16 u R, the unit roundoff times the largest coordinate.
 enum class Accuracy { correctly_rounded, ulps_4, u_r_16, millionth, tolerance };
 /// "correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance".
 std::string_view name(Accuracy accuracy);
@@ -126,7 +142,8 @@ struct Between {
 struct Judgement {
   Verdict verdict = Verdict::garbage;  ///< the first of the findings, or a pass
   std::vector<Verdict> findings;       ///< everything that is wrong with the answer, in order of rank
-  std::optional<Accuracy> accuracy;    ///< of a pass with a depth
+  std::optional<Accuracy> accuracy;    ///< of a pass with a depth or a distance, unless `longer`
+  bool longer = false;                 ///< whether the depth would be too deep, but for the policy
 
   std::optional<Status> status = Status::disjoint;  ///< the truth; nullopt if the bounds of shapes leave it open
   mpq_class depth_squared;                          ///< the truth about polytopes; 0 unless penetrating
@@ -135,19 +152,23 @@ struct Judgement {
 
   // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are infinite beyond binary64.
   // Of shapes, a residual that is not known is the least one that the bounds of the truth allow, rounded towards 0: at least so much is wrong.
-  // Of a claimed depth: how much deeper it is than the true one, correctly rounded to nearest; negative if it is too shallow.
-  std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of depth 0
+  // Of a claimed depth, or distance: how much larger it is than the true one, correctly rounded to nearest; negative if it is smaller.
+  std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of one that is 0
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart. Of polytopes.
   std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
   std::optional<mpq_class> travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
-  std::optional<double> inconsistency;      ///< the claimed depth less the price
+  std::optional<double> inconsistency;      ///< the claimed depth, or minus the claimed distance, less the price
   std::optional<double> overlap_left;       ///< travel less the claimed depth, if that is positive
+  std::optional<double> dearer;             ///< price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
   // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead out of it.
   std::optional<Between> price, witness_a_distance, witness_b_distance;  ///< lengths
   // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of (b - a) - translation, rounded;
   // if no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
-  std::optional<double> witness_gap;                              ///< 0 if they fit
+  // The same of a position, from A and from B.
+  std::optional<mpq_class> position_a_squared, position_b_squared;
+  std::optional<Between> position_a_distance, position_b_distance;
+  std::optional<double> witness_gap;  ///< 0 if they fit
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };

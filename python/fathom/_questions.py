@@ -118,24 +118,31 @@ class Judgement(NamedTuple):
     depth_squared: Fraction | None  #: None if a body is a shape that is no polytope, as is distance_squared
     distance_squared: Fraction | None
     signed_depth: tuple[float, float] | None  #: the truth about shapes, rounded outward; None of polytopes
-    error: float | None  #: claimed depth less the true one, correctly rounded
+    error: float | None  #: claimed depth or distance less the true one, correctly rounded
     error_ulps: float | None
     error_relative: float | None
     price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it
     travel_squared: Fraction | None  #: the shortest way along it
     price: tuple[float, float] | None  #: of shapes: what leaving along the claimed direction costs, rounded outward
+    dearer: float | None  #: that price above the depth, relative to it
+    longer: bool  #: whether the depth would be too deep, but for the policy
 
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
-          touching: str = "either", sign: str = "positive", moves: str = "a", unit: bool = True, precision: str = "binary64",
-          relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
+          position: Any = None, distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
+          unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64", relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None,
+          pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
+    distance   of bodies that are said to be apart: witness then is a pair of nearest points, and along direction they go farther apart
+    position   a point of both bodies
     touching   what it says of bodies that touch: "overlap", "separate", "either"
     sign       of its depths: "positive" or "negative"
     moves      which body the direction moves: "a" or "b"
     unit       whether it promises directions of length 1
+    claims     "minimum", or "separating": no more than that its translation separates, at the price of its direction
+    policy     "declared", as it claims; "minimum", "separating", or "within=5%": no dearer than that above the depth
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
 
@@ -145,8 +152,15 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     'too-deep'
     >>> fathom.judge(cube, cube, overlap=True, depth=1.0, direction=(0, 0, 1)).passed
     True
+    >>> fathom.judge(cube, [(2, 0, 0), (3, 0, 0)], overlap=False, distance=1.5).sentence
+    'too far by 0.5: 1.5 is claimed, the distance is 1'
+    >>> brick = [(2 * x, y, z) for x, y, z in cube]
+    >>> found = fathom.judge(brick, brick, overlap=True, depth=2.0, direction=(1, 0, 0), claims="separating")
+    >>> found.passed, found.dearer
+    (True, 1.0)
     """
-    claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "touching": touching, "sign": sign,
-             "moves": moves, "unit": unit, "precision": precision, "relative": relative, "absolute": absolute}
+    claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
+             "position": position, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
+             "claims": claims, "policy": policy, "precision": precision, "relative": relative, "absolute": absolute}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**{field: found[field] for field in Judgement._fields})

@@ -20,6 +20,7 @@
 #include "reference/files/shape_names.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/zstd_file.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::python {
 namespace {
@@ -167,6 +168,8 @@ Claimed claimed_from(const py::dict& claim) {
   };
   result.reply.overlap = claim["overlap"].cast<bool>();
   if (!claim["depth"].is_none()) result.reply.depth = claim["depth"].cast<double>();
+  if (!claim["distance"].is_none()) result.reply.distance = claim["distance"].cast<double>();
+  if (!claim["position"].is_none()) result.reply.position = triple(claim["position"]);
   if (!claim["direction"].is_none()) result.reply.direction = triple(claim["direction"]);
   if (!claim["witness"].is_none()) {
     const auto two = claim["witness"].cast<py::sequence>();
@@ -183,10 +186,17 @@ Claimed claimed_from(const py::dict& claim) {
   result.conventions.moves = one_of<Conventions::Body>("moves", claim["moves"].cast<std::string>(),
                                                        {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
   result.conventions.unit = claim["unit"].cast<bool>();
+  result.conventions.claims = one_of<Conventions::Claims>(
+      "claims", claim["claims"].cast<std::string>(),
+      {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
   result.precision = one_of<Precision>("precision", claim["precision"].cast<std::string>(),
                                        {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
   result.tolerance.relative = number_from(claim["relative"]);
   result.tolerance.absolute = number_from(claim["absolute"]);
+  const std::string policy = claim["policy"].cast<std::string>();
+  const std::optional<Policy> known = judging::policy_of(policy);
+  if (!known) throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy + "'");
+  result.tolerance.policy = *known;
   return result;
 }
 
@@ -228,7 +238,7 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
                   "depth_squared"_a = truth(found.depth_squared), "distance_squared"_a = truth(found.distance_squared),
                   "signed_depth"_a = between(found.signed_depth), "error"_a = number(found.error), "error_ulps"_a = number(found.error_ulps),
                   "error_relative"_a = number(found.error_relative), "price_squared"_a = squared(found.price_squared),
-                  "travel_squared"_a = squared(found.travel_squared), "price"_a = between(found.price), "sentence"_a = found.sentence);
+                  "travel_squared"_a = squared(found.travel_squared), "price"_a = between(found.price), "dearer"_a = number(found.dearer), "longer"_a = found.longer, "sentence"_a = found.sentence);
 }
 
 // ---- files ----

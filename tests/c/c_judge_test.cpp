@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -181,13 +183,18 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
 }
 
 TEST(CJudgeNames, AreThoseOfCpp) {
-  for (int i = 0; i <= FATHOM_VERDICT_PASS; ++i) {
-    EXPECT_EQ(fathom_verdict_name(i), name(static_cast<Verdict>(i)));
-    EXPECT_EQ(fathom_verdict_passes(i) != 0, passes(static_cast<Verdict>(i)));
+  std::set<std::string> names;
+  for (int i = 0; i <= FATHOM_VERDICT_TOO_NEAR; ++i) {
+    const std::optional<Verdict> verdict = verdict_named(fathom_verdict_name(i));
+    ASSERT_TRUE(verdict) << i;
+    EXPECT_EQ(fathom_verdict_passes(i) != 0, passes(*verdict));
+    EXPECT_TRUE(names.insert(fathom_verdict_name(i)).second) << i;
   }
   EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_NOT_SEPARATING), "not-separating");
   EXPECT_EQ(fathom_verdict_name(-1), nullptr);
-  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_PASS + 1), nullptr);
+  EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_PASS), "pass");
+  EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_TOO_NEAR), "too-near");
+  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_TOO_NEAR + 1), nullptr);
   EXPECT_FALSE(fathom_verdict_passes(-1));
 }
 

@@ -92,7 +92,7 @@ class Reports(CliTest):
 
         out, err = self.certify([*misspelt, reply("b")], "--json", "--jobs", "1", code=0)
         lines = [json.loads(line) for line in out.splitlines()]
-        self.assertEqual(lines[-1]["judged"], {"overlap": 10, "overlapping": 10, "depth": 1, "direction": 0, "witness": 0})
+        self.assertEqual(lines[-1]["judged"], {"overlap": 10, "overlapping": 10, "depth": 1, "direction": 0, "witness": 0, "distance": 0})
         self.assertEqual(lines[1]["detail"][:36], "the field 'depht' is not read: is 'd")
         self.assertNotIn("depth judged", err)
         whole = reply("c", direction=[1, 0, 0], witness={"a": [0.5, 0, 0], "b": [1, 0, 0]})
@@ -133,7 +133,8 @@ class Reports(CliTest):
         schema = json.loads((ROOT / "schemas" / "verdict.schema.json").read_text())
         # Not there: what --method and --fit put there, and what this subject does not tell.
         for line, name in ((header, "header"), (summary, "summary")):
-            self.assertEqual(set(line), set(schema["$defs"][name]["properties"]) - {"methods", "fit", "microseconds", "hulls"})
+            left_out = {"methods", "fit", "microseconds", "hulls", "dearer"}
+            self.assertEqual(set(line) - {"dearer"}, set(schema["$defs"][name]["properties"]) - left_out)
 
         before = report.read_text()
         self.certify([reply("a")], "--report", report, "--resume", "--tol-rel", "1/7", code=0)

@@ -202,10 +202,10 @@ class Resumed(CertifyTest):
         code, out, err = self.run_again(resume=False)
         self.assertEqual((code, out), (2, ""))
         self.assertIn("--resume goes on with a report that is there", err)
-        for more, way in ((["--tol-rel", "1/7"], "too-deep"), ([], "binary32")):
+        for more, way in ((["--tol-rel", "1/7"], "too-deep"), (["--policy", "minimum"], "too-deep"), ([], "binary32")):
             code, out, err = self.run_again(*more, way=way)
             self.assertEqual((code, out), (2, ""))
-            self.assertIn("r:1: this report is of another subject, version, setting or tolerance", err)
+            self.assertIn("r:1: this report is of another subject, version, setting, tolerance or policy", err)
         self.assertEqual((self.folder / "r").read_text(), before)
 
 

@@ -21,6 +21,7 @@ Outcome rich(const std::string& id) {
   Outcome outcome;
   outcome.id = id;
   outcome.variant = "swap";
+  outcome.solid = outcome.metre_sized = true;
   outcome.digest = "0123456789abcdef";
   outcome.verdict = Verdict::not_invariant;
   outcome.detail = "a line\nwith \"quotes\" and \x01";
@@ -29,6 +30,8 @@ Outcome rich(const std::string& id) {
   reply.overlap = true;
   reply.depth = std::numeric_limits<double>::quiet_NaN();
   reply.direction = {-std::numeric_limits<double>::infinity(), 5e-324, -0.0};
+  reply.distance = 0.3;
+  reply.position = {0, 0.1, -1};
   reply.witness_b = {1, 2, 1.7976931348623157e308};
   outcome.reply = reply;
   Judgement j;
@@ -37,6 +40,7 @@ Outcome rich(const std::string& id) {
   j.accuracy = Accuracy::u_r_16;
   j.status = Status::penetrating;
   j.depth_squared = mpq_class(1, 3);
+  j.distance_squared = mpq_class(2, 3);
   j.error = 0.1;
   j.error_ulps = std::numeric_limits<double>::infinity();
   j.error_relative = -1e-300;
@@ -48,6 +52,10 @@ Outcome rich(const std::string& id) {
   j.witness_a_squared = 0;
   j.witness_b_squared = mpq_class(1, 7);
   j.witness_gap = 2;
+  j.position_a_squared = mpq_class(4, 9);
+  j.position_b_distance = Between{0.1, 0.2};
+  j.dearer = 0.5;
+  j.longer = true;
   j.sentence = "too deep by 0.1";
   outcome.judgement = j;
   outcome.microseconds = 2.5;

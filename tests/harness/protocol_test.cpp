@@ -77,6 +77,13 @@ TEST(Replies, AreRead) {
   EXPECT_EQ(std::get<Unsupported>(read_reply(reply_with(R"("unsupported":"flat")"), Precision::binary64).said).why, "flat");
 }
 
+TEST(Replies, HaveADistance) {
+  EXPECT_EQ(replied(R"("overlap":false,"distance":0.1)", Precision::binary32).distance, static_cast<double>(0.1F));
+  EXPECT_THROW(replied(R"("overlap":false,"distance":null)"), ProtocolError);
+  EXPECT_THROW(replied(R"("failed":"no","distance":1)"), ProtocolError);
+  EXPECT_NE(read_reply(reply_with(R"("overlap":false,"distnace":1)"), Precision::binary64).remark, "");
+}
+
 TEST(Replies, NumbersOfPrintf) {
   for (const char* nan : {"nan", "-nan", "NaN", "NAN", "+nan", "nan(0x8000)", "\"nan\"", "\"-nan\"", "-nan(snan)"})
     EXPECT_TRUE(std::isnan(*replied(std::string(R"("overlap":true,"depth":)") + nan).depth)) << nan;

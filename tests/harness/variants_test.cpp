@@ -9,6 +9,7 @@
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -186,6 +187,39 @@ TEST(CompareVariant, ARightVariantOfAWrongAnswerIsNotInvariant) {
   EXPECT_EQ(verdict(judged([](const Case&, Reply& reply) { reply.depth = NAN; })), Verdict::not_invariant);
   EXPECT_EQ(verdict([](const Case& c) { return speechless(c, Verdict::crash); }), Verdict::not_invariant);
   EXPECT_EQ(verdict([](const Case& c) { return speechless(c, Verdict::unsupported); }), Verdict::pass);
+}
+
+// By the policy both of two translations may be right.
+TEST(CompareVariant, LongerTranslationsMayDiffer) {
+  Tolerance any;
+  any.policy = *judging::policy_of("separating");
+  const Case pair = cubes(mpq_class(1, 2));
+  const Examine right = judged([](const Case&, Reply&) {}, any);
+  const auto along_y = [](const Case&, Reply& reply) {
+    reply.depth = 1;
+    reply.direction = {0, 1, 0};
+  };
+  EXPECT_EQ(compared(judged(along_y, any), right, pair, "permute", any).verdict, Verdict::pass);
+  EXPECT_EQ(compared(judged(along_y, {}), right, pair, "permute", {}).verdict, Verdict::not_invariant);
+}
+
+TEST(CompareVariant, DistancesInTheUnitsOfTheCase) {
+  const Tolerance tolerance{mpq_class(1, 8), 0, 0};
+  const Case pair = cubes(mpq_class(3, 2));  // 1/2 apart
+  const auto times = [&](double factor) {
+    return judged(
+        [factor](const Case& c, Reply& reply) {
+          const Truth truth = truth_about(c.a.points, c.b.points);
+          reply.distance = factor * root_binary64(truth.depth.distance()->squared);
+        },
+        tolerance);
+  };
+  for (const std::string& name : all_names) {
+    EXPECT_EQ(compared(times(1 + 1.0 / 16), times(1 - 1.0 / 16), pair, name, tolerance).verdict, Verdict::pass) << name;
+    const Outcome outcome = compared(times(1 + 1.0 / 16), times(1 - 1.0 / 16 - 1.0 / 1024), pair, name, tolerance);
+    EXPECT_EQ(outcome.verdict, Verdict::not_invariant) << name;
+    EXPECT_NE(outcome.judgement->sentence.find("the distances of the case and of the variant"), std::string::npos);
+  }
 }
 
 TEST(CompareVariant, PricesDirectionsRatherThanComparingThem) {

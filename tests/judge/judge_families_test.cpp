@@ -55,7 +55,8 @@ Triple some_direction(const Depth& depth, Random& random) {
 
 /// Points where the optimum has them, rounded; some moved from their body, or from each other, by what is just allowed, or not quite.
 void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
-  if (!truth.depth.witness() || truth.a.size() > 8 || truth.b.size() > 8) return;
+  const std::optional<Witness> points = truth.depth.distance() ? truth.depth.distance()->witness : truth.depth.witness();
+  if (!points || truth.a.size() > 8 || truth.b.size() > 8) return;
   const Vector& n = truth.depth.direction();
   const mpf_class length = sqrt(mpf_class(dot(n, n), 600));
   const auto moved = [&](const Point& p, const mpf_class& way) {
@@ -68,8 +69,8 @@ void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& na
   const auto some_way = [&] {
     return mpf_class((random.coin() ? naive.witness_tol() : naive.gap_tol()) * static_cast<int>(random.between(-1, 1)));
   };
-  if (random.between(0, 3) != 0) reply.witness_a = moved(truth.depth.witness()->a, some_way());
-  if (random.between(0, 3) != 0) reply.witness_b = moved(truth.depth.witness()->b, some_way());
+  if (random.between(0, 3) != 0) reply.witness_a = moved(points->a, some_way());
+  if (random.between(0, 3) != 0) reply.witness_b = moved(points->b, some_way());
 }
 
 // Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the tolerance.
@@ -112,6 +113,45 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
     }
   }
   EXPECT_GT(compared, 1000U);
+  EXPECT_GT(failing, compared / 5);
+  EXPECT_LT(failing, compared * 19 / 20);
+}
+
+// Bodies that are apart and all others, said to be apart by their distance or by a gap, plus and minus the tolerance.
+TEST(JudgeFamilies, AgreesWithItsNaiveTwinAboutDistances) {
+  Random random(12);
+  std::size_t compared = 0, failing = 0, apart = 0;
+  for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+    for (const Truth& truth : truths(1, 6, precision)) {
+      const bool disjoint = truth.depth.status() == Status::disjoint;
+      for (int i = 0; i < (disjoint ? 16 : 1); ++i) {
+        const Tolerance tolerance = some_tolerance(random);
+        Conventions conventions;
+        conventions.depth = static_cast<Conventions::Sign>(random.between(0, 1));
+        conventions.moves = static_cast<Conventions::Body>(random.between(0, 1));
+        conventions.unit = random.coin();
+        const testing::NaiveJudge of_depths(truth, conventions, precision, tolerance), naive = of_depths.about_distance();
+        Reply reply;
+        mpf_class target = naive.distance(), tol = naive.depth_tol();
+        const Triple u = some_direction(truth.depth, random);
+        if (random.coin()) reply.direction = u;
+        if (random.coin() && u != Triple{0, 0, 0}) {
+          const double sign = conventions.moves == Conventions::Body::b ? -1 : 1;
+          target = -naive.price({exact_value(sign * u[0]), exact_value(sign * u[1]), exact_value(sign * u[2])});
+          tol = naive.direction_tol();
+        }
+        target += tol * static_cast<int>(random.between(-1, 1));
+        reply.distance = near(target, random) * (random.between(0, 5) == 0 ? -1 : 1);
+        if (random.coin()) add_witness(reply, truth, naive, precision, random);
+        const Judgement result = judge(truth, reply, conventions, precision, tolerance);
+        EXPECT_EQ(result.findings, of_depths.findings(reply)) << result.sentence;
+        ++compared;
+        apart += disjoint;
+        failing += fails(result.verdict);
+      }
+    }
+  }
+  EXPECT_GT(apart, 150U);
   EXPECT_GT(failing, compared / 5);
   EXPECT_LT(failing, compared * 19 / 20);
 }

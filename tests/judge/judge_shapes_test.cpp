@@ -178,11 +178,11 @@ TEST(JudgeShapes, ClaimsInsideTheBoundsAreNeitherTooDeepNorTooShallow) {
   const double depth = cylinder_depth();
   for (const double claim : {std::nextafter(depth, 1), std::nextafter(depth, 0)}) {
     const std::unique_ptr<Measures> usual = measures_of(truth, Precision::binary64, none, usual_bits);
-    EXPECT_FALSE(usual->too_deep(exact_value(claim)) || usual->too_shallow(exact_value(claim)));
+    EXPECT_FALSE(usual->too_long(exact_value(claim)) || usual->too_short(exact_value(claim)));
     EXPECT_TRUE(usual->open()) << "it does not know";
     const std::unique_ptr<Measures> closer = measures_of(truth, Precision::binary64, none, 2 * usual_bits);
-    EXPECT_EQ(closer->too_deep(exact_value(claim)), claim > depth);
-    EXPECT_EQ(closer->too_shallow(exact_value(claim)), claim < depth);
+    EXPECT_EQ(closer->too_long(exact_value(claim)), claim > depth);
+    EXPECT_EQ(closer->too_short(exact_value(claim)), claim < depth);
     EXPECT_FALSE(closer->open());
     EXPECT_EQ(findings(truth, overlap(claim), none), Findings{claim > depth ? Verdict::too_deep : Verdict::too_shallow});
   }
@@ -194,7 +194,7 @@ TEST(JudgeShapes, ClaimsInsideTheBoundsAreNeitherTooDeepNorTooShallow) {
   ASSERT_TRUE(vague.depth.bounds());
   const std::unique_ptr<Measures> knows_little = measures_of(vague, Precision::binary64, {}, usual_bits);
   const mpq_class within = (std::max(vague.depth.bounds()->low, mpq_class(0)) + vague.depth.bounds()->high) / 2;
-  EXPECT_FALSE(knows_little->too_shallow(within) || knows_little->too_deep(within));
+  EXPECT_FALSE(knows_little->too_short(within) || knows_little->too_long(within));
   EXPECT_TRUE(knows_little->open());
   EXPECT_EQ(findings(vague, overlap(depth)), Findings{});
   EXPECT_EQ(findings(vague, overlap(1.002 * depth)), Findings{Verdict::too_deep});

@@ -25,9 +25,7 @@ class NaiveJudge {
     denominator_ = polytope::place(truth.a, truth.b).denominator;
     depth_ = root(real(truth.depth.squared()));
     distance_ = truth.depth.distance() ? root(real(truth.depth.distance()->squared)) : real(0);
-    tol_ = std::max({real(real(tolerance.relative) * depth_), real(real(tolerance.absolute) * extent()),
-                     real(real(mpq_class(tolerance.ulps)) * ulp(truth.depth.squared()))});
-    measure_slack();
+    measure_slack(truth.depth.squared(), depth_);
   }
 
   /// For finite numbers. Witness points are judged if their bodies are small.
@@ -43,6 +41,7 @@ class NaiveJudge {
       found.push_back(Verdict::false_overlap);
     if (status == Status::touching && !overlap && conventions_.touching == Conventions::Touching::overlap)
       found.push_back(Verdict::false_separation);
+    if (!overlap && reply.distance) return of_distance(reply, found);
     if (!has_depth) return found;
     if (more(real(-depth_tol_), d) && !more(real(abs(real(-d - depth_))), depth_tol_)) {
       found.push_back(Verdict::wrong_sign);
@@ -62,6 +61,13 @@ class NaiveJudge {
   [[nodiscard]] const mpf_class& witness_tol() const { return witness_tol_; }
   [[nodiscard]] const mpf_class& gap_tol() const { return gap_tol_; }
   [[nodiscard]] const mpf_class& depth() const { return depth_; }
+  [[nodiscard]] const mpf_class& distance() const { return distance_; }
+  /// The same judge, who allows what is allowed of a distance.
+  [[nodiscard]] NaiveJudge about_distance() const {
+    NaiveJudge result = *this;
+    result.measure_slack(truth_.depth.distance() ? truth_.depth.distance()->squared : mpq_class(0), distance_);
+    return result;
+  }
   /// h(u) / |u|.
   [[nodiscard]] mpf_class price(const Point& u) const {
     mpq_class low = along(u, truth_.a.front()), high = along(u, truth_.b.front());
@@ -91,8 +97,25 @@ class NaiveJudge {
   static mpq_class along(const Point& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
   static mpf_class length(const Point& u) { return root(real(along(u, u))); }
 
-  /// The direction in which A moves, mended; nullopt if it is zero.
-  std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found) const {
+  [[nodiscard]] std::vector<Verdict> of_distance(const Reply& reply, std::vector<Verdict> found) const {
+    const NaiveJudge judge = about_distance();
+    mpf_class e = real(exact_value(*reply.distance));
+    if (more(real(-judge.depth_tol_), e) && !more(real(abs(real(-e - distance_))), judge.depth_tol_)) {
+      found.push_back(Verdict::wrong_sign);
+      e = -e;
+    }
+    if (more(real(e - distance_), judge.depth_tol_)) found.push_back(Verdict::too_far);
+    if (more(real(distance_ - e), judge.depth_tol_)) found.push_back(Verdict::too_near);
+    std::optional<Point> u = reply.direction ? std::optional(exact(*reply.direction)) : std::nullopt;
+    if (u) u = judge.judge_direction(*u, real(-e), found, false);
+    if (judge.witness_off(reply, u, real(-e))) found.push_back(Verdict::witness_off);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The direction in which A moves, mended; nullopt if it is zero. `moved`: whether the way along it is to separate.
+  std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found, bool moved = true) const {
     if (given == Point{0, 0, 0}) {
       found.push_back(Verdict::not_a_direction);
       return std::nullopt;
@@ -104,7 +127,7 @@ class NaiveJudge {
     const Point opposite{-given.x, -given.y, -given.z}, u = b_moves ? opposite : given, v = b_moves ? given : opposite;
     const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), direction_tol_); };
     const auto separates = [&](const Point& x) {
-      return truth_.depth.status() != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
+      return !moved || truth_.depth.status() != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
     };
     if (consistent(u) && separates(u)) return u;
     if (consistent(v) && separates(v)) {
@@ -123,7 +146,7 @@ class NaiveJudge {
     if (away(reply.witness_a, truth_.a) || away(reply.witness_b, truth_.b)) return true;
     if (!reply.witness_a || !reply.witness_b || (reply.direction && !u)) return false;
     const Point way = minus(exact(*reply.witness_b), exact(*reply.witness_a));
-    if (!u) return more(real(abs(real(length(way) - d))), gap_tol_);
+    if (!u) return more(real(abs(real(length(way) - (reply.overlap ? d : real(-d))))), gap_tol_);
     mpf_class squared = real(0);
     for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
       const mpf_class miss = real(real(way.*axis) - real(d * real(real((*u).*axis) / length(*u))));
@@ -133,7 +156,9 @@ class NaiveJudge {
   }
 
   /// What an answer may be off by if its numbers are off by `ulps`, or by half of one.
-  void measure_slack() {
+  void measure_slack(const mpq_class& squared, const mpf_class& length_in_question) {
+    tol_ = std::max({real(real(tolerance_.relative) * length_in_question), real(real(tolerance_.absolute) * extent()),
+                     real(real(mpq_class(tolerance_.ulps)) * ulp(squared))});
     mpq_class farthest, reach;
     for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
       for (const Point& p : truth_.a) {
@@ -145,7 +170,7 @@ class NaiveJudge {
     }
     const mpq_class u = precision_ == Precision::binary64 ? exact_value(0x1p-53) : exact_value(0x1p-24);
     const mpf_class numbers = real(tolerance_.ulps == 0 ? mpq_class(1, 2) : mpq_class(tolerance_.ulps)),
-                    far = real(numbers * ulp(farthest * farthest)), of_depth = real(numbers * ulp(truth_.depth.squared()));
+                    far = real(numbers * ulp(farthest * farthest)), of_depth = real(numbers * ulp(squared));
     depth_tol_ = std::max(tol_, of_depth);
     direction_tol_ = std::max(tol_, real(of_depth + numbers * real(mpq_class(4 * u * reach))));
     witness_tol_ = std::max(tol_, real(far * 7 / 4));

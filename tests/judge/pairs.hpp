@@ -49,6 +49,13 @@ inline Reply overlap(std::optional<double> depth, std::optional<Triple> directio
   return reply;
 }
 
+inline Reply apart(double distance, std::optional<Triple> direction = {}) {
+  Reply reply;
+  reply.distance = distance;
+  reply.direction = direction;
+  return reply;
+}
+
 /// A vector as a subject would give it, or its unit vector: each component rounded once.
 inline Triple rounded(const Point& p) {
   const auto nearest = [](const mpq_class& x) { return round_binary64(x, Rounding::rn); };

@@ -50,7 +50,9 @@ Reply reply_of(const Json& json, Precision precision) {
   reply.overlap = json.at("overlap").get<bool>();
   if (json.contains("depth")) reply.depth = number(json["depth"]);
   if (reply.depth && precision == Precision::binary32) reply.depth = static_cast<float>(*reply.depth);
+  if (json.contains("distance")) reply.distance = number(json["distance"]);
   reply.direction = triple(json, "direction");
+  reply.position = triple(json, "position");
   const Json witness = json.value("witness", Json::object());
   reply.witness_a = triple(witness, "a");
   reply.witness_b = triple(witness, "b");
@@ -66,6 +68,7 @@ Conventions conventions_of(const Json& json) {
   result.depth = json.value("depth", "positive") == "negative" ? Conventions::Sign::negative : Conventions::Sign::positive;
   result.moves = json.value("moves", "a") == "b" ? Conventions::Body::b : Conventions::Body::a;
   result.unit = json.value("unit", true);
+  result.claims = json.value("claims", "minimum") == "separating" ? Conventions::Claims::separating : Conventions::Claims::minimum;
   return result;
 }
 

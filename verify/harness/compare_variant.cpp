@@ -11,6 +11,8 @@
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
+#include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -30,10 +32,11 @@ bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
   return rest > 0 || rest * rest < product;                                              // the lengths add up
 }
 
-/// The depth; of shapes the most that it may be.
-mpq_class squared_depth(const Judgement& judgement) {
-  if (!judgement.signed_depth) return judgement.depth_squared;
-  const double high = judgement.signed_depth->high;
+/// The depth, or the distance, that the answer is about; of shapes the most that it may be.
+mpq_class squared_length(const Reply& reply, const Judgement& judgement) {
+  const bool far = !reply.overlap && reply.distance;
+  if (!judgement.signed_depth) return far ? judgement.distance_squared : judgement.depth_squared;
+  const double high = far ? -judgement.signed_depth->low : judgement.signed_depth->high;
   const mpq_class most = std::isfinite(high) && high > 0 ? exact_value(high) : mpq_class(0);
   return most * most;
 }
@@ -52,7 +55,7 @@ class Comparison {
  public:
   Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
       : original_(original), variant_(variant), made_(made) {
-    if (original.judgement) allow(tolerance, squared_depth(*original.judgement));
+    if (original.judgement) allow(tolerance, squared_length(*original.reply, *original.judgement));
   }
 
   /// What differs; empty if nothing differs by more than the tolerance.
@@ -62,7 +65,8 @@ class Comparison {
     if (original_.reply->overlap != variant_.reply->overlap && fails(original_.verdict))
       return fmt::format("overlap is {} of the case itself, and {} of {}", original_.reply->overlap ? "claimed" : "denied",
                          variant_.reply->overlap ? "claimed" : "denied", of_variant());
-    if (std::string text = of_depths(); !text.empty()) return text;
+    if (original_.judgement->longer || variant_.judgement->longer) return "";  // by the policy two answers may be right
+    if (std::string text = of_lengths(); !text.empty()) return text;
     return of_prices();
   }
 
@@ -84,21 +88,24 @@ class Comparison {
     allowed_price_ = allowed(&judging::Slack::direction);
   }
 
-  /// The claimed depth in the units of the original; 0 where no overlap is claimed.
+  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says are apart and the other not, the depth: 0.
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
-    if (!reply.overlap) return mpq_class(0);
-    if (!reply.depth || !std::isfinite(*reply.depth)) return std::nullopt;
-    return scaled(exact_value(*reply.depth), -exponent - made_.format.exponent);
+    if (!reply.overlap && !both_apart()) return mpq_class(0);
+    const double* const length = judging::length_of(reply);
+    if (!length || !std::isfinite(*length)) return std::nullopt;
+    return scaled(exact_value(*length), -exponent - made_.format.exponent);
   }
 
-  [[nodiscard]] std::string of_depths() const {
+  [[nodiscard]] bool both_apart() const { return !original_.reply->overlap && !variant_.reply->overlap; }
+
+  [[nodiscard]] std::string of_lengths() const {
     const std::optional<mpq_class> here = claimed(*original_.reply, 0), there = claimed(*variant_.reply, made_.exponent);
     if (!here || !there) return "";
     const mpq_class difference = abs(*here - *there);
     if (difference * difference <= allowed_depth_) return "";
-    std::string text = fmt::format("the depths of the case and of {} differ by {}: {} and {}", of_variant(),
-                                   short_text(round_binary64(difference, Rounding::rn)), short_text(round_binary64(*here, Rounding::rn)),
-                                   short_text(round_binary64(*there, Rounding::rn)));
+    std::string text = fmt::format("the {} of the case and of {} differ by {}: {} and {}", both_apart() ? "distances" : "depths",
+                                   of_variant(), short_text(round_binary64(difference, Rounding::rn)),
+                                   short_text(round_binary64(*here, Rounding::rn)), short_text(round_binary64(*there, Rounding::rn)));
     if (const auto [p, q] = prices(); p && q && *p != *q)
       text += fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
     return text;

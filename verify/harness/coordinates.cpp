@@ -101,8 +101,9 @@ Case in_unit(Case pair, long exponent) {
 
 Reply in_unit(Reply reply, long exponent) {
   const auto scale = [exponent](double& x) { x = std::ldexp(x, static_cast<int>(exponent)); };
-  if (reply.depth) scale(*reply.depth);
-  for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b})
+  for (std::optional<double>* length : {&reply.depth, &reply.distance})
+    if (*length) scale(**length);
+  for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b, &reply.position})
     if (*point) std::ranges::for_each(**point, scale);
   return reply;
 }

@@ -10,7 +10,10 @@ void Coverage::add(const Outcome& outcome) {
   if (!outcome.reply || !outcome.judgement) return;
   ++overlap;
   const Reply& reply = *outcome.reply;
-  if (!reply.overlap) return;
+  if (!reply.overlap) {
+    distance += reply.distance ? 1 : 0;
+    return;
+  }
   ++overlapping;
   const bool witnesses = reply.witness_a && reply.witness_b;
   if (reply.depth) {
@@ -29,11 +32,14 @@ void Coverage::add(const Coverage& other) {
   depth += other.depth;
   direction += other.direction;
   witness += other.witness;
+  distance += other.distance;
   without_depth += other.without_depth;
 }
 
 std::vector<std::string> coverage_entries(const Coverage& coverage) {
   std::vector<std::string> result{fmt::format("overlap in {} of {} cases", coverage.overlap, coverage.cases)};
+  if (coverage.distance > 0)
+    result.push_back(fmt::format("distance in {} of {} said to be apart", coverage.distance, coverage.overlap - coverage.overlapping));
   if (coverage.overlapping == 0) return result;
   result.push_back(fmt::format("depth in {} of {} said to overlap", coverage.depth, coverage.overlapping));
   result.push_back(fmt::format("direction in {}", coverage.direction));

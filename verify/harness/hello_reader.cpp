@@ -28,6 +28,8 @@ Conventions conventions_in(const Json& hello) {
   conventions.depth = word_in<C::Sign>(said, "depth", of, {{"positive", C::Sign::positive}, {"negative", C::Sign::negative}});
   conventions.moves = word_in<C::Body>(said, "moves", of, {{"a", C::Body::a}, {"b", C::Body::b}});
   conventions.unit = flag_in(said, "unit", of);
+  if (field(said, "claims"))
+    conventions.claims = word_in<C::Claims>(said, "claims", of, {{"minimum", C::Claims::minimum}, {"separating", C::Claims::separating}});
   return conventions;
 }
 
@@ -35,8 +37,8 @@ std::set<std::string> promises_in(const Json& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
   for (const Json& promise : list) {
-    if (promise != "depth" && promise != "direction" && promise != "witness")
-      refuse("depth, direction, witness in \"promises\" in the hello", shown_json(promise));
+    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "position" && promise != "distance")
+      refuse("depth, direction, witness, position, distance in \"promises\" in the hello", shown_json(promise));
     promises.insert(promise.get<std::string>());
   }
   return promises;
@@ -133,6 +135,7 @@ std::string hello_text(const SubjectInfo& info) {
                          {"depth", info.conventions.depth == C::Sign::positive ? "positive" : "negative"},
                          {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},
                          {"unit", info.conventions.unit}};
+  if (info.conventions.claims == C::Claims::separating) text["conventions"]["claims"] = "separating";
   text["capabilities"] = {{"faces", info.wants_faces}};
   if (!info.shapes.empty()) text["capabilities"]["shapes"] = info.shapes;
   if (!info.promises.empty()) text["promises"] = info.promises;

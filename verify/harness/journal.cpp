@@ -35,7 +35,8 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
     ++number;
     if (number == 1 && !same_run(line, header))
       throw InputError(
-          path, 1, "this report is of another subject, version, setting or tolerance: expected " + header + ", found " + std::string(line));
+          path, 1,
+          "this report is of another subject, version, setting, tolerance or policy: expected " + header + ", found " + std::string(line));
     if (number > 1 && is_summary(line)) return kept;
     if (number > 1) {
       if (std::optional<Outcome> outcome = read_outcome(line)) known(*std::move(outcome));

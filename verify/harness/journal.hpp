@@ -8,10 +8,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "verify/harness/coverage.hpp"
 #include "verify/harness/extras.hpp"
 #include "verify/harness/outcome.hpp"
+#include "verify/harness/report/tally.hpp"
 #include "verify/harness/run_info.hpp"
 
 namespace fathom::harness {
@@ -33,6 +35,8 @@ struct Totals {
   Coverage judged = {};
   const Times* times = nullptr;      ///< may be null
   const HullCount* hulls = nullptr;  ///< may be null
+  const TallyRow* all = nullptr;     ///< may be null
+  std::vector<Tally::Line> parts{};  ///< by name, such as "solid"
 };
 std::string summary_line(const Totals& totals);
 

@@ -26,7 +26,8 @@ struct SubjectInfo {
   Conventions conventions;
   std::set<std::string> shapes = {};  ///< the names that it takes bodies by, and "margin"; others it gets as vertices, or not at all
   bool wants_faces = false;           ///< each case comes with the facets of the hulls, as polygons of point indices
-  std::set<std::string> promises;     ///< fields that each reply that claims an overlap holds: "depth", "direction", "witness"
+  /// Fields that each reply that claims an overlap holds: "depth", "direction", "witness", "position"; and "distance", each other reply.
+  std::set<std::string> promises;
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices", a shape's name, or "" for all.
   std::map<std::string, mpq_class> rounding = {};
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
@@ -39,9 +40,11 @@ struct AboutHulls {
 };
 
 struct Outcome {
-  std::string id;       ///< of the case
-  std::string variant;  ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale", "repeat"
-  std::string digest;   ///< of the points as the subject saw them: 16 hexadecimal digits
+  std::string id;            ///< of the case
+  std::string variant;       ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale", "repeat"
+  std::string digest;        ///< of the points as the subject saw them: 16 hexadecimal digits
+  bool solid = false;        ///< whether both bodies have a volume
+  bool metre_sized = false;  ///< whether they have a size that engines are tuned for; see size_class.hpp
   Verdict verdict = Verdict::garbage;
   std::string detail;          ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line, a misspelt field
   std::optional<Reply> reply;  ///< if one was understood: in the subject's unit; see in_unit

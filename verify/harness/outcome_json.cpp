@@ -11,6 +11,7 @@
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -31,6 +32,8 @@ Json triple(const Triple& t) { return {number(t[0]), number(t[1]), number(t[2])}
 Json reply_json(const Reply& reply) {
   Json json = {{"overlap", reply.overlap}};
   if (reply.depth) json["depth"] = number(*reply.depth);
+  if (reply.distance) json["distance"] = number(*reply.distance);
+  if (reply.position) json["position"] = triple(*reply.position);
   if (reply.direction) json["direction"] = triple(*reply.direction);
   if (reply.witness_a) json["witness"]["a"] = triple(*reply.witness_a);
   if (reply.witness_b) json["witness"]["b"] = triple(*reply.witness_b);
@@ -51,7 +54,7 @@ void put(Json& json, const char* name, const std::optional<Between>& value) {
 Json judgement_json(const Judgement& j) {
   Json json = {{"verdict", name(j.verdict)}, {"status", j.status ? name(*j.status) : "undecided"}};
   if (j.signed_depth) put(json, "signed_depth", j.signed_depth);
-  else json["depth_squared"] = exact_text(j.depth_squared);
+  else json["depth_squared"] = exact_text(j.depth_squared), json["distance_squared"] = exact_text(j.distance_squared);
   json["findings"] = Json::array();
   for (const Verdict finding : j.findings) json["findings"].push_back(name(finding));
   if (j.accuracy) json["accuracy"] = name(*j.accuracy);
@@ -69,7 +72,21 @@ Json judgement_json(const Judgement& j) {
   put(json, "witness_a_distance", j.witness_a_distance);
   put(json, "witness_b_distance", j.witness_b_distance);
   put(json, "witness_gap", j.witness_gap);
+  put(json, "position_a_squared", j.position_a_squared);
+  put(json, "position_b_squared", j.position_b_squared);
+  put(json, "position_a_distance", j.position_a_distance);
+  put(json, "position_b_distance", j.position_b_distance);
+  put(json, "dearer", j.dearer);
+  if (j.longer) json["longer"] = true;
   json["sentence"] = j.sentence;
+  return json;
+}
+
+Json part_json(const TallyRow& row) {
+  Json json = {{"cases", row.total}, {"passed", row.passes()}, {"failed", row.failures()}, {"unsupported", row[Verdict::unsupported]}};
+  json["verdicts"] = Json::object();
+  for (std::size_t i = 0; i < verdict_count; ++i)
+    if (row.verdicts[i] > 0) json["verdicts"][name(static_cast<Verdict>(i))] = row.verdicts[i];
   return json;
 }
 
@@ -80,6 +97,8 @@ std::string outcome_line(const Outcome& outcome) {
   json["id"] = outcome.id;
   if (!outcome.variant.empty()) json["variant"] = outcome.variant;
   json["digest"] = outcome.digest;
+  json["solid"] = outcome.solid;
+  json["metre_sized"] = outcome.metre_sized;
   json["verdict"] = name(outcome.verdict);
   if (!outcome.detail.empty()) json["detail"] = outcome.detail;
   json["seconds"] = number(outcome.seconds);
@@ -113,6 +132,7 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
   json["tolerance"] = {
       {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
   if (from.fit) json["fit"] = exact_text(*from.fit);
+  json["policy"] = judging::policy_text(tolerance.policy);
   for (const Method method : from.second) json["methods"].push_back(name(method));
   return dumped(json);
 }
@@ -125,11 +145,8 @@ std::string summary_line(const Totals& totals) {
   json["unsupported"] = totals.unsupported;
   json["unattributed"] = totals.unattributed;
   const Coverage& judged = totals.judged;
-  json["judged"] = {{"overlap", judged.overlap},
-                    {"overlapping", judged.overlapping},
-                    {"depth", judged.depth},
-                    {"direction", judged.direction},
-                    {"witness", judged.witness}};
+  json["judged"] = {{"overlap", judged.overlap},     {"overlapping", judged.overlapping}, {"depth", judged.depth},
+                    {"direction", judged.direction}, {"witness", judged.witness},         {"distance", judged.distance}};
   if (totals.times && !totals.times->empty())
     json["microseconds"] = {{"answers", totals.times->count()},
                             {"median", number(totals.times->median())},
@@ -141,6 +158,12 @@ std::string summary_line(const Totals& totals) {
     for (const auto& [name, most] : {std::pair("lost", &hulls.lost), {"grown", &hulls.grown}})
       json["hulls"][name] = {{"length", number(most->amount)}, {"case", most->id}};
   }
+  if (totals.all && !totals.all->dearer.empty())
+    json["dearer"] = {{"answers", totals.all->dearer.size()},
+                      {"median", number(totals.all->dearer.median())},
+                      {"worst", number(totals.all->dearer.worst())},
+                      {"longer_pass", totals.all->longer}};
+  for (const Tally::Line& part : totals.parts) json["parts"][part.label] = part_json(part.row);
   return dumped(json);
 }
 

@@ -70,6 +70,8 @@ Reply reply(const Json& json) {
   Reply reply;
   reply.overlap = json.at("overlap").get<bool>();
   take(json, "depth", reply.depth);
+  take(json, "distance", reply.distance);
+  reply.position = triple(json, "position");
   reply.direction = triple(json, "direction");
   if (json.contains("witness")) {
     reply.witness_a = triple(json.at("witness"), "a");
@@ -84,6 +86,7 @@ Judgement judgement(const Json& json) {
   j.status = status(json.at("status"));
   take(json, "signed_depth", j.signed_depth);
   if (!j.signed_depth) j.depth_squared = exact(json.at("depth_squared"));
+  if (json.contains("distance_squared")) j.distance_squared = exact(json.at("distance_squared"));
   for (const Json& finding : json.at("findings")) j.findings.push_back(verdict(finding));
   if (json.contains("accuracy")) j.accuracy = accuracy(json.at("accuracy"));
   take(json, "error", j.error);
@@ -100,6 +103,12 @@ Judgement judgement(const Json& json) {
   take(json, "witness_a_distance", j.witness_a_distance);
   take(json, "witness_b_distance", j.witness_b_distance);
   take(json, "witness_gap", j.witness_gap);
+  take(json, "position_a_squared", j.position_a_squared);
+  take(json, "position_b_squared", j.position_b_squared);
+  take(json, "position_a_distance", j.position_a_distance);
+  take(json, "position_b_distance", j.position_b_distance);
+  take(json, "dearer", j.dearer);
+  j.longer = json.value("longer", false);
   j.sentence = json.at("sentence").get<std::string>();
   return j;
 }
@@ -110,6 +119,8 @@ Outcome outcome(const Json& json) {
   outcome.id = json.at("id").get<std::string>();
   outcome.variant = json.value("variant", std::string());
   outcome.digest = json.at("digest").get<std::string>();
+  outcome.solid = json.value("solid", false);
+  outcome.metre_sized = json.value("metre_sized", false);
   outcome.verdict = verdict(json.at("verdict"));
   outcome.detail = json.value("detail", std::string());
   outcome.seconds = number(json.at("seconds"));

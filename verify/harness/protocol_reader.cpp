@@ -28,7 +28,7 @@ std::string id_in(const Json& reply) {
 
 /// The reason in the place of an answer.
 std::string reason_in(const Json& reply, const char* name) {
-  for (const char* other : {"overlap", "depth", "direction", "witness", "hull", "unsupported", "failed"})
+  for (const char* other : {"overlap", "depth", "distance", "direction", "witness", "position", "hull", "unsupported", "failed"})
     if (std::string_view(other) != name && field(reply, other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
   return text_in(reply, name, "the reply");
@@ -67,7 +67,9 @@ Reply read_answer(const Json& object, Precision precision) {
   Reply reply;
   reply.overlap = flag_in(object, "overlap", "the reply");
   if (const Json* depth = field(object, "depth")) reply.depth = number_of(*depth, "depth", precision);
+  if (const Json* distance = field(object, "distance")) reply.distance = number_of(*distance, "distance", precision);
   reply.direction = triple_in(object, "direction", "direction", precision);
+  reply.position = triple_in(object, "position", "position", precision);
   if (const Json* witness = field(object, "witness")) {
     if (!witness->is_object()) refuse("an object for \"witness\"", shown_json(*witness));
     reply.witness_a = triple_in(*witness, "a", "witness.a", precision);
@@ -78,8 +80,8 @@ Reply read_answer(const Json& object, Precision precision) {
 
 /// Of both objects of a reply.
 std::string misspelt(const Json& reply) {
-  constexpr std::string_view known[] = {"type",    "id",   "overlap",      "depth",       "direction",
-                                        "witness", "hull", "microseconds", "unsupported", "failed"};
+  constexpr std::string_view known[] = {"type",    "id",       "overlap", "depth",        "distance",    "direction",
+                                        "witness", "position", "hull",    "microseconds", "unsupported", "failed"};
   constexpr std::string_view of_witness[] = {"a", "b"};
   const auto fields = [](const Json& object) {
     std::vector<std::string> names;

@@ -9,6 +9,7 @@
 
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/size_class.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::harness {
@@ -91,7 +92,9 @@ class Run {
     return outcome;
   }
 
-  void tell(const Case& original, const Case& seen, const Outcome& outcome, bool known) {
+  void tell(const Case& original, const Case& seen, Outcome outcome, bool known) {
+    outcome.solid = is_solid(original);
+    outcome.metre_sized = is_metre_sized(original);
     const std::lock_guard lock(results_);
     plan_.found(original, seen, outcome, known);
   }

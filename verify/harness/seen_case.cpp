@@ -92,16 +92,21 @@ std::vector<std::string> missing(const Reply& reply, const std::set<std::string>
   const auto check = [&](const char* name, bool is_there) {
     if (!is_there && promises.contains(name)) result.emplace_back(name);
   };
+  if (!reply.overlap) {
+    check("distance", reply.distance.has_value());
+    return result;
+  }
   check("depth", reply.depth.has_value());
   check("direction", reply.direction.has_value());
   check("witness", reply.witness_a && reply.witness_b);
+  check("position", reply.position.has_value());
   return result;
 }
 
 /// An answer without what the hello promises contradicts it.
 void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
   const std::vector<std::string> lacking = missing(reply, promises);
-  if (!reply.overlap || lacking.empty()) return;
+  if (lacking.empty()) return;
   const std::string sentence = fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
   judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
   judgement.accuracy.reset();

@@ -35,16 +35,23 @@ bool is_finite(const Triple& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
+const double* length_of(const Reply& reply) {
+  const std::optional<double>& length = reply.overlap ? reply.depth : reply.distance;
+  return length ? &*length : nullptr;
+}
+
 Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent) {
   Claim claim;
   claim.overlap = reply.overlap;
-  if (!reply.overlap) return claim;
-  if (reply.depth) {
-    claim.finite = std::isfinite(*reply.depth);
+  const double* const length = length_of(reply);
+  if (!reply.overlap && !length) return claim;
+  if (length) {
+    claim.finite = std::isfinite(*length);
     for (const auto* p : {&reply.direction, &reply.witness_a, &reply.witness_b}) claim.finite &= !*p || is_finite(**p);
-    if (std::isfinite(*reply.depth)) {
-      const mpq_class depth = scaled(exact_value(*reply.depth), -exponent);
-      claim.depth = conventions.depth == Conventions::Sign::negative ? mpq_class(-depth) : depth;
+    if (reply.overlap && reply.position) claim.finite &= is_finite(*reply.position);
+    if (std::isfinite(*length)) {
+      claim.length = scaled(exact_value(*length), -exponent);
+      if (reply.overlap && conventions.depth == Conventions::Sign::negative) *claim.length *= -1;
     }
   }
   if (const std::optional<Point> u = point_of(reply.direction)) {
@@ -54,6 +61,7 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
   }
   claim.witness_a = point_of(reply.witness_a, exponent);
   claim.witness_b = point_of(reply.witness_b, exponent);
+  if (reply.overlap && length) claim.position = point_of(reply.position, exponent);
   return claim;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is positive, and A moves.
+// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is positive, and A moves. Of bodies that are said to
+// be apart, the distance stands in the depth's place.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,13 +14,19 @@ namespace fathom::judging {
 
 struct Claim {
   bool overlap = false;
-  bool finite = true;  ///< whether all numbers of the answer are finite, if it has a depth
-  // nullopt if a number is absent or not finite:
-  std::optional<mpq_class> depth;
+  bool finite = true;  ///< whether all numbers of the answer are finite, if it has a length
+  // nullopt if a number is absent or not finite; all of them if the bodies are said to be apart, without a distance:
+  std::optional<mpq_class> length;            ///< the depth, or the distance
   std::optional<Vector> direction;            ///< primitive, of A's motion; nullopt also if it is zero
   std::optional<mpq_class> direction_length;  ///< squared, of the direction as given
-  std::optional<Point> witness_a, witness_b;
+  std::optional<Point> witness_a, witness_b, position;
+
+  /// The translation of A along a unit direction that makes the bodies touch. There must be a length.
+  [[nodiscard]] mpq_class way() const { return overlap ? *length : mpq_class(-*length); }
 };
+
+/// The number that a reply is judged by: its depth, or its distance; null without one.
+const double* length_of(const Reply& reply);
 
 /// Defined for every reply. Its lengths are 2^exponent times those of the claim.
 Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent = 0);

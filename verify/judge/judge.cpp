@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One answer, point by point as on the page VERDICTS.md: the classification, the depth, the direction, the witness points. Every
+// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance, the direction, the witness points. Every
 // comparison is exact; only what is shown is rounded.                                                      [proofs/judge.md]
 #include "fathom/judge.hpp"
 
@@ -31,10 +31,11 @@ class Judge {
     truth_.measure(claim_, result_);
     if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
     classification();
-    if (claim_.overlap && reply_.depth) {  // without a depth, no more than the classification is judged
+    if (length_of(reply_)) {  // without one, no more than the classification is judged
       if (!claim_.finite) found(Verdict::nan);
-      depth();
+      length();
       direction();
+      if (deep_) too_deep();
       witnesses();
     }
     truth_.conclude(result_);
@@ -46,16 +47,16 @@ class Judge {
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
 
-  /// |(b - a) - d u / |u||^2 for the claim as it stands; where no direction is claimed, (|b - a| - d)^2.
+  /// |(b - a) - w u / |u||^2, where w is the way of A, for the claim as it stands; where no direction is claimed, (|b - a| - length)^2.
   [[nodiscard]] std::optional<Surd> squared_gap() const {
-    if (!claim_.witness_a || !claim_.witness_b || !claim_.depth) return std::nullopt;
+    if (!claim_.witness_a || !claim_.witness_b || !claim_.length) return std::nullopt;
     const Point &a = *claim_.witness_a, &b = *claim_.witness_b;
-    const mpq_class x = b.x - a.x, y = b.y - a.y, z = b.z - a.z, d = *claim_.depth;
+    const mpq_class x = b.x - a.x, y = b.y - a.y, z = b.z - a.z, d = *claim_.length;
     const mpq_class apart = x * x + y * y + z * z;
     if (!reply_.direction) return Surd{apart + d * d, -4 * d * abs(d) * apart};
     if (!claim_.direction) return std::nullopt;
     const Vector& u = *claim_.direction;
-    const mpq_class along = d * (x * u.x + y * u.y + z * u.z);
+    const mpq_class along = claim_.way() * (x * u.x + y * u.y + z * u.z);
     return Surd{apart + d * d, -4 * along * abs(along) / dot(u, u)};
   }
 
@@ -67,7 +68,7 @@ class Judge {
       else remarks_.tolerated = true;
     }
     if (status == Status::disjoint && claim_.overlap) {
-      if (truth_.is_far() || (claim_.depth && truth_.claims_depth(*claim_.depth))) found(Verdict::false_overlap);
+      if (truth_.is_far() || (claim_.length && truth_.claims_depth(*claim_.length))) found(Verdict::false_overlap);
       else remarks_.tolerated = true;
     }
     if (status == Status::touching) {
@@ -78,24 +79,27 @@ class Judge {
   }
 
   /// Mends a wrong sign before the rest is judged.
-  void depth() {
-    if (!claim_.depth) return;
-    mpq_class& d = *claim_.depth;
-    if (truth_.is_negative(d) && !truth_.too_deep(-d) && !truth_.too_shallow(-d)) {
-      remarks_.depth_sign = true;
+  void length() {
+    if (!claim_.length) return;
+    mpq_class& d = *claim_.length;
+    if (truth_.is_negative(d) && !truth_.too_long(-d) && !truth_.too_short(-d)) {
+      remarks_.length_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
     }
-    if (truth_.too_deep(d)) found(Verdict::too_deep);
-    if (truth_.too_shallow(d)) found(Verdict::too_shallow);
+    if (truth_.too_long(d)) {
+      deep_ = claim_.overlap;
+      if (!deep_) found(Verdict::too_far);
+    }
+    if (truth_.too_short(d)) found(claim_.overlap ? Verdict::too_shallow : Verdict::too_near);
   }
 
   void direction() {
     if (claim_.direction_length && !is_direction(*claim_.direction_length)) found(Verdict::not_a_direction);
-    if (!claim_.direction || !claim_.depth) return;
+    if (!claim_.direction || !claim_.length) return;
     Vector& u = *claim_.direction;
-    if (truth_.is_inconsistent(u, *claim_.depth)) {
-      if (!truth_.is_inconsistent(-u, *claim_.depth)) {  // the travel is no more than the price: -u separates too
+    if (truth_.is_inconsistent(u, claim_.way())) {
+      if (!truth_.is_inconsistent(-u, claim_.way())) {  // the travel is no more than the price: -u separates too
         remarks_.direction_sign = true;
         found(Verdict::wrong_sign);
         u = -u;
@@ -103,7 +107,20 @@ class Judge {
       }
       found(Verdict::inconsistent);
     }
-    if (truth_.is_not_separating(u, *claim_.depth)) found(Verdict::not_separating);
+    if (claim_.overlap && truth_.is_not_separating(u, *claim_.length)) found(Verdict::not_separating);
+  }
+
+  /// A depth is as deep as the policy allows if it is the price of its own direction.
+  void too_deep() {
+    result_.longer = claim_.direction && !truth_.is_inconsistent(*claim_.direction, *claim_.length) && allows(*claim_.direction);
+    if (!result_.longer) found(Verdict::too_deep);
+  }
+
+  [[nodiscard]] bool allows(const Vector& u) {
+    using Kind = Policy::Kind;
+    const Policy& policy = tolerance_.policy;
+    if (policy.kind == Kind::within) return !truth_.is_dearer(u, 1 + policy.most);
+    return policy.kind == Kind::separating || (policy.kind == Kind::declared && conventions_.claims == Conventions::Claims::separating);
   }
 
   [[nodiscard]] bool is_direction(const mpq_class& square) const {
@@ -118,7 +135,9 @@ class Judge {
     remarks_.witness_a = truth_.is_off_a();
     remarks_.witness_b = truth_.is_off_b();
     if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = truth_.misses(*gap);
-    if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
+    remarks_.position_a = truth_.is_position_off_a();
+    remarks_.position_b = truth_.is_position_off_b();
+    if (remarks_.witness_a || remarks_.witness_b || remarks_.gap || remarks_.position_a || remarks_.position_b) found(Verdict::witness_off);
   }
 
   void conclude() {
@@ -131,7 +150,7 @@ class Judge {
     }
     result_.verdict = truth_.status() == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
     if (remarks_.tolerated) result_.accuracy = Accuracy::tolerance;
-    else if (claim_.depth) result_.accuracy = truth_.accuracy(*claim_.depth);
+    else if (claim_.length && !result_.longer) result_.accuracy = truth_.accuracy(*claim_.length);
   }
 
   Measures& truth_;
@@ -141,6 +160,7 @@ class Judge {
   const Tolerance& tolerance_;
   Claim claim_;
   Remarks remarks_;
+  bool deep_ = false;
   Judgement result_;
 };
 

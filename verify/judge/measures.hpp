@@ -20,7 +20,8 @@ namespace fathom::judging {
 inline constexpr unsigned usual_bits = 40, most_bits = 160;
 
 /// tol is that of each residual: the tolerance, or the slack if that is larger. Every yes is proved; where the bounds of the truth leave
-/// something open, the answer is no, and `open` tells. A claimed depth d may be negative; u is the way that A moves.
+/// something open, the answer is no, and `open` tells. A claimed depth d may be negative; u is the way that A moves. Once a claim of a
+/// distance was measured, that is the length in question: tol is that of a distance.
 class Measures {
  public:
   Measures() = default;
@@ -35,18 +36,24 @@ class Measures {
   virtual bool claims_depth(const mpq_class& d) = 0;
   /// Whether -d is more than tol.
   virtual bool is_negative(const mpq_class& d) = 0;
-  virtual bool too_deep(const mpq_class& d) = 0;
-  virtual bool too_shallow(const mpq_class& d) = 0;
-  /// Whether d differs from the price of u by more than tol.
+  /// Whether d is larger, or smaller, than the length in question by more than tol.
+  virtual bool too_long(const mpq_class& d) = 0;
+  virtual bool too_short(const mpq_class& d) = 0;
+  /// Whether d, of a distance its negative, differs from the price of u by more than tol.
   virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
+  /// Whether the price of u is more than `times` the depth, with no tolerance.
+  virtual bool is_dearer(const Vector& u, const mpq_class& times) = 0;
   /// Whether the interiors meet, and do so still after a way along u that is longer than d by more than tol.
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
   /// Whether a witness point that was measured is farther from its body than tol; and whether the points miss the translation by more, which is
   /// given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
+  /// The same of a position.
+  virtual bool is_position_off_a() = 0;
+  virtual bool is_position_off_b() = 0;
   virtual bool misses(const Surd& squared_gap) = 0;
-  /// The class of a depth that is right.
+  /// The class of a length that is right.
   virtual Accuracy accuracy(const mpq_class& d) = 0;
   /// Whether closer bounds might have changed an answer.
   [[nodiscard]] virtual bool open() const { return false; }
@@ -60,13 +67,19 @@ class Measures {
   // For people. The depth and the distance; the latter may be unknown.
   [[nodiscard]] virtual std::string depth() const = 0;
   [[nodiscard]] virtual std::string distance() const = 0;
-  /// How far d is from the depth.
+  /// The length in question, and how far d is from it.
+  [[nodiscard]] virtual std::string length() const = 0;
   [[nodiscard]] virtual double off_by(const mpq_class& d) const = 0;
-  /// "0.4 of overlap is left along its direction", of the direction that was measured; and where the plane across it is.
+  /// "0.4 of overlap is left along its direction", of the direction that was measured; and where the plane across it is, which is
+  /// not as claimed.
   [[nodiscard]] virtual std::string left(const mpq_class& d) const = 0;
   [[nodiscard]] virtual std::string across(const std::string& claimed) const = 0;
+  /// "the gap across its direction is 0.3, not 0.5".
+  [[nodiscard]] virtual std::string gap(const std::string& claimed) const = 0;
   [[nodiscard]] virtual double away_a() const = 0;
   [[nodiscard]] virtual double away_b() const = 0;
+  [[nodiscard]] virtual double position_away_a() const = 0;
+  [[nodiscard]] virtual double position_away_b() const = 0;
 };
 
 std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);

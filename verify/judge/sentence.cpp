@@ -21,6 +21,7 @@ class Teller {
       : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), format_(format), remarks_(remarks) {}
 
   [[nodiscard]] std::string all() const {
+    if (judgement_.findings.empty() && judgement_.longer) return longer();
     if (judgement_.findings.empty()) return truth_.status() == Status::touching ? touching() : pass();
     std::string result;
     for (const Verdict finding : judgement_.findings) result += (result.empty() ? "" : "; ") + told(finding);
@@ -33,12 +34,16 @@ class Teller {
     return narrow ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);  // in another unit it may be no binary32
   }
   [[nodiscard]] std::string depth() const { return truth_.depth(); }
-  [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.depth, 0})); }
+  [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.length, 0})); }
   [[nodiscard]] std::string apart() const {
     const std::string by = truth_.distance();
     return by.empty() ? "the bodies are apart" : "the bodies are apart by " + by;
   }
-  [[nodiscard]] std::string off_by() const { return amount(truth_.off_by(*claim_.depth)); }
+  [[nodiscard]] const char* length() const { return claim_.overlap ? "depth" : "distance"; }
+  [[nodiscard]] std::string off(const char* way) const {
+    return fmt::format("too {} by {}: {} is claimed, the {} is {}", way, amount(truth_.off_by(*claim_.length)), claimed(), length(),
+                       truth_.length());
+  }
 
   [[nodiscard]] std::string told(Verdict finding) const {
     switch (finding) {
@@ -51,19 +56,23 @@ class Teller {
         return "said to overlap: " + apart();
       case Verdict::not_a_direction: return not_a_direction();
       case Verdict::wrong_sign: return wrong_sign();
-      case Verdict::too_deep: return fmt::format("too deep by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
-      case Verdict::too_shallow: return fmt::format("too shallow by {}: {} is claimed, the depth is {}", off_by(), claimed(), depth());
-      case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.depth);
-      case Verdict::inconsistent: return "inconsistent: " + truth_.across(claimed());
+      case Verdict::too_deep: return off("deep");
+      case Verdict::too_shallow: return off("shallow");
+      case Verdict::too_far: return off("far");
+      case Verdict::too_near: return off("near");
+      case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.length);
+      case Verdict::inconsistent: return "inconsistent: " + (claim_.overlap ? truth_.across(claimed()) : truth_.gap(claimed()));
       case Verdict::witness_off: return witness_off();
       default: return std::string(name(finding));
     }
   }
 
   [[nodiscard]] std::string not_finite() const {
-    if (!std::isfinite(*reply_.depth)) return fmt::format("the depth is {}", *reply_.depth);
+    if (const double claimed = *length_of(reply_); !std::isfinite(claimed)) return fmt::format("the {} is {}", length(), claimed);
     if (reply_.direction && !is_finite(*reply_.direction)) return "the direction is not finite";
-    return "a witness point is not finite";
+    for (const auto* p : {&reply_.witness_a, &reply_.witness_b})
+      if (*p && !is_finite(**p)) return "a witness point is not finite";
+    return "the position is not finite";
   }
 
   [[nodiscard]] std::string not_a_direction() const {
@@ -73,10 +82,10 @@ class Teller {
 
   [[nodiscard]] std::string wrong_sign() const {
     std::string result;
-    if (remarks_.depth_sign) {
-      const bool below = *reply_.depth > 0;  // the right one
-      result = fmt::format("the depth has the wrong sign: {}{} is claimed, by its conventions {}{} is right", below ? "" : "-", claimed(),
-                           below ? "-" : "", depth());
+    if (remarks_.length_sign) {
+      const bool below = *length_of(reply_) > 0;  // the right one
+      result = fmt::format("the {} has the wrong sign: {}{} is claimed, {}{}{} is right", length(), below ? "" : "-", claimed(),
+                           claim_.overlap ? "by its conventions " : "", below ? "-" : "", truth_.length());
     }
     if (remarks_.direction_sign) result += std::string(result.empty() ? "" : "; ") + "the direction points the wrong way";
     return result;
@@ -87,10 +96,13 @@ class Teller {
     const auto add = [&result](std::string text) { result += (result.empty() ? "" : "; ") + std::move(text); };
     if (remarks_.witness_a) add(fmt::format("the witness point of A is {} away from it", amount(truth_.away_a())));
     if (remarks_.witness_b) add(fmt::format("the witness point of B is {} away from it", amount(truth_.away_b())));
-    if (remarks_.gap && !remarks_.depth_sign && !remarks_.direction_sign) {
-      add(fmt::format("the witness points miss the translation by {}", amount(*judgement_.witness_gap)));
+    if (remarks_.position_a) add(fmt::format("the position is {} away from A", amount(truth_.position_away_a())));
+    if (remarks_.position_b) add(fmt::format("the position is {} away from B", amount(truth_.position_away_b())));
+    if (remarks_.gap && !remarks_.length_sign && !remarks_.direction_sign) {
+      add(fmt::format("the witness points miss the {} by {}", claim_.overlap ? "translation" : "distance",
+                      amount(*judgement_.witness_gap)));
     } else if (remarks_.gap) {
-      add("the witness points miss the translation");
+      add(std::string("the witness points miss the ") + (claim_.overlap ? "translation" : "distance"));
     }
     return result;
   }
@@ -98,6 +110,12 @@ class Teller {
   [[nodiscard]] std::string touching() const {
     return std::string("the bodies touch, and it says that they ") + (reply_.overlap ? "overlap" : "are apart") +
            ", which its conventions allow";
+  }
+
+  [[nodiscard]] std::string longer() const {
+    const std::optional<double>& dearer = judgement_.dearer;
+    return fmt::format("separating: {} is claimed, the price of its direction; the depth is {}{}", claimed(), depth(),
+                       dearer && std::isfinite(*dearer) ? fmt::format(", the price is {:.4g} % more", 100 * *dearer) : "");
   }
 
   [[nodiscard]] std::string pass() const {
@@ -108,13 +126,12 @@ class Teller {
       if (truth_.status() == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
       return "within the tolerance: said to be apart, the depth is " + depth();
     }
-    if (!reply_.overlap) return "right: " + apart();
-    if (!claim_.depth) return "right: the bodies overlap";
+    if (!claim_.length) return "right: " + (reply_.overlap ? "the bodies overlap" : apart());
     const Accuracy accuracy = *judgement_.accuracy;
     const std::string how = accuracy == Accuracy::correctly_rounded ? "correctly rounded"
                             : accuracy == Accuracy::tolerance       ? "within the tolerance"
                                                                     : "within " + std::string(name(accuracy));
-    return fmt::format("right: {} is claimed, the depth is {} ({})", claimed(), depth(), how);
+    return fmt::format("right: {} is claimed, the {} is {} ({})", claimed(), length(), truth_.length(), how);
   }
 
   const Judgement& judgement_;

@@ -13,8 +13,9 @@ namespace fathom::judging {
 /// Which of several reasons a finding has.
 struct Remarks {
   bool tolerated = false;                                  ///< the classification is wrong, within the tolerance
-  bool depth_sign = false, direction_sign = false;         ///< wrong, and corrected in the claim
+  bool length_sign = false, direction_sign = false;        ///< wrong, and corrected in the claim
   bool witness_a = false, witness_b = false, gap = false;  ///< off
+  bool position_a = false, position_b = false;             ///< off
 };
 
 /// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.

@@ -60,31 +60,33 @@ Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
 class ShapeMeasures final : public Measures {
  public:
   ShapeMeasures(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits)
-      : truth_(truth), format_(format), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
+      : truth_(truth), format_(format), tolerance_(tolerance), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
     const SignedDepth* signed_depth = &truth.depth;
     if (bits != usual_bits && truth.depth.bounds()) signed_depth = &closer_.emplace(of(truth.a));
     status_ = signed_depth->status();
     open_ = !status_;
     value_ = enclosed(*signed_depth);
     depth_ = positive_part(value_);
-    if (has_halfspace()) {  // its witness point lies on a plane so far from the other body, and its depth counts in any direction
-      sizes_.farthest += depth_.high;
-      sizes_.reach += depth_.high;
-    }
-    allow(tolerance);
+    ask_for(depth_);
+    classification_ = allowed(tolerance_.ulps * ulp_at_root(depth_.high * depth_.high, format_), depth_);
   }
 
   [[nodiscard]] std::optional<Status> status() const override { return status_; }
   bool is_deep() override { return below(0, depth_, classification_); }
   bool is_far() override { return below(0, positive_part(-value_), classification_); }
   bool claims_depth(const mpq_class& d) override { return above(d, known(0), classification_); }
-  bool is_negative(const mpq_class& d) override { return below(d, known(0), of_depth_); }
-  bool too_deep(const mpq_class& d) override { return above(d, depth_, of_depth_); }
-  bool too_shallow(const mpq_class& d) override { return below(d, depth_, of_depth_); }
+  bool is_negative(const mpq_class& d) override { return below(d, known(0), of_length_); }
+  bool too_long(const mpq_class& d) override { return above(d, length_, of_length_); }
+  bool too_short(const mpq_class& d) override { return below(d, length_, of_length_); }
 
   bool is_inconsistent(const Vector& u, const mpq_class& d) override {
     const std::optional<RationalInterval> price = price_of(u);
     return !price || above(d, *price, of_direction_) || below(d, *price, of_direction_);
+  }
+
+  bool is_dearer(const Vector& u, const mpq_class& times) override {
+    const std::optional<RationalInterval> price = price_of(u);
+    return !price || exceeds(*price - RationalInterval{times * depth_.low, times * depth_.high}, known(0));
   }
 
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
@@ -104,6 +106,8 @@ class ShapeMeasures final : public Measures {
 
   bool is_off_a() override { return away_a_ && below(0, *away_a_, of_witness_); }
   bool is_off_b() override { return away_b_ && below(0, *away_b_, of_witness_); }
+  bool is_position_off_a() override { return position_a_ && below(0, *position_a_, of_witness_); }
+  bool is_position_off_b() override { return position_b_ && below(0, *position_b_, of_witness_); }
   bool misses(const Surd& squared_gap) override {
     if (compare(squared_gap, of_gap_.high * of_gap_.high) > 0) return true;
     open_ = open_ || compare(squared_gap, of_gap_.low * of_gap_.low) > 0;
@@ -112,9 +116,9 @@ class ShapeMeasures final : public Measures {
 
   Accuracy accuracy(const mpq_class& d) override {
     if (is_correctly_rounded(d)) return Accuracy::correctly_rounded;
-    if (is_within(d, known(4 * ulp_at_root(depth_.low * depth_.low, format_)))) return Accuracy::ulps_4;
+    if (is_within(d, known(4 * ulp_at_root(length_.low * length_.low, format_)))) return Accuracy::ulps_4;
     if (is_within(d, known(16 * rounding_unit()))) return Accuracy::u_r_16;
-    return is_within(d, depth_ / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
+    return is_within(d, length_ / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
   }
 
   [[nodiscard]] bool open() const override { return open_; }
@@ -122,14 +126,20 @@ class ShapeMeasures final : public Measures {
   void measure(const Claim& claim, Judgement& result) override {
     result.status = status_;
     result.signed_depth = outward(value_);
-    if (claim.depth) measure_depth(*claim.depth, result);
+    if (!claim.overlap && claim.length) ask_for(positive_part(-value_));
+    if (claim.length) measure_length(*claim.length, result);
     if (claim.direction) {
       measured_price_ = price_of(*claim.direction);
       if (measured_price_) result.price = outward(*measured_price_);
-      if (measured_price_ && claim.depth) result.inconsistency = least(known(*claim.depth) - *measured_price_);
+      if (measured_price_ && claim.overlap && status_ == Status::penetrating)
+        result.dearer = least(quotient(*measured_price_ - depth_, depth_));
+      if (measured_price_ && claim.length) result.inconsistency = least(known(claim.way()) - *measured_price_);
     }
     if (claim.witness_a) result.witness_a_distance = outward(*(away_a_ = distance_of(*claim.witness_a, truth_.a)));
     if (claim.witness_b) result.witness_b_distance = outward(*(away_b_ = distance_of(*claim.witness_b, truth_.b)));
+    if (!claim.position) return;
+    result.position_a_distance = outward(*(position_a_ = distance_of(*claim.position, truth_.a)));
+    result.position_b_distance = outward(*(position_b_ = distance_of(*claim.position, truth_.b)));
   }
 
   void conclude(Judgement& result) const override {
@@ -138,7 +148,8 @@ class ShapeMeasures final : public Measures {
 
   [[nodiscard]] std::string depth() const override { return text(depth_); }
   [[nodiscard]] std::string distance() const override { return text(positive_part(-value_)); }
-  [[nodiscard]] double off_by(const mpq_class& d) const override { return least(known(d) - depth_); }
+  [[nodiscard]] std::string length() const override { return text(length_); }
+  [[nodiscard]] double off_by(const mpq_class& d) const override { return least(known(d) - length_); }
   [[nodiscard]] std::string left(const mpq_class&) const override {
     if (!measured_price_) return "its direction does not lead out of the half-space";
     return left_ ? fmt::format("at least {:.4g} of overlap is left along its direction", *left_) : "overlap is left along its direction";
@@ -148,26 +159,40 @@ class ShapeMeasures final : public Measures {
     if (has_halfspace()) return fmt::format("the way out along its direction is {}, not {}", text(*measured_price_), claimed);
     return fmt::format("the plane across its direction is at {}, not at {}", text(*measured_price_), claimed);
   }
+  [[nodiscard]] std::string gap(const std::string& claimed) const override {
+    if (!measured_price_) return "its direction does not lead out of the half-space";
+    if (sgn(measured_price_->low) > 0) return "no plane across its direction separates the bodies";
+    return fmt::format("the gap across its direction is {}, not {}", text(-*measured_price_), claimed);
+  }
   [[nodiscard]] double away_a() const override { return least(*away_a_); }
   [[nodiscard]] double away_b() const override { return least(*away_b_); }
+  [[nodiscard]] double position_away_a() const override { return least(*position_a_); }
+  [[nodiscard]] double position_away_b() const override { return least(*position_b_); }
 
  private:
   // ---- allowances ----
+  /// The larger of the tolerance about a true length, and `fixed`.
+  [[nodiscard]] RationalInterval allowed(const mpq_class& fixed, const RationalInterval& length) const {
+    for (const mpq_class* part : {&tolerance_.relative, &tolerance_.absolute}) kernels::require_lowest_terms(*part);
+    const mpq_class relative = std::max(mpq_class(0), tolerance_.relative),
+                    absolute = std::max({mpq_class(0), mpq_class(tolerance_.absolute * sizes_.extent), fixed});
+    return greater({relative * length.low, relative * length.high}, known(absolute));
+  }
 
-  void allow(const Tolerance& tolerance) {
-    for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
-    const mpq_class deepest = depth_.high * depth_.high;
-    const auto allowed = [&](const mpq_class& fixed) {
-      const mpq_class relative = std::max(mpq_class(0), tolerance.relative),
-                      absolute = std::max({mpq_class(0), mpq_class(tolerance.absolute * sizes_.extent), fixed});
-      return greater({relative * depth_.low, relative * depth_.high}, known(absolute));
-    };
-    const Slack slack = rounding_slack(sizes_, deepest, format_, tolerance.ulps);
-    classification_ = allowed(tolerance.ulps * ulp_at_root(deepest, format_));
-    of_depth_ = allowed(slack.depth);
-    of_direction_ = allowed(slack.direction);
-    of_witness_ = allowed(slack.witness);
-    of_gap_ = allowed(slack.gap);
+  /// Makes it the length in question.
+  void ask_for(const RationalInterval& length) {
+    length_ = length;
+    Sizes sizes = sizes_;
+    if (has_halfspace()) {  // its witness point lies on a plane so far from the other body, and its depth counts in any direction
+      sizes.farthest += length.high;
+      sizes.reach += length.high;
+    }
+    farthest_ = sizes.farthest;
+    const Slack slack = rounding_slack(sizes, length.high * length.high, format_, tolerance_.ulps);
+    of_length_ = allowed(slack.depth, length);
+    of_direction_ = allowed(slack.direction, length);
+    of_witness_ = allowed(slack.witness, length);
+    of_gap_ = allowed(slack.gap, length);
   }
 
   /// Whether d - length, or length - d, exceeds the allowance, whatever they are.
@@ -242,24 +267,24 @@ class ShapeMeasures final : public Measures {
     return positive_part(-enclosed(signed_depth(hull(points), body, options)));
   }
 
-  // ---- the claimed depth ----
+  // ---- the claimed length ----
 
-  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(format_.points) * sizes_.farthest; }
+  [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(format_.points) * farthest_; }
 
-  void measure_depth(const mpq_class& d, Judgement& result) const {
-    const RationalInterval error = known(d) - depth_;
+  void measure_length(const mpq_class& d, Judgement& result) const {
+    const RationalInterval error = known(d) - length_;
     const mpq_class u_r = rounding_unit();
     result.error = least(error);
-    if (sgn(depth_.low) > 0) {
-      result.error_ulps = least(error / ulp_at_root(depth_.high * depth_.high, format_));
-      result.error_relative = least(quotient(error, depth_));
+    if (sgn(length_.low) > 0) {
+      result.error_ulps = least(error / ulp_at_root(length_.high * length_.high, format_));
+      result.error_relative = least(quotient(error, length_));
     }
     if (sgn(u_r) > 0) result.error_u_r = least(error / u_r);
   }
 
-  /// Whether |d - depth| <= length.
+  /// Whether d is as near to the length in question.
   bool is_within(const mpq_class& d, const RationalInterval& length) {
-    const RationalInterval over = known(d) - depth_;
+    const RationalInterval over = known(d) - length_;
     const mpq_class most = std::max(mpq_class(-over.low), over.high), least = std::max({mpq_class(0), over.low, mpq_class(-over.high)});
     if (most <= length.low) return true;
     open_ = open_ || least <= length.high;
@@ -271,7 +296,7 @@ class ShapeMeasures final : public Measures {
       const mpq_class there = scaled(x, format_.exponent);
       return format_.answers == Precision::binary64 ? round_binary64(there) : static_cast<double>(round_binary32(there));
     };
-    const double low = round(depth_.low), high = round(depth_.high);
+    const double low = round(length_.low), high = round(length_.high);
     const mpq_class claimed = scaled(d, format_.exponent);
     if (low == high) return std::isfinite(low) && exact_value(low) == claimed;
     open_ = open_ || (std::isfinite(low) && exact_value(low) <= claimed && (std::isinf(high) || claimed <= exact_value(high)));
@@ -280,13 +305,15 @@ class ShapeMeasures final : public Measures {
 
   const ShapeTruth& truth_;
   NumberFormat format_;
+  const Tolerance& tolerance_;
   unsigned bits_;
   std::optional<SignedDepth> closer_;
   std::optional<Status> status_;
-  RationalInterval value_, depth_;  // the signed depth, and its positive part
+  RationalInterval value_, depth_, length_;  // the signed depth, its positive part, the length in question
   Sizes sizes_;
-  RationalInterval classification_, of_depth_, of_direction_, of_witness_, of_gap_;  // what is allowed
-  std::optional<RationalInterval> measured_price_, away_a_, away_b_;
+  mpq_class farthest_;                                                                // a half-space's witness point included
+  RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
+  std::optional<RationalInterval> measured_price_, away_a_, away_b_, position_a_, position_b_;
   std::optional<double> left_;
   bool open_ = false;
 };

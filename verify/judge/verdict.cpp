@@ -8,24 +8,10 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view names[] = {"crash",
-                                      "time-out",
-                                      "silent",
-                                      "garbage",
-                                      "failed",
-                                      "nan",
-                                      "false-separation",
-                                      "false-overlap",
-                                      "not-a-direction",
-                                      "wrong-sign",
-                                      "too-deep",
-                                      "too-shallow",
-                                      "not-separating",
-                                      "inconsistent",
-                                      "witness-off",
-                                      "not-invariant",
-                                      "unsupported",
-                                      "touching-by-convention",
+constexpr std::string_view names[] = {"crash",        "time-out",         "silent",        "garbage",         "failed",
+                                      "nan",          "false-separation", "false-overlap", "not-a-direction", "wrong-sign",
+                                      "too-deep",     "too-shallow",      "too-far",       "too-near",        "not-separating",
+                                      "inconsistent", "witness-off",      "not-invariant", "unsupported",     "touching-by-convention",
                                       "pass"};
 static_assert(std::size(names) == static_cast<std::size_t>(Verdict::pass) + 1);
 

@@ -96,6 +96,8 @@ std::string claim_list(const Reply& reply, const Conventions& conventions) {
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
   facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap", reply.depth);
+  facts.add("distance", reply.distance);
+  facts.add("position", reply.position, triple_text);
   facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
   facts.add("point of A", reply.witness_a, triple_text);
   facts.add("point of B", reply.witness_b, triple_text);
@@ -107,12 +109,13 @@ std::string residual_list(const Judgement& judgement) {
   std::string findings;
   for (const Verdict verdict : judgement.findings) findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
-  facts.add("depth is off by", judgement.error);
+  facts.add("depth or distance is off by", judgement.error);
   facts.add("relative", judgement.error_relative);
   facts.add("in ulps", judgement.error_ulps);
   facts.add("in units of uR", judgement.error_u_r);
   facts.add("depth of its direction", judgement.price_squared, length_text);
   facts.add("depth of its direction", judgement.price, between_text);
+  facts.add("which is above the true depth, relative to it, by", judgement.dearer);
   facts.add("way until apart along it", judgement.travel_squared, length_text);
   facts.add("claim less depth of its direction", judgement.inconsistency);
   facts.add("overlap left", judgement.overlap_left);
@@ -121,6 +124,10 @@ std::string residual_list(const Judgement& judgement) {
   facts.add("point of A is off by", judgement.witness_a_distance, between_text);
   facts.add("point of B is off by", judgement.witness_b_distance, between_text);
   facts.add("points differ from translation by", judgement.witness_gap);
+  facts.add("position is away from A by", judgement.position_a_squared, length_text);
+  facts.add("position is away from B by", judgement.position_b_squared, length_text);
+  facts.add("position is away from A by", judgement.position_a_distance, between_text);
+  facts.add("position is away from B by", judgement.position_b_distance, between_text);
   return facts.list("Residuals");
 }
 

@@ -37,6 +37,8 @@ std::string settings_list(const SubjectInfo& subject, const Tally& tally, const 
     add("time", fmt::format("{}", fmt::join(times, "; ")));
   if (const std::vector<std::string> hulls = hull_entries(tally.hulls()); !hulls.empty())
     add("hulls", fmt::format("{}", fmt::join(hulls, "; ")));
+  if (const std::vector<std::string> prices = price_entries(all); !prices.empty())
+    add("prices of directions", fmt::format("{}", fmt::join(prices, "; ")));
   add("conventions", conventions_text(subject.conventions));
   for (const std::string& rounding : rounding_text(subject)) add("rounding", rounding);
   for (const std::string& setting : settings_text(subject)) add("setting", setting);

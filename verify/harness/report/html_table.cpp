@@ -53,6 +53,7 @@ std::string tally_table(const Tally& tally) {
   if (!tally.all().u_r.empty()) add("worst, in uR"), add("median, in uR");
   const std::vector<Tally::Line> lines = tally.lines();
   std::string rows = row_element({"all", tally.all()}, tally, " class=\"all\"");
+  for (const Tally::Line& part : shown_parts(tally)) rows += row_element({"(" + part.label + ")", part.row}, tally, "");
   for (const Tally::Line& line : lines) rows += row_element(line, tally, "");
   const std::string table =
       fmt::format("<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);

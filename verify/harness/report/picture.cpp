@@ -14,10 +14,10 @@ namespace fathom::harness {
 
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions) {
   const judging::Claim claim = judging::exact_claim(reply, conventions);
-  if (!claim.overlap || !claim.depth || !claim.direction) return std::nullopt;
+  if (!claim.overlap || !claim.length || !claim.direction) return std::nullopt;
   const Vec3<double> u = picture::unit_vector(picture::point_of(*claim.direction));
-  return Point{mpq_class(exact_value(u.x) * *claim.depth), mpq_class(exact_value(u.y) * *claim.depth),
-               mpq_class(exact_value(u.z) * *claim.depth)};
+  return Point{mpq_class(exact_value(u.x) * *claim.length), mpq_class(exact_value(u.y) * *claim.length),
+               mpq_class(exact_value(u.z) * *claim.length)};
 }
 
 std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "fathom/numbers.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::harness {
 
@@ -23,9 +24,10 @@ std::string conventions_text(const Conventions& conventions) {
   const char* touching = conventions.touching == Touching::overlap    ? "bodies that touch overlap"
                          : conventions.touching == Touching::separate ? "bodies that touch are separate"
                                                                       : "bodies that touch are either";
-  return fmt::format("{}; the depth is {}; {} moves; directions {}", touching,
+  return fmt::format("{}; the depth is {}; {} moves; directions {}{}", touching,
                      conventions.depth == Conventions::Sign::positive ? "positive" : "negative", moving_body(conventions),
-                     conventions.unit ? "have length 1" : "may have any length");
+                     conventions.unit ? "have length 1" : "may have any length",
+                     conventions.claims == Conventions::Claims::separating ? "; claims: separating" : "");
 }
 
 const char* moving_body(const Conventions& conventions) { return conventions.moves == Conventions::Body::a ? "A" : "B"; }
@@ -47,7 +49,27 @@ std::string tolerance_text(const Tolerance& tolerance) {
   std::string result =
       fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative), exact_text(tolerance.absolute));
   if (tolerance.ulps > 0) result += fmt::format(", {} ulp", tolerance.ulps);
-  return result + "; the largest counts";
+  result += "; the largest counts";
+  return tolerance.policy == Policy() ? result : result + "; policy " + judging::policy_text(tolerance.policy);
+}
+
+std::vector<std::string> price_entries(const TallyRow& row) {
+  std::vector<std::string> result;
+  if (!row.dearer.empty())
+    result.push_back(fmt::format("median {} above the depth, worst {}, of {}", error_text(row.dearer.median()),
+                                 error_text(row.dearer.worst()), count_text(row.dearer.size(), "direction", "directions")));
+  if (row.longer > 0) result.push_back(count_text(row.longer, "longer translation passes", "longer translations pass") + " by the policy");
+  return result;
+}
+
+std::vector<Tally::Line> shown_parts(const Tally& tally) {
+  constexpr const char* labels[] = {"solid", "metre-sized", "both"};
+  std::vector<Tally::Line> result;
+  for (std::size_t i = 0; i < tally.parts().size(); ++i) {
+    const TallyRow& row = tally.parts()[i].row;
+    if (row.total > 0 && row.total < tally.all().total) result.push_back({labels[i], row});
+  }
+  return result;
 }
 
 std::string fit_text(const mpq_class& fit) {

@@ -23,7 +23,7 @@ const char* moving_body(const Conventions& conventions);
 std::vector<std::string> settings_text(const SubjectInfo& subject);
 /// "0.01 of every body"; "0.01 of vertices", one for each word.
 std::vector<std::string> rounding_text(const SubjectInfo& subject);
-/// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts".
+/// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts; policy within=5%"; a policy as declared is left out.
 std::string tolerance_text(const Tolerance& tolerance);
 /// "every case by a power of two: its longest side is less than 64, and at least half of that".
 std::string fit_text(const mpq_class& fit);
@@ -37,6 +37,11 @@ std::string error_text(double error);
 std::string count_text(std::size_t count, const std::string& one, const std::string& more);
 /// "10000 cases: 9000 pass, 990 fail, 10 unsupported; 2 unattributed"; without the last two where there are none.
 std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures, std::size_t unattributed = 0);
+
+/// "median 0 above the depth, worst 0.414, of 12 directions"; "3 longer translations pass by the policy".
+std::vector<std::string> price_entries(const TallyRow& row);
+/// The parts that are neither empty nor all of it, with their labels for people: "solid", "metre-sized", "both".
+std::vector<Tally::Line> shown_parts(const Tally& tally);
 
 /// "correctly rounded: 61", "16 uR: 4": the classes that passes are in.
 std::vector<std::string> accuracy_entries(const TallyRow& row);

@@ -88,6 +88,7 @@ void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& gro
 void add_table(Lines& lines, const Tally& tally, std::size_t widest) {
   std::vector<Tally::Line> rows = tally.lines();
   rows.push_back({"all", tally.all()});
+  for (const Tally::Line& part : shown_parts(tally)) rows.push_back(part);
   const auto column = [&](Lines head, const auto& cell) {
     Column result{std::move(head), {}};
     for (const Tally::Line& line : rows) result.cells.push_back(cell(line.row));
@@ -163,6 +164,7 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   if (failures() > 0) add_entries(lines, widest, "see", where);
   add_entries(lines, widest, "passes", accuracy_entries(tally_.all()));
   add_entries(lines, widest, "judged", coverage_entries(tally_.all().judged));
+  add_entries(lines, widest, "price", price_entries(tally_.all()));
   add_entries(lines, widest, "time", time_entries(tally_.times()));
   add_entries(lines, widest, "hulls", hull_entries(tally_.hulls()));
   Lines things;

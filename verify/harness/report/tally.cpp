@@ -48,6 +48,8 @@ void TallyRow::add(const Outcome& outcome) {
   if (judgement.accuracy && fathom::passes(outcome.verdict)) ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
   if (judgement.error_relative) relative.add(*judgement.error_relative);
   if (judgement.error_u_r) u_r.add(*judgement.error_u_r);
+  if (judgement.dearer) dearer.add(*judgement.dearer);
+  longer += judgement.longer && fathom::passes(outcome.verdict) ? 1 : 0;
 }
 
 void TallyRow::add(const TallyRow& other) {
@@ -57,6 +59,8 @@ void TallyRow::add(const TallyRow& other) {
   judged.add(other.judged);
   relative.add(other.relative);
   u_r.add(other.u_r);
+  dearer.add(other.dearer);
+  longer += other.longer;
 }
 
 std::size_t TallyRow::failures() const {
@@ -71,6 +75,9 @@ void Tally::add(const Outcome& outcome) {
   all_.add(outcome);
   times_.add(outcome);
   hulls_.add(outcome);
+  if (outcome.solid) parts_[0].row.add(outcome);
+  if (outcome.metre_sized) parts_[1].row.add(outcome);
+  if (outcome.solid && outcome.metre_sized) parts_[2].row.add(outcome);
   (outcome.variant.empty() ? families_[family_of(outcome.id)] : variants_["~" + outcome.variant]).add(outcome);
 }
 

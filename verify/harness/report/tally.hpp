@@ -23,6 +23,7 @@ class Errors {
   void add(double error);
   void add(const Errors& other);
   [[nodiscard]] bool empty() const { return errors_.empty(); }
+  [[nodiscard]] std::size_t size() const { return errors_.size(); }
   /// The one of the largest magnitude, with its sign; of equal magnitudes the positive one. There must be one.
   [[nodiscard]] double worst() const;
   /// The median of the magnitudes; of an even number the lower of the middle two. There must be one.
@@ -38,6 +39,8 @@ struct TallyRow {
   std::size_t total = 0;
   Coverage judged;
   Errors relative, u_r;
+  Errors dearer;           ///< prices of directions, above the depth and relative to it
+  std::size_t longer = 0;  ///< passes by the policy, whose translation is not the shortest
 
   void add(const Outcome& outcome);
   void add(const TallyRow& other);
@@ -60,6 +63,8 @@ class Tally {
   };
   /// Sorted by name. Past `most` families the rest share one line, "(3 more)". Without the row of all.
   [[nodiscard]] std::vector<Line> lines(std::size_t most = 100) const;
+  /// Of all outcomes, symmetries included: "solid", "metre_sized", and "solid_and_metre_sized".
+  [[nodiscard]] const std::vector<Line>& parts() const { return parts_; }
   /// The verdicts that occur, passes first, then in order of rank.
   [[nodiscard]] std::vector<Verdict> verdicts() const;
 
@@ -67,6 +72,7 @@ class Tally {
   TallyRow all_;
   Times times_;
   HullCount hulls_;
+  std::vector<Line> parts_{{"solid", {}}, {"metre_sized", {}}, {"solid_and_metre_sized", {}}};
   std::map<std::string, TallyRow> families_, variants_;
 };
 

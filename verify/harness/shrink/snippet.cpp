@@ -64,12 +64,14 @@ std::string vector_text(const std::array<double, 3>& v) { return fmt::format("({
 std::string claim_text(const Outcome& outcome) {
   if (!outcome.reply) return "none";
   const Reply& reply = *outcome.reply;
-  if (!reply.overlap) return "no overlap";
-  std::string text = "overlap";
-  if (reply.depth) text += fmt::format(", depth {}", *reply.depth);
+  std::string text = reply.overlap ? "overlap" : "no overlap";
+  if (!reply.overlap && !reply.distance) return text;
+  if (!reply.overlap) text += fmt::format(", distance {}", *reply.distance);
+  else if (reply.depth) text += fmt::format(", depth {}", *reply.depth);
   if (reply.direction) text += ", direction " + vector_text(*reply.direction);
   if (reply.witness_a) text += ", witness of A " + vector_text(*reply.witness_a);
   if (reply.witness_b) text += ", witness of B " + vector_text(*reply.witness_b);
+  if (reply.position) text += ", position " + vector_text(*reply.position);
   return text;
 }
 
@@ -140,7 +142,9 @@ std::string reply_text(const Outcome& outcome) {
   std::string text = "  // The answer that was recorded; put your own call here.\n  fathom::Reply reply;\n";
   text += fmt::format("  reply.overlap = {};\n", reply.overlap);
   if (reply.depth) text += fmt::format("  reply.depth = {};\n", literal(*reply.depth));
-  return text + triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b);
+  if (reply.distance) text += fmt::format("  reply.distance = {};\n", literal(*reply.distance));
+  return text + triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b) +
+         triple("position", reply.position);
 }
 
 std::string conventions_text(const Conventions& conventions) {
@@ -151,9 +155,10 @@ std::string conventions_text(const Conventions& conventions) {
   return fmt::format(
       "  fathom::Conventions conventions;\n  conventions.touching = fathom::Conventions::Touching::{};\n"
       "  conventions.depth = fathom::Conventions::Sign::{};\n  conventions.moves = fathom::Conventions::Body::{};\n"
-      "  conventions.unit = {};\n",
+      "  conventions.unit = {};\n{}",
       touching, conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
-      conventions.moves == Conventions::Body::a ? "a" : "b", conventions.unit);
+      conventions.moves == Conventions::Body::a ? "a" : "b", conventions.unit,
+      conventions.claims == Conventions::Claims::minimum ? "" : "  conventions.claims = fathom::Conventions::Claims::separating;\n");
 }
 
 /// For a library without a program here.
