@@ -62,6 +62,9 @@ void require_claim(const fathom_claim& claim) {
   demand(is_tolerance(claim.tol_relative) && is_tolerance(claim.tol_absolute), "a tolerance is negative or not finite");
   demand(claim.tol_ulps >= 0 && claim.tol_ulps <= 1e9 && std::floor(claim.tol_ulps) == claim.tol_ulps,
          "the tolerance in ulps is not a whole number from 0 to 1e9");
+  demand(claim.policy >= FATHOM_POLICY_DECLARED && claim.policy <= FATHOM_POLICY_WITHIN, "there is no such policy");
+  demand(is_tolerance(claim.policy_most), "what the policy allows is negative or not finite");
+  demand(claim.contact_count == 0 || claim.contact_positions != nullptr, "contacts without their positions");
 }
 
 std::optional<Triple> triple(int given, const double* p) {
@@ -76,7 +79,8 @@ Conventions conventions_of(const fathom_claim& claim) {
                                                                    : Touching::either,
           .depth = claim.depth_negative ? Conventions::Sign::negative : Conventions::Sign::positive,
           .moves = claim.moves_b ? Conventions::Body::b : Conventions::Body::a,
-          .unit = claim.not_unit == 0};
+          .unit = claim.not_unit == 0,
+          .claims = claim.separating ? Conventions::Claims::separating : Conventions::Claims::minimum};
 }
 
 Reply reply_of(const fathom_claim& claim) {
@@ -86,7 +90,17 @@ Reply reply_of(const fathom_claim& claim) {
   reply.direction = triple(claim.has_direction, claim.direction);
   reply.witness_a = triple(claim.has_witness_a, claim.witness_a);
   reply.witness_b = triple(claim.has_witness_b, claim.witness_b);
+  if (claim.has_distance) reply.distance = claim.distance;
+  for (std::size_t i = 0; i < claim.contact_count; ++i) {
+    const std::optional<double> depth = claim.contact_depths ? std::optional(claim.contact_depths[i]) : std::nullopt;
+    reply.contacts.push_back({*triple(true, claim.contact_positions + 3 * i), depth});
+  }
   return reply;
+}
+
+Policy policy_of(const fathom_claim& claim) {
+  constexpr Policy::Kind kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating, Policy::Kind::within};
+  return {kinds[claim.policy], exact_value(claim.policy_most)};
 }
 
 /// A length of polytopes by its signed square, or of shapes by its bounds.
@@ -122,6 +136,11 @@ fathom_judgement judgement_of(const Judgement& from, int status, const RoundedDe
   set_bounds(to.witness_a_low, to.witness_a_high, from.witness_a_squared, from.witness_a_distance);
   set_bounds(to.witness_b_low, to.witness_b_high, from.witness_b_squared, from.witness_b_distance);
   to.witness_gap = from.witness_gap.value_or(none);
+  to.longer = from.longer;
+  to.dearer = from.dearer.value_or(none);
+  set_bounds(to.contact_a_low, to.contact_a_high, from.contact_a_squared, from.contact_a_distance);
+  set_bounds(to.contact_b_low, to.contact_b_high, from.contact_b_squared, from.contact_b_distance);
+  to.deepest = from.deepest.value_or(none);
   return to;
 }
 
@@ -139,7 +158,8 @@ Shape seen_shape(const Body& body, Precision precision, const char* body_name) {
 /// Judges by the truth about two polytopes, or about two shapes.
 template <class TheTruth>
 void judge_by(const TheTruth& truth, const fathom_claim& claim, Precision precision, fathom_judgement& judgement, std::string& sentence) {
-  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps)};
+  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
+                            policy_of(claim)};
   const Judgement found = judge(truth, reply_of(claim), conventions_of(claim), precision, tolerance);
   judgement = judgement_of(found, status_of(truth.depth), rounded(truth.depth));
   sentence = found.sentence;
@@ -173,11 +193,14 @@ void fathom_judgement_init(fathom_judgement* judgement) {
   *judgement = {};
   judgement->size = sizeof(fathom_judgement);
   judgement->verdict = judgement->accuracy = judgement->status = -1;
-  for (double* number :
-       {&judgement->signed_depth, &judgement->signed_depth_low, &judgement->signed_depth_high, &judgement->error, &judgement->error_ulps,
-        &judgement->error_relative, &judgement->error_u_r, &judgement->price_low, &judgement->price_high, &judgement->travel,
-        &judgement->inconsistency, &judgement->overlap_left, &judgement->witness_a_low, &judgement->witness_a_high,
-        &judgement->witness_b_low, &judgement->witness_b_high, &judgement->witness_gap}) {
+  for (double* number : {&judgement->signed_depth,   &judgement->signed_depth_low, &judgement->signed_depth_high,
+                         &judgement->error,          &judgement->error_ulps,       &judgement->error_relative,
+                         &judgement->error_u_r,      &judgement->price_low,        &judgement->price_high,
+                         &judgement->travel,         &judgement->inconsistency,    &judgement->overlap_left,
+                         &judgement->witness_a_low,  &judgement->witness_a_high,   &judgement->witness_b_low,
+                         &judgement->witness_b_high, &judgement->witness_gap,      &judgement->dearer,
+                         &judgement->contact_a_low,  &judgement->contact_a_high,   &judgement->contact_b_low,
+                         &judgement->contact_b_high, &judgement->deepest}) {
     *number = none;
   }
 }

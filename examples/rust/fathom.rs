@@ -38,6 +38,14 @@ struct FathomClaim {
     direction: [c_double; 3],
     witness_a: [c_double; 3],
     witness_b: [c_double; 3],
+    separating: c_int,
+    policy: c_int,
+    policy_most: c_double,
+    has_distance: c_int,
+    distance: c_double,
+    contact_count: usize,
+    contact_positions: *const c_double,
+    contact_depths: *const c_double,
 }
 
 #[repr(C)]
@@ -48,6 +56,8 @@ struct FathomJudgement {
     accuracy: c_int,
     status: c_int,
     numbers: [c_double; 17], // signed_depth to witness_gap
+    longer: c_int,
+    more: [c_double; 6], // dearer to deepest
 }
 
 #[link(name = "fathom-c")]

@@ -215,7 +215,7 @@ enum {
   FATHOM_VERDICT_UNSUPPORTED = 16,
   FATHOM_VERDICT_TOUCHING_BY_CONVENTION = 17, /**< a pass */
   FATHOM_VERDICT_PASS = 18,
-  FATHOM_VERDICT_TOO_FAR = 19, /**< of a distance, which no fathom_claim has */
+  FATHOM_VERDICT_TOO_FAR = 19, /**< of a distance */
   FATHOM_VERDICT_TOO_NEAR = 20
 };
 
@@ -231,6 +231,10 @@ enum {
 
 enum { FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
 enum { FATHOM_TOUCHING_EITHER = 0, FATHOM_TOUCHING_IS_OVERLAP = 1, FATHOM_TOUCHING_IS_APART = 2 };
+
+/** Depths that are too deep pass if they are the price of their direction, and the policy allows it: "the claim class and the policy" in
+ * VERDICTS.md. */
+enum { FATHOM_POLICY_DECLARED = 0, FATHOM_POLICY_MINIMUM = 1, FATHOM_POLICY_SEPARATING = 2, FATHOM_POLICY_WITHIN = 3 };
 
 /** An implementation's conventions, how wrong it may be, and its answer. fathom_claim_init sets all of it: the conventions and the
  * tolerance of the members' comments, and the answer that the bodies are apart. */
@@ -253,6 +257,15 @@ typedef struct fathom_claim {
   double depth;        /**< of the overlap */
   double direction[3]; /**< in which a body moves apart */
   double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
+
+  int separating;     /**< 0: whether a depth with a direction claims no shortest translation, but one that separates, at its own price */
+  int policy;         /**< FATHOM_POLICY_DECLARED, that is, by `separating`: which longer translations pass */
+  double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the price may be (1 + policy_most) depths; not negative */
+  int has_distance;   /**< 0: of bodies that are said to be apart. Direction and witness points then are those of the distance */
+  double distance;    /**< at least 0 */
+  size_t contact_count;            /**< 0: the contacts of a manifold, read beside a depth */
+  const double* contact_positions; /**< x, y, z of each: points of both bodies. They are read during the call */
+  const double* contact_depths;    /**< of each, or NULL; the largest is the depth of the answer */
 } fathom_claim;
 
 /** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond binary64 infinite. Pairs `low`,
@@ -262,17 +275,22 @@ typedef struct fathom_judgement {
 
   int verdict;                                              /**< FATHOM_VERDICT_PASS and so on */
   unsigned findings;                                        /**< everything that is wrong: bit 1u << FATHOM_VERDICT_TOO_DEEP, ... */
-  int accuracy;                                             /**< of a pass with a depth; else FATHOM_NO_CLASS */
+  int accuracy;                                             /**< of a pass with a depth or a distance; else FATHOM_NO_CLASS */
   int status;                                               /**< FATHOM_PENETRATING and so on: the truth */
   double signed_depth, signed_depth_low, signed_depth_high; /**< the truth, as fathom_answer_signed_depth gives it */
 
-  double error, error_ulps, error_relative, error_u_r; /**< claimed less true depth; of bounds, the least that they allow */
+  double error, error_ulps, error_relative, error_u_r; /**< claimed less true depth or distance; of bounds, the least that they allow */
   double price_low, price_high; /**< where a plane across the claimed direction separates; below 0 where the bodies are apart */
   double travel;                /**< the shortest way along it after which the interiors are disjoint; NaN of shapes */
   double inconsistency;         /**< the claimed depth less the price */
   double overlap_left;          /**< travel less the claimed depth, if that is positive */
   double witness_a_low, witness_a_high, witness_b_low, witness_b_high; /**< distances from their bodies; 0 inside */
   double witness_gap; /**< length of (b - a) - translation; without a direction | |b - a| - depth | */
+
+  int longer;    /**< whether the depth would be too deep, but for the policy */
+  double dearer; /**< price / depth - 1 */
+  double contact_a_low, contact_a_high, contact_b_low, contact_b_high; /**< distances of the farthest contacts; 0 inside */
+  double deepest; /**< the largest depth of a contact less the claimed depth */
 } fathom_judgement;
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_claim_init(fathom_claim* claim);

@@ -56,15 +56,22 @@ struct Conventions {
 /// x, y, z.
 using Triple = std::array<double, 3>;
 
+/// One point of a contact manifold.
+struct ContactPoint {
+  Triple position;              ///< in both bodies
+  std::optional<double> depth;  ///< there, along the one direction of all contacts
+  friend bool operator==(const ContactPoint&, const ContactPoint&) = default;
+};
+
 /// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32 numbers are given as their equal doubles.
 struct Reply {
-  bool overlap = false;            ///< whether the bodies overlap, or penetrate
-  std::optional<double> depth;     ///< of the overlap; read only if overlap
-  std::optional<Triple> position;  ///< a point of both bodies; read only beside a depth
-  std::optional<double> distance;  ///< of the bodies, at least 0; read only if they are said to be apart
+  bool overlap = false;         ///< whether the bodies overlap, or penetrate
+  std::optional<double> depth;  ///< of the overlap; read only if overlap
   // Read beside a depth or a distance:
   std::optional<Triple> direction;             ///< in which a body moves apart, or farther apart
   std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation of A that makes the bodies touch
+  std::optional<double> distance;              ///< of the bodies, at least 0; read only if they are said to be apart
+  std::vector<ContactPoint> contacts;          ///< one or more; the largest of their depths is `depth`. Read only beside a depth
 };
 
 /// Which translations pass that are longer than need be, with a depth that is the price of their own direction.
@@ -108,7 +115,7 @@ enum class Verdict {
   too_near,          ///< the distance is smaller than that of the bodies
   not_separating,    ///< the bodies still overlap after the translation that it gives
   inconsistent,      ///< the depth, or the distance, is not that of its own direction
-  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation; or a position is not in both
+  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation; or a contact is not in both
   not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
@@ -165,10 +172,11 @@ struct Judgement {
   // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of (b - a) - translation, rounded;
   // if no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
-  // The same of a position, from A and from B.
-  std::optional<mpq_class> position_a_squared, position_b_squared;
-  std::optional<Between> position_a_distance, position_b_distance;
-  std::optional<double> witness_gap;  ///< 0 if they fit
+  std::optional<double> witness_gap;                              ///< 0 if they fit
+  // The same of the contact that is farthest from A, and of that from B.
+  std::optional<mpq_class> contact_a_squared, contact_b_squared;
+  std::optional<Between> contact_a_distance, contact_b_distance;
+  std::optional<double> deepest;  ///< the largest depth of a contact less the claimed depth
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };

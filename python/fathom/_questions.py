@@ -2,6 +2,7 @@
 """Other questions about two bodies: depths along a direction, in a metric, within a factor; what is degenerate; and the judge."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -129,14 +130,14 @@ class Judgement(NamedTuple):
 
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
-          position: Any = None, distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
-          unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64", relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None,
-          pose_b: PoseLike = None) -> Judgement:
+          contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
+          unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64",
+          relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
     distance   of bodies that are said to be apart: witness then is a pair of nearest points, and along direction they go farther apart
-    position   a point of both bodies
+    contacts   pairs of a point of both bodies and the depth there, or None; the largest is the depth
     touching   what it says of bodies that touch: "overlap", "separate", "either"
     sign       of its depths: "positive" or "negative"
     moves      which body the direction moves: "a" or "b"
@@ -160,7 +161,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     (True, 1.0)
     """
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
-             "position": position, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
+             "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
              "claims": claims, "policy": policy, "precision": precision, "relative": relative, "absolute": absolute}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**{field: found[field] for field in Judgement._fields})

@@ -60,9 +60,8 @@ py::dict metric(const py::object& a, const py::object& b, const py::object& ball
   const Pair pair = pair_from(a, b, pose_a, pose_b);
   const Body unit_body = body_from(ball, py::none(), "ball");
   const GivenPoints& points = points_of(unit_body, "ball");
-  const MetricResult found = watched([&](Monitor& monitor) {
-    return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
-  });
+  const MetricResult found = watched(
+      [&](Monitor& monitor) { return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor); });
   py::list optima;
   for (const MetricOptimum& optimum : found.optima())
     optima.append(py::dict("vertex"_a = optimum.vertex, "translation"_a = fractions(optimum.translation),
@@ -95,9 +94,8 @@ py::dict studied(PairAnswer answer, const py::dict& coincidences, const py::dict
 py::dict coincidence(std::uint64_t count, const py::list& listed) { return py::dict("count"_a = count, "listed"_a = listed); }
 
 py::dict study_of_polytopes(Pair pair, std::size_t listed) {
-  Study found = watched([&](Monitor& monitor) {
-    return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor});
-  });
+  Study found = watched(
+      [&](Monitor& monitor) { return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor}); });
   py::dict coincidences;
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
     py::list list;
@@ -122,9 +120,8 @@ py::dict size_of(const ShapeSize& size) {
 }
 
 py::dict study_of_shapes(Pair pair, std::size_t listed) {
-  ShapeStudy found = watched([&](Monitor& monitor) {
-    return study(files::shape_of(pair.a), files::shape_of(pair.b), {.listed = listed, .monitor = &monitor});
-  });
+  ShapeStudy found = watched(
+      [&](Monitor& monitor) { return study(files::shape_of(pair.a), files::shape_of(pair.b), {.listed = listed, .monitor = &monitor}); });
   py::dict coincidences;
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
     py::list list;
@@ -169,7 +166,12 @@ Claimed claimed_from(const py::dict& claim) {
   result.reply.overlap = claim["overlap"].cast<bool>();
   if (!claim["depth"].is_none()) result.reply.depth = claim["depth"].cast<double>();
   if (!claim["distance"].is_none()) result.reply.distance = claim["distance"].cast<double>();
-  if (!claim["position"].is_none()) result.reply.position = triple(claim["position"]);
+  for (const py::handle& each : claim["contacts"]) {
+    const auto contact = py::reinterpret_borrow<py::sequence>(each);
+    if (!PySequence_Check(each.ptr()) || py::len(each) != 2)
+      throw py::value_error("expected each contact to be a position and a depth, or None");
+    result.reply.contacts.push_back({triple(contact[0]), contact[1].cast<std::optional<double>>()});
+  }
   if (!claim["direction"].is_none()) result.reply.direction = triple(claim["direction"]);
   if (!claim["witness"].is_none()) {
     const auto two = claim["witness"].cast<py::sequence>();
@@ -181,14 +183,14 @@ Claimed claimed_from(const py::dict& claim) {
   result.conventions.touching =
       one_of<Touching>("touching", claim["touching"].cast<std::string>(),
                        {{"overlap", Touching::overlap}, {"separate", Touching::separate}, {"either", Touching::either}});
-  result.conventions.depth = one_of<Conventions::Sign>("sign", claim["sign"].cast<std::string>(),
-                                                       {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
-  result.conventions.moves = one_of<Conventions::Body>("moves", claim["moves"].cast<std::string>(),
-                                                       {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
+  result.conventions.depth = one_of<Conventions::Sign>(
+      "sign", claim["sign"].cast<std::string>(), {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
+  result.conventions.moves =
+      one_of<Conventions::Body>("moves", claim["moves"].cast<std::string>(), {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
   result.conventions.unit = claim["unit"].cast<bool>();
-  result.conventions.claims = one_of<Conventions::Claims>(
-      "claims", claim["claims"].cast<std::string>(),
-      {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
+  result.conventions.claims =
+      one_of<Conventions::Claims>("claims", claim["claims"].cast<std::string>(),
+                                  {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
   result.precision = one_of<Precision>("precision", claim["precision"].cast<std::string>(),
                                        {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
   result.tolerance.relative = number_from(claim["relative"]);
@@ -236,9 +238,11 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
   return py::dict("verdict"_a = std::string(name(found.verdict)), "passed"_a = passes(found.verdict), "findings"_a = findings,
                   "accuracy"_a = word(found.accuracy), "status"_a = found.status ? word(found.status) : py::object(py::str("undecided")),
                   "depth_squared"_a = truth(found.depth_squared), "distance_squared"_a = truth(found.distance_squared),
-                  "signed_depth"_a = between(found.signed_depth), "error"_a = number(found.error), "error_ulps"_a = number(found.error_ulps),
-                  "error_relative"_a = number(found.error_relative), "price_squared"_a = squared(found.price_squared),
-                  "travel_squared"_a = squared(found.travel_squared), "price"_a = between(found.price), "dearer"_a = number(found.dearer), "longer"_a = found.longer, "sentence"_a = found.sentence);
+                  "signed_depth"_a = between(found.signed_depth), "error"_a = number(found.error),
+                  "error_ulps"_a = number(found.error_ulps), "error_relative"_a = number(found.error_relative),
+                  "price_squared"_a = squared(found.price_squared), "travel_squared"_a = squared(found.travel_squared),
+                  "price"_a = between(found.price), "dearer"_a = number(found.dearer), "longer"_a = found.longer,
+                  "sentence"_a = found.sentence);
 }
 
 // ---- files ----

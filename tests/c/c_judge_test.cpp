@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fathom/judge.hpp"
@@ -154,6 +155,65 @@ TEST_F(CJudge, Shapes) {
   EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK);
 }
 
+// The cubes meet in x from 0.4 to 1, and are 1 high.
+TEST_F(CJudge, ClaimsOfSeparation) {
+  claims(1, 0, 0, 1);
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  EXPECT_FALSE(judgement.longer);
+  claim.separating = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_TRUE(judgement.longer);
+  EXPECT_NEAR(judgement.dearer, 2.0 / 3, 1e-15);
+  for (const auto& [policy, most, verdict] :
+       {std::tuple{FATHOM_POLICY_MINIMUM, 9.0, FATHOM_VERDICT_TOO_DEEP}, std::tuple{FATHOM_POLICY_SEPARATING, 0.0, FATHOM_VERDICT_PASS},
+        std::tuple{FATHOM_POLICY_WITHIN, 0.5, FATHOM_VERDICT_TOO_DEEP}, std::tuple{FATHOM_POLICY_WITHIN, 0.75, FATHOM_VERDICT_PASS}}) {
+    claim.policy = policy;
+    claim.policy_most = most;
+    ASSERT_EQ(run(), FATHOM_OK);
+    EXPECT_EQ(judgement.verdict, verdict) << policy << ' ' << most;
+  }
+}
+
+TEST_F(CJudge, Contacts) {
+  claims(0.6, -1, 0, 0);
+  const double positions[] = {0.5, 0.5, 0.5, 1.25, 0.5, 0.5}, depths[] = {0.125, 0.6};
+  claim.contact_positions = positions;
+  claim.contact_depths = depths;
+  claim.contact_count = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_INCONSISTENT);
+  EXPECT_EQ(judgement.deepest, 0.125 - 0.6);
+  EXPECT_EQ(judgement.contact_a_high, 0);
+  claim.contact_count = 2;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WITNESS_OFF);
+  EXPECT_EQ(judgement.contact_a_low, 0.25);
+  EXPECT_EQ(judgement.contact_a_high, 0.25);
+  claim.contact_depths = nullptr;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WITNESS_OFF);
+  EXPECT_TRUE(std::isnan(judgement.deepest));
+}
+
+TEST_F(CJudge, Distances) {
+  b = body_of(cube_at(1.5));
+  claim.has_distance = 1;
+  claim.distance = 0.5;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.accuracy, FATHOM_CORRECTLY_ROUNDED);
+  claim.distance = 0.75;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_TOO_FAR);
+  EXPECT_EQ(judgement.error, 0.25);
+  EXPECT_EQ(sentence, "too far by 0.25: 0.75 is claimed, the distance is 0.5");
+  claim.distance = 0.25;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_NEAR);
+}
+
 TEST_F(CJudge, RefusesWhatIsNoClaim) {
   const fathom_claim good = claim;
   const auto with = [&](auto change) {
@@ -173,6 +233,10 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
     b = body_of({1e300, 0, 0});
     claim.precision = FATHOM_BINARY32;
   });
+  with([&] { claim.policy = 4; });
+  with([&] { claim.policy = -1; });
+  with([&] { claim.policy_most = -0.5; });
+  with([&] { claim.contact_count = 1; });
   with([&] { b = nullptr; });
   EXPECT_EQ(fathom_judge(a.get(), a.get(), nullptr, &judgement, nullptr), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_judge(a.get(), a.get(), &good, nullptr, nullptr), FATHOM_BAD_INPUT);

@@ -150,7 +150,9 @@ class Agreement(CertifyTest):
                         {"hull": {"b": [[1, 2]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}}, {"hull": {"a": [[1, "inf", 3]]}},
                         {"hull": None}, {"hull": []}, {"hull": {"a": None}}, {"hull": {"a": 7}}, {"hull": {"a": ["123"]}}, {"hull": {"b": [7]}},
                         {"microseconds": 3.5}, {"microseconds": "soon"}, {"microseconds": None}, {"microseconds": -1},
-                        {"distance": "inf"}, {"distance": None}, {"position": [1, 2, "nan"]}, {"position": [1]}, {"position": None},
+                        {"distance": "inf"}, {"distance": None}, {"contacts": None}, {"contacts": []}, {"contacts": {}},
+                        {"contacts": [{"position": [1, 2, "nan"], "depth": "inf"}, {"position": [1, 2, 3]}]}, {"contacts": [{"position": [1]}]}, {"contacts": [{}]},
+                        {"contacts": [[1, 2, 3]]}, {"contacts": [{"position": [1, 2, 3], "depth": None}]}, {"contacts": [{"position": [1, 2, 3], "more": 1}]},
                         {"unsupported": "x"}, {"failed": "x"}, {"unsupported": None}, {"failed": 7}):
             self.check("reply", {**self.REPLY, **changes})
             self.check("reply", {**self.REPLY, "overlap": False, **changes})
@@ -159,7 +161,7 @@ class Agreement(CertifyTest):
         for name in ("unsupported", "failed"):
             for value in ("x", "", 7, None, True, ["x"]):
                 self.check("reply", {**nothing, name: value})
-            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"hull": {}}, {"distance": 1}, {"position": [1, 0, 0]},
+            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"hull": {}}, {"distance": 1}, {"contacts": [{"position": [1, 0, 0]}]},
                           {"unsupported": "y"}, {"failed": "y"}, {"more": 1}):
                 self.check("reply", {**nothing, name: "x", **other})
 
@@ -169,7 +171,7 @@ class Agreement(CertifyTest):
                         {"library": 1}, {"precision": "binary16"}, {"precision": 64}, {"settings": None}, {"settings": []}, {"settings": {"a": [1, None]}},
                         {"capabilities": None}, {"capabilities": {}}, {"capabilities": {"faces": 1}}, {"capabilities": {"faces": None}},
                         {"conventions": None}, {"conventions": {}}, {"promises": []}, {"promises": ["depth", "direction", "witness"]},
-                        {"promises": ["distance", "position"]},
+                        {"promises": ["distance", "contacts"]},
                         {"promises": ["depth", "depth"]}, {"promises": ["overlap"]}, {"promises": "depth"}, {"promises": None}, {"promises": [1]},
                         {"precision": {"points": "binary32", "answers": "binary64"}}, {"precision": {"points": "binary32"}}, {"precision": {}},
                         {"precision": {"points": "binary32", "answers": 64}}, {"rounding": 0.5}, {"rounding": 0}, {"rounding": -1}, {"rounding": "0.5"},

@@ -31,7 +31,7 @@ Outcome rich(const std::string& id) {
   reply.depth = std::numeric_limits<double>::quiet_NaN();
   reply.direction = {-std::numeric_limits<double>::infinity(), 5e-324, -0.0};
   reply.distance = 0.3;
-  reply.position = {0, 0.1, -1};
+  reply.contacts = {{{0, 0.1, -1}, 0.7}, {{std::numeric_limits<double>::infinity(), 1, 2}, {}}};
   reply.witness_b = {1, 2, 1.7976931348623157e308};
   outcome.reply = reply;
   Judgement j;
@@ -52,8 +52,9 @@ Outcome rich(const std::string& id) {
   j.witness_a_squared = 0;
   j.witness_b_squared = mpq_class(1, 7);
   j.witness_gap = 2;
-  j.position_a_squared = mpq_class(4, 9);
-  j.position_b_distance = Between{0.1, 0.2};
+  j.contact_a_squared = mpq_class(4, 9);
+  j.contact_b_distance = Between{0.1, 0.2};
+  j.deepest = -0.125;
   j.dearer = 0.5;
   j.longer = true;
   j.sentence = "too deep by 0.1";

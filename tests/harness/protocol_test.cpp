@@ -77,6 +77,17 @@ TEST(Replies, AreRead) {
   EXPECT_EQ(std::get<Unsupported>(read_reply(reply_with(R"("unsupported":"flat")"), Precision::binary64).said).why, "flat");
 }
 
+TEST(Replies, HaveContacts) {
+  const Reply reply =
+      replied(R"("overlap":true,"depth":1,"contacts":[{"position":[0.1,2,3]},{"position":[4,5,6],"depth":0.1}])", Precision::binary32);
+  EXPECT_EQ(reply.contacts, (std::vector<ContactPoint>{{{static_cast<double>(0.1F), 2, 3}, {}}, {{4, 5, 6}, static_cast<double>(0.1F)}}));
+  for (const char* contacts :
+       {"[]", "{}", "null", "[[1,2,3]]", "[{}]", R"([{"depth":1}])", R"([{"position":[1,2]}])", R"([{"position":[1,2,3],"depth":null}])"})
+    EXPECT_THROW(replied(std::string(R"("overlap":true,"contacts":)") + contacts), ProtocolError) << contacts;
+  EXPECT_THROW(replied(R"("failed":"no","contacts":[{"position":[1,2,3]}])"), ProtocolError);
+  EXPECT_NE(read_reply(reply_with(R"("overlap":true,"contacts":[{"position":[1,2,3],"dept":1}])"), Precision::binary64).remark, "");
+}
+
 TEST(Replies, HaveADistance) {
   EXPECT_EQ(replied(R"("overlap":false,"distance":0.1)", Precision::binary32).distance, static_cast<double>(0.1F));
   EXPECT_THROW(replied(R"("overlap":false,"distance":null)"), ProtocolError);

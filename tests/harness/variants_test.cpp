@@ -205,7 +205,7 @@ TEST(CompareVariant, LongerTranslationsMayDiffer) {
 
 TEST(CompareVariant, DistancesInTheUnitsOfTheCase) {
   const Tolerance tolerance{mpq_class(1, 8), 0, 0};
-  const Case pair = cubes(mpq_class(3, 2));  // 1/2 apart
+  const Case pair = cubes(mpq_class(-1, 2));  // 1/2 apart
   const auto times = [&](double factor) {
     return judged(
         [factor](const Case& c, Reply& reply) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distances, claim classes, policies and positions, on pairs whose answers one can see.
+// Distances, claim classes, policies and contacts, on pairs whose answers one can see.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -167,10 +167,10 @@ TEST(Policies, AndTheirWords) {
 }
 
 // Both bodies meet in x from 0.4 to 1.
-TEST(Judge, APositionLiesInBothBodies) {
+TEST(Judge, ContactsLieInBothBodies) {
   const auto at = [](double x) {
     Reply reply = overlap(0.6, left);
-    reply.position = Triple{x, 0.5, 0.5};
+    reply.contacts = {{{0.5, 0.5, 0.5}, {}}, {{x, 0.5, 0.5}, {}}};
     return reply;
   };
   EXPECT_EQ(findings(cubes(), at(0.7)), Findings{});
@@ -178,15 +178,46 @@ TEST(Judge, APositionLiesInBothBodies) {
   EXPECT_EQ(findings(cubes(), at(1.0006)), Findings{}) << "within the tolerance";
   EXPECT_EQ(findings(cubes(), at(1.0007)), Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes(), at(nan)), Findings{Verdict::nan});
-  EXPECT_EQ(judge(cubes(), at(nan)).sentence, "the position is not finite");
+  EXPECT_EQ(judge(cubes(), at(nan)).sentence, "a contact is not finite");
   const Judgement result = judge(cubes(), at(0.25));
-  EXPECT_EQ(result.sentence, "the position is 0.15 away from B");
-  EXPECT_EQ(result.position_a_squared, 0);
-  EXPECT_EQ(result.position_b_squared, mpq_class(9, 400));
-  EXPECT_EQ(judge(cubes(), at(1.25)).sentence, "the position is 0.25 away from A");
+  EXPECT_EQ(result.sentence, "a contact is 0.15 away from B");
+  EXPECT_EQ(result.contact_a_squared, 0);
+  EXPECT_EQ(result.contact_b_squared, mpq_class(9, 400));
+  Reply both = at(1.25);
+  both.contacts.front().position[0] = 0.25;
+  EXPECT_EQ(judge(cubes(), both).sentence, "a contact is 0.25 away from A; a contact is 0.15 away from B") << "each the farthest";
   Reply alone = at(9);
   alone.depth.reset();
-  EXPECT_EQ(findings(cubes(), alone), Findings{}) << "without a depth it is not read";
+  EXPECT_EQ(findings(cubes(), alone), Findings{}) << "without a depth they are not read";
+  Reply separate = at(9);
+  separate.overlap = false;
+  separate.distance = 0;
+  EXPECT_EQ(findings(touching_cubes(), separate), Findings{}) << "nor beside a distance";
+}
+
+// Of several contacts the deepest one has the depth of the whole.
+TEST(Judge, ContactsAreAsDeepAsTheAnswer) {
+  const auto with = [](double depth, std::vector<std::optional<double>> depths) {
+    Reply reply = overlap(depth, left);
+    for (const std::optional<double>& each : depths) reply.contacts.push_back({{0.5, 0.5, 0.5}, each});
+    return reply;
+  };
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.6, 0.1, {}})), Findings{});
+  EXPECT_EQ(findings(cubes(), with(0.6, {{}, 0.6005})), Findings{}) << "within the tolerance";
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.1, 0.607})), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.5, -1})), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(cubes(), with(0.6, {{}, {}})), Findings{}) << "where none has a depth";
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.6, nan})), Findings{Verdict::nan});
+  const Judgement result = judge(cubes(), with(0.75, {0.5, 0.25}));
+  EXPECT_EQ(result.sentence,
+            "too deep by 0.15: 0.75 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 0.75, the "
+            "depth of the deepest contact differs by 0.25");
+  EXPECT_EQ(result.deepest, -0.25);
+  Conventions negative;
+  negative.depth = Conventions::Sign::negative;
+  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, -0.6}), negative), Findings{});
+  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, 0.6}), negative), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.6})), Findings{Verdict::wrong_sign}) << "one slip, not two";
 }
 
 }  // namespace

@@ -73,10 +73,25 @@ void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& na
   if (random.between(0, 3) != 0) reply.witness_b = moved(points->b, some_way());
 }
 
+/// Where the bodies meet at the translation, or less than it inside, moved by about the tolerance; depths about that of the reply.
+void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
+  Reply witnesses;
+  for (auto i = random.between(0, 2); i >= 0; --i) {
+    add_witness(witnesses, truth, naive, precision, random);
+    const std::optional<Triple>& position = random.coin() ? witnesses.witness_a : witnesses.witness_b;
+    if (!position) continue;
+    std::optional<double> depth;
+    if (reply.depth && random.coin())
+      depth = near(mpf_class(exact_value(*reply.depth)) + naive.depth_tol() * static_cast<int>(random.between(-1, 1)), random);
+    if (depth && precision == Precision::binary32) depth = static_cast<float>(*depth);
+    reply.contacts.push_back({*position, depth});
+  }
+}
+
 // Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   Random random(11);
-  std::size_t compared = 0, failing = 0;
+  std::size_t compared = 0, failing = 0, off = 0;
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     for (const Truth& truth : truths(1, 6, precision)) {
       for (int i = 0; i < 12; ++i) {
@@ -105,14 +120,17 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
         target += tol * static_cast<int>(random.between(-1, 1));
         if (random.between(0, 9) != 0) reply.depth = near(target, random) * (random.between(0, 3) == 0 ? -1 : 1);
         if (random.coin()) add_witness(reply, truth, naive, precision, random);
+        if (random.coin()) add_contacts(reply, truth, naive, precision, random);
         const Judgement result = judge(truth, reply, conventions, precision, tolerance);
         EXPECT_EQ(result.findings, naive.findings(reply)) << result.sentence;
         ++compared;
+        off += result.contact_a_squared && std::ranges::count(result.findings, Verdict::witness_off) > 0;
         failing += fails(result.verdict);
       }
     }
   }
   EXPECT_GT(compared, 1000U);
+  EXPECT_GT(off, 20U);
   EXPECT_GT(failing, compared / 5);
   EXPECT_LT(failing, compared * 19 / 20);
 }

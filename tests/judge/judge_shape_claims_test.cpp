@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distances, claim classes and positions of shapes, on pairs whose answers have a closed form.
+// Distances, claim classes and contacts of shapes, on pairs whose answers have a closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,13 +65,16 @@ TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnPrice) {
   EXPECT_EQ(findings(cylinders(), overlap(2, up), within), Findings{Verdict::too_deep});
 }
 
-TEST(JudgeShapes, APositionLiesInBothBodies) {
+TEST(JudgeShapes, ContactsLieInBothBodies) {
   Reply reply = overlap(0.5, left);
-  reply.position = Triple{0.75, 0, 0};
+  reply.contacts = {{{0.75, 0, 0}, 0.5}};
   EXPECT_EQ(findings(balls(), reply), Findings{});
-  reply.position = Triple{0.75, 0.75, 0};  // sqrt(9/8) - 1 out of both
+  reply.contacts.push_back({{0.75, 0.75, 0}, 0.25});  // sqrt(9/8) - 1 out of both
   EXPECT_EQ(findings(balls(), reply), Findings{Verdict::witness_off});
-  EXPECT_EQ(judge(balls(), reply).sentence, "the position is 0.06066 away from A; the position is 0.06066 away from B");
+  EXPECT_EQ(judge(balls(), reply).sentence, "a contact is 0.06066 away from A; a contact is 0.06066 away from B");
+  reply.contacts = {{{0.75, 0, 0}, 0.375}};
+  EXPECT_EQ(findings(balls(), reply), Findings{Verdict::inconsistent});
+  EXPECT_EQ(judge(balls(), reply).sentence, "inconsistent: the depth of the deepest contact differs by 0.125");
 }
 
 // Unit balls with centres 5/2 apart, and cylinders with axes 5/2 sqrt(2) apart.

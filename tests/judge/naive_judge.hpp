@@ -51,6 +51,7 @@ class NaiveJudge {
     if (more(real(depth_ - d), depth_tol_)) found.push_back(Verdict::too_shallow);
     const std::optional<Point> u = reply.direction ? judge_direction(exact(*reply.direction), d, found) : std::nullopt;
     if (witness_off(reply, u, d)) found.push_back(Verdict::witness_off);
+    judge_contacts(reply, d, found);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
@@ -137,6 +138,20 @@ class NaiveJudge {
     if (!separates(u)) found.push_back(Verdict::not_separating);
     if (!consistent(u)) found.push_back(Verdict::inconsistent);
     return u;
+  }
+
+  /// d is the depth, mended; so are those of the contacts.
+  void judge_contacts(const Reply& reply, const mpf_class& d, std::vector<Verdict>& found) const {
+    const bool flipped = (sgn(d) < 0) != (*reply.depth < 0);
+    std::optional<mpf_class> deepest;
+    for (const ContactPoint& contact : reply.contacts) {
+      for (const GivenPoints* body : {&truth_.a, &truth_.b})
+        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), witness_tol_)) found.push_back(Verdict::witness_off);
+      if (!contact.depth) continue;
+      const mpf_class depth = real(exact_value(flipped ? -*contact.depth : *contact.depth));
+      if (!deepest || depth > *deepest) deepest = depth;
+    }
+    if (deepest && more(real(abs(real(*deepest - d))), depth_tol_)) found.push_back(Verdict::inconsistent);
   }
 
   [[nodiscard]] bool witness_off(const Reply& reply, const std::optional<Point>& u, const mpf_class& d) const {

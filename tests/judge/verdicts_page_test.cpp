@@ -52,10 +52,12 @@ Reply reply_of(const Json& json, Precision precision) {
   if (reply.depth && precision == Precision::binary32) reply.depth = static_cast<float>(*reply.depth);
   if (json.contains("distance")) reply.distance = number(json["distance"]);
   reply.direction = triple(json, "direction");
-  reply.position = triple(json, "position");
   const Json witness = json.value("witness", Json::object());
   reply.witness_a = triple(witness, "a");
   reply.witness_b = triple(witness, "b");
+  for (const Json& contact : json.value("contacts", Json::array()))
+    reply.contacts.push_back(
+        {triple(contact, "position").value(), contact.contains("depth") ? std::optional(number(contact["depth"])) : std::nullopt});
   return reply;
 }
 

@@ -103,8 +103,12 @@ Reply in_unit(Reply reply, long exponent) {
   const auto scale = [exponent](double& x) { x = std::ldexp(x, static_cast<int>(exponent)); };
   for (std::optional<double>* length : {&reply.depth, &reply.distance})
     if (*length) scale(**length);
-  for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b, &reply.position})
+  for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b})
     if (*point) std::ranges::for_each(**point, scale);
+  for (ContactPoint& contact : reply.contacts) {
+    std::ranges::for_each(contact.position, scale);
+    if (contact.depth) scale(*contact.depth);
+  }
   return reply;
 }
 

@@ -20,7 +20,8 @@ void Coverage::add(const Outcome& outcome) {
     ++depth;
     direction += reply.direction ? 1 : 0;
     witness += witnesses ? 1 : 0;
-  } else if (reply.direction || reply.witness_a || reply.witness_b) {
+    contacts += reply.contacts.empty() ? 0 : 1;
+  } else if (reply.direction || reply.witness_a || reply.witness_b || !reply.contacts.empty()) {
     ++without_depth;
   }
 }
@@ -32,6 +33,7 @@ void Coverage::add(const Coverage& other) {
   depth += other.depth;
   direction += other.direction;
   witness += other.witness;
+  contacts += other.contacts;
   distance += other.distance;
   without_depth += other.without_depth;
 }
@@ -44,6 +46,7 @@ std::vector<std::string> coverage_entries(const Coverage& coverage) {
   result.push_back(fmt::format("depth in {} of {} said to overlap", coverage.depth, coverage.overlapping));
   result.push_back(fmt::format("direction in {}", coverage.direction));
   result.push_back(fmt::format("witness in {}", coverage.witness));
+  if (coverage.contacts > 0) result.push_back(fmt::format("contacts in {}", coverage.contacts));
   return result;
 }
 

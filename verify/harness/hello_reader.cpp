@@ -37,8 +37,8 @@ std::set<std::string> promises_in(const Json& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
   for (const Json& promise : list) {
-    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "position" && promise != "distance")
-      refuse("depth, direction, witness, position, distance in \"promises\" in the hello", shown_json(promise));
+    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "contacts" && promise != "distance")
+      refuse("depth, direction, witness, contacts, distance in \"promises\" in the hello", shown_json(promise));
     promises.insert(promise.get<std::string>());
   }
   return promises;

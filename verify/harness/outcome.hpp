@@ -26,7 +26,7 @@ struct SubjectInfo {
   Conventions conventions;
   std::set<std::string> shapes = {};  ///< the names that it takes bodies by, and "margin"; others it gets as vertices, or not at all
   bool wants_faces = false;           ///< each case comes with the facets of the hulls, as polygons of point indices
-  /// Fields that each reply that claims an overlap holds: "depth", "direction", "witness", "position"; and "distance", each other reply.
+  /// Fields that each reply that claims an overlap holds: "depth", "direction", "witness", "contacts"; and "distance", each other reply.
   std::set<std::string> promises;
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices", a shape's name, or "" for all.
   std::map<std::string, mpq_class> rounding = {};

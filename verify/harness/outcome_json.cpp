@@ -33,10 +33,14 @@ Json reply_json(const Reply& reply) {
   Json json = {{"overlap", reply.overlap}};
   if (reply.depth) json["depth"] = number(*reply.depth);
   if (reply.distance) json["distance"] = number(*reply.distance);
-  if (reply.position) json["position"] = triple(*reply.position);
   if (reply.direction) json["direction"] = triple(*reply.direction);
   if (reply.witness_a) json["witness"]["a"] = triple(*reply.witness_a);
   if (reply.witness_b) json["witness"]["b"] = triple(*reply.witness_b);
+  for (const ContactPoint& contact : reply.contacts) {
+    Json each = {{"position", triple(contact.position)}};
+    if (contact.depth) each["depth"] = number(*contact.depth);
+    json["contacts"].push_back(std::move(each));
+  }
   return json;
 }
 
@@ -72,10 +76,11 @@ Json judgement_json(const Judgement& j) {
   put(json, "witness_a_distance", j.witness_a_distance);
   put(json, "witness_b_distance", j.witness_b_distance);
   put(json, "witness_gap", j.witness_gap);
-  put(json, "position_a_squared", j.position_a_squared);
-  put(json, "position_b_squared", j.position_b_squared);
-  put(json, "position_a_distance", j.position_a_distance);
-  put(json, "position_b_distance", j.position_b_distance);
+  put(json, "contact_a_squared", j.contact_a_squared);
+  put(json, "contact_b_squared", j.contact_b_squared);
+  put(json, "contact_a_distance", j.contact_a_distance);
+  put(json, "contact_b_distance", j.contact_b_distance);
+  put(json, "deepest", j.deepest);
   put(json, "dearer", j.dearer);
   if (j.longer) json["longer"] = true;
   json["sentence"] = j.sentence;
@@ -146,7 +151,8 @@ std::string summary_line(const Totals& totals) {
   json["unattributed"] = totals.unattributed;
   const Coverage& judged = totals.judged;
   json["judged"] = {{"overlap", judged.overlap},     {"overlapping", judged.overlapping}, {"depth", judged.depth},
-                    {"direction", judged.direction}, {"witness", judged.witness},         {"distance", judged.distance}};
+                    {"direction", judged.direction}, {"witness", judged.witness},         {"contacts", judged.contacts},
+                    {"distance", judged.distance}};
   if (totals.times && !totals.times->empty())
     json["microseconds"] = {{"answers", totals.times->count()},
                             {"median", number(totals.times->median())},

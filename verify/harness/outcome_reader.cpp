@@ -71,11 +71,15 @@ Reply reply(const Json& json) {
   reply.overlap = json.at("overlap").get<bool>();
   take(json, "depth", reply.depth);
   take(json, "distance", reply.distance);
-  reply.position = triple(json, "position");
   reply.direction = triple(json, "direction");
   if (json.contains("witness")) {
     reply.witness_a = triple(json.at("witness"), "a");
     reply.witness_b = triple(json.at("witness"), "b");
+  }
+  for (const Json& each : json.value("contacts", Json::array())) {
+    ContactPoint contact{triple(each, "position").value(), {}};
+    take(each, "depth", contact.depth);
+    reply.contacts.push_back(contact);
   }
   return reply;
 }
@@ -103,10 +107,11 @@ Judgement judgement(const Json& json) {
   take(json, "witness_a_distance", j.witness_a_distance);
   take(json, "witness_b_distance", j.witness_b_distance);
   take(json, "witness_gap", j.witness_gap);
-  take(json, "position_a_squared", j.position_a_squared);
-  take(json, "position_b_squared", j.position_b_squared);
-  take(json, "position_a_distance", j.position_a_distance);
-  take(json, "position_b_distance", j.position_b_distance);
+  take(json, "contact_a_squared", j.contact_a_squared);
+  take(json, "contact_b_squared", j.contact_b_squared);
+  take(json, "contact_a_distance", j.contact_a_distance);
+  take(json, "contact_b_distance", j.contact_b_distance);
+  take(json, "deepest", j.deepest);
   take(json, "dearer", j.dearer);
   j.longer = json.value("longer", false);
   j.sentence = json.at("sentence").get<std::string>();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "kernels/near_miss.hpp"
@@ -28,7 +29,7 @@ std::string id_in(const Json& reply) {
 
 /// The reason in the place of an answer.
 std::string reason_in(const Json& reply, const char* name) {
-  for (const char* other : {"overlap", "depth", "distance", "direction", "witness", "position", "hull", "unsupported", "failed"})
+  for (const char* other : {"overlap", "depth", "distance", "direction", "witness", "contacts", "hull", "unsupported", "failed"})
     if (std::string_view(other) != name && field(reply, other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
   return text_in(reply, name, "the reply");
@@ -63,35 +64,51 @@ void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
   else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
 }
 
+std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
+  if (!list.is_array() || list.empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
+  std::vector<ContactPoint> contacts;
+  for (const Json& each : list) {
+    const std::optional<Triple> position = each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
+    if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
+    contacts.push_back({*position, {}});
+    if (const Json* depth = field(each, "depth")) contacts.back().depth = number_of(*depth, "depth", precision);
+  }
+  return contacts;
+}
+
 Reply read_answer(const Json& object, Precision precision) {
   Reply reply;
   reply.overlap = flag_in(object, "overlap", "the reply");
   if (const Json* depth = field(object, "depth")) reply.depth = number_of(*depth, "depth", precision);
   if (const Json* distance = field(object, "distance")) reply.distance = number_of(*distance, "distance", precision);
   reply.direction = triple_in(object, "direction", "direction", precision);
-  reply.position = triple_in(object, "position", "position", precision);
   if (const Json* witness = field(object, "witness")) {
     if (!witness->is_object()) refuse("an object for \"witness\"", shown_json(*witness));
     reply.witness_a = triple_in(*witness, "a", "witness.a", precision);
     reply.witness_b = triple_in(*witness, "b", "witness.b", precision);
   }
+  if (const Json* contacts = field(object, "contacts")) reply.contacts = contacts_in(*contacts, precision);
   return reply;
 }
 
-/// Of both objects of a reply.
+/// Of all objects of a reply.
 std::string misspelt(const Json& reply) {
   constexpr std::string_view known[] = {"type",    "id",       "overlap", "depth",        "distance",    "direction",
-                                        "witness", "position", "hull",    "microseconds", "unsupported", "failed"};
-  constexpr std::string_view of_witness[] = {"a", "b"};
+                                        "witness", "contacts", "hull",    "microseconds", "unsupported", "failed"};
+  constexpr std::string_view of_witness[] = {"a", "b"}, of_contact[] = {"position", "depth"};
   const auto fields = [](const Json& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.items()) names.push_back(name);
     return names;
   };
   std::string remark = kernels::near_misses(fields(reply), known);
-  if (const Json* witness = field(reply, "witness"))
-    if (const std::string inside = kernels::near_misses(fields(*witness), of_witness); !inside.empty())
+  const auto look_inside = [&](const Json& object, std::span<const std::string_view> names) {
+    if (const std::string inside = kernels::near_misses(fields(object), names); !inside.empty())
       remark += (remark.empty() ? "" : "; ") + inside;
+  };
+  if (const Json* witness = field(reply, "witness")) look_inside(*witness, of_witness);
+  if (const Json* contacts = field(reply, "contacts"))
+    for (const Json& contact : *contacts) look_inside(contact, of_contact);
   return remark;
 }
 

@@ -99,7 +99,7 @@ std::vector<std::string> missing(const Reply& reply, const std::set<std::string>
   check("depth", reply.depth.has_value());
   check("direction", reply.direction.has_value());
   check("witness", reply.witness_a && reply.witness_b);
-  check("position", reply.position.has_value());
+  check("contacts", !reply.contacts.empty());
   return result;
 }
 

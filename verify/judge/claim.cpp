@@ -35,9 +35,16 @@ bool is_finite(const Triple& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
+bool is_finite(const ContactPoint& contact) { return is_finite(contact.position) && (!contact.depth || std::isfinite(*contact.depth)); }
+
 const double* length_of(const Reply& reply) {
   const std::optional<double>& length = reply.overlap ? reply.depth : reply.distance;
   return length ? &*length : nullptr;
+}
+
+std::optional<mpq_class> deepest_contact(const Claim& claim) {
+  if (!claim.length || claim.contact_depths.empty()) return std::nullopt;
+  return *std::ranges::max_element(claim.contact_depths) - *claim.length;
 }
 
 Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent) {
@@ -45,14 +52,14 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
   claim.overlap = reply.overlap;
   const double* const length = length_of(reply);
   if (!reply.overlap && !length) return claim;
+  const auto length_of_claim = [&](double given) {
+    const mpq_class value = scaled(exact_value(given), -exponent);
+    return reply.overlap && conventions.depth == Conventions::Sign::negative ? mpq_class(-value) : value;
+  };
   if (length) {
     claim.finite = std::isfinite(*length);
     for (const auto* p : {&reply.direction, &reply.witness_a, &reply.witness_b}) claim.finite &= !*p || is_finite(**p);
-    if (reply.overlap && reply.position) claim.finite &= is_finite(*reply.position);
-    if (std::isfinite(*length)) {
-      claim.length = scaled(exact_value(*length), -exponent);
-      if (reply.overlap && conventions.depth == Conventions::Sign::negative) *claim.length *= -1;
-    }
+    if (std::isfinite(*length)) claim.length = length_of_claim(*length);
   }
   if (const std::optional<Point> u = point_of(reply.direction)) {
     claim.direction_length = u->x * u->x + u->y * u->y + u->z * u->z;
@@ -61,7 +68,15 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
   }
   claim.witness_a = point_of(reply.witness_a, exponent);
   claim.witness_b = point_of(reply.witness_b, exponent);
-  if (reply.overlap && length) claim.position = point_of(reply.position, exponent);
+  if (!reply.overlap || !length) return claim;
+  if (!std::ranges::all_of(reply.contacts, [](const ContactPoint& contact) { return is_finite(contact); })) {
+    claim.finite = false;
+    return claim;
+  }
+  for (const ContactPoint& contact : reply.contacts) {
+    claim.contacts.push_back(*point_of(contact.position, exponent));
+    if (contact.depth) claim.contact_depths.push_back(length_of_claim(*contact.depth));
+  }
   return claim;
 }
 

@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <optional>
+#include <vector>
 
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
@@ -19,11 +20,16 @@ struct Claim {
   std::optional<mpq_class> length;            ///< the depth, or the distance
   std::optional<Vector> direction;            ///< primitive, of A's motion; nullopt also if it is zero
   std::optional<mpq_class> direction_length;  ///< squared, of the direction as given
-  std::optional<Point> witness_a, witness_b, position;
+  std::optional<Point> witness_a, witness_b;
+  std::vector<Point> contacts;  ///< empty if a number of theirs is not finite
+  std::vector<mpq_class> contact_depths;
 
   /// The translation of A along a unit direction that makes the bodies touch. There must be a length.
   [[nodiscard]] mpq_class way() const { return overlap ? *length : mpq_class(-*length); }
 };
+
+/// The largest depth of a contact less the length; nullopt if there is none.
+std::optional<mpq_class> deepest_contact(const Claim& claim);
 
 /// The number that a reply is judged by: its depth, or its distance; null without one.
 const double* length_of(const Reply& reply);
@@ -34,5 +40,6 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
 /// Returns the exact point. The coordinates must be finite.
 Point exact_point(const Triple& p);
 bool is_finite(const Triple& p);
+bool is_finite(const ContactPoint& contact);
 
 }  // namespace fathom::judging

@@ -30,6 +30,7 @@ class Judge {
   Judgement run() {
     truth_.measure(claim_, result_);
     if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
+    if (const std::optional<mpq_class> off = deepest_contact(claim_)) result_.deepest = kernels::nearest_binary64({*off, 0});
     classification();
     if (length_of(reply_)) {  // without one, no more than the classification is judged
       if (!claim_.finite) found(Verdict::nan);
@@ -37,6 +38,7 @@ class Judge {
       direction();
       if (deep_) too_deep();
       witnesses();
+      contacts();
     }
     truth_.conclude(result_);
     conclude();
@@ -86,6 +88,7 @@ class Judge {
       remarks_.length_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
+      for (mpq_class& depth : claim_.contact_depths) depth = -depth;
     }
     if (truth_.too_long(d)) {
       deep_ = claim_.overlap;
@@ -105,6 +108,7 @@ class Judge {
         u = -u;
         return;
       }
+      remarks_.price = true;
       found(Verdict::inconsistent);
     }
     if (claim_.overlap && truth_.is_not_separating(u, *claim_.length)) found(Verdict::not_separating);
@@ -135,9 +139,16 @@ class Judge {
     remarks_.witness_a = truth_.is_off_a();
     remarks_.witness_b = truth_.is_off_b();
     if (const std::optional<Surd> gap = squared_gap()) remarks_.gap = truth_.misses(*gap);
-    remarks_.position_a = truth_.is_position_off_a();
-    remarks_.position_b = truth_.is_position_off_b();
-    if (remarks_.witness_a || remarks_.witness_b || remarks_.gap || remarks_.position_a || remarks_.position_b) found(Verdict::witness_off);
+    if (remarks_.witness_a || remarks_.witness_b || remarks_.gap) found(Verdict::witness_off);
+  }
+
+  void contacts() {
+    remarks_.contact_a = truth_.is_contact_off_a();
+    remarks_.contact_b = truth_.is_contact_off_b();
+    if (remarks_.contact_a || remarks_.contact_b) found(Verdict::witness_off);
+    const std::optional<mpq_class> off = deepest_contact(claim_);
+    remarks_.deepest = off && truth_.is_off_length(*off);
+    if (remarks_.deepest) found(Verdict::inconsistent);
   }
 
   void conclude() {

@@ -49,9 +49,11 @@ class Measures {
   /// given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
-  /// The same of a position.
-  virtual bool is_position_off_a() = 0;
-  virtual bool is_position_off_b() = 0;
+  /// The same of the contact that is farthest away.
+  virtual bool is_contact_off_a() = 0;
+  virtual bool is_contact_off_b() = 0;
+  /// Whether a difference of two claimed lengths is more than tol.
+  virtual bool is_off_length(const mpq_class& difference) = 0;
   virtual bool misses(const Surd& squared_gap) = 0;
   /// The class of a length that is right.
   virtual Accuracy accuracy(const mpq_class& d) = 0;
@@ -78,8 +80,8 @@ class Measures {
   [[nodiscard]] virtual std::string gap(const std::string& claimed) const = 0;
   [[nodiscard]] virtual double away_a() const = 0;
   [[nodiscard]] virtual double away_b() const = 0;
-  [[nodiscard]] virtual double position_away_a() const = 0;
-  [[nodiscard]] virtual double position_away_b() const = 0;
+  [[nodiscard]] virtual double contact_away_a() const = 0;
+  [[nodiscard]] virtual double contact_away_b() const = 0;
 };
 
 std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);

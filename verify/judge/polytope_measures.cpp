@@ -41,8 +41,9 @@ class PolytopeMeasures final : public Measures {
   }
   bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
   bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
-  bool is_position_off_a() override { return position_a_ && !allowed_.witness.negligible(*position_a_); }
-  bool is_position_off_b() override { return position_b_ && !allowed_.witness.negligible(*position_b_); }
+  bool is_contact_off_a() override { return contact_a_ && !allowed_.witness.negligible(*contact_a_); }
+  bool is_contact_off_b() override { return contact_b_ && !allowed_.witness.negligible(*contact_b_); }
+  bool is_off_length(const mpq_class& difference) override { return !allowed_.depth.negligible(difference * difference); }
   bool misses(const Surd& squared_gap) override { return !allowed_.gap.negligible(squared_gap); }
   Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, squared_, rounding_unit(), format_); }
 
@@ -66,9 +67,12 @@ class PolytopeMeasures final : public Measures {
     }
     if (claim.witness_a) away_a_ = result.witness_a_squared = squared_distance(*claim.witness_a, truth_.a);
     if (claim.witness_b) away_b_ = result.witness_b_squared = squared_distance(*claim.witness_b, truth_.b);
-    if (!claim.position) return;
-    position_a_ = result.position_a_squared = squared_distance(*claim.position, truth_.a);
-    position_b_ = result.position_b_squared = squared_distance(*claim.position, truth_.b);
+    for (const Point& contact : claim.contacts) {
+      contact_a_ = std::max(contact_a_.value_or(0), squared_distance(contact, truth_.a));
+      contact_b_ = std::max(contact_b_.value_or(0), squared_distance(contact, truth_.b));
+    }
+    result.contact_a_squared = contact_a_;
+    result.contact_b_squared = contact_b_;
   }
 
   [[nodiscard]] std::string depth() const override { return fmt::format("{}", root(depth_.squared())); }
@@ -89,8 +93,8 @@ class PolytopeMeasures final : public Measures {
   }
   [[nodiscard]] double away_a() const override { return root(*away_a_); }
   [[nodiscard]] double away_b() const override { return root(*away_b_); }
-  [[nodiscard]] double position_away_a() const override { return root(*position_a_); }
-  [[nodiscard]] double position_away_b() const override { return root(*position_b_); }
+  [[nodiscard]] double contact_away_a() const override { return root(*contact_a_); }
+  [[nodiscard]] double contact_away_b() const override { return root(*contact_b_); }
 
  private:
   /// u R.
@@ -129,7 +133,7 @@ class PolytopeMeasures final : public Measures {
   Scene scene_;
   mpq_class squared_;  // of the length in question
   Allowances allowed_;
-  std::optional<mpq_class> price_, away_a_, away_b_, position_a_, position_b_;
+  std::optional<mpq_class> price_, away_a_, away_b_, contact_a_, contact_b_;
   std::optional<Vector> way_;  // whose travel is known, and maybe whose price
   mpq_class travel_;
 };

@@ -61,7 +61,7 @@ class Teller {
       case Verdict::too_far: return off("far");
       case Verdict::too_near: return off("near");
       case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.length);
-      case Verdict::inconsistent: return "inconsistent: " + (claim_.overlap ? truth_.across(claimed()) : truth_.gap(claimed()));
+      case Verdict::inconsistent: return inconsistent();
       case Verdict::witness_off: return witness_off();
       default: return std::string(name(finding));
     }
@@ -72,7 +72,7 @@ class Teller {
     if (reply_.direction && !is_finite(*reply_.direction)) return "the direction is not finite";
     for (const auto* p : {&reply_.witness_a, &reply_.witness_b})
       if (*p && !is_finite(**p)) return "a witness point is not finite";
-    return "the position is not finite";
+    return "a contact is not finite";
   }
 
   [[nodiscard]] std::string not_a_direction() const {
@@ -91,13 +91,23 @@ class Teller {
     return result;
   }
 
+  [[nodiscard]] std::string inconsistent() const {
+    std::string result = "inconsistent: ";
+    if (remarks_.price) result += claim_.overlap ? truth_.across(claimed()) : truth_.gap(claimed());
+    if (remarks_.deepest) {
+      result += fmt::format("{}the depth of the deepest contact differs by {}", remarks_.price ? ", " : "",
+                            amount(kernels::nearest_binary64({*deepest_contact(claim_), 0})));
+    }
+    return result;
+  }
+
   [[nodiscard]] std::string witness_off() const {
     std::string result;
     const auto add = [&result](std::string text) { result += (result.empty() ? "" : "; ") + std::move(text); };
     if (remarks_.witness_a) add(fmt::format("the witness point of A is {} away from it", amount(truth_.away_a())));
     if (remarks_.witness_b) add(fmt::format("the witness point of B is {} away from it", amount(truth_.away_b())));
-    if (remarks_.position_a) add(fmt::format("the position is {} away from A", amount(truth_.position_away_a())));
-    if (remarks_.position_b) add(fmt::format("the position is {} away from B", amount(truth_.position_away_b())));
+    if (remarks_.contact_a) add(fmt::format("a contact is {} away from A", amount(truth_.contact_away_a())));
+    if (remarks_.contact_b) add(fmt::format("a contact is {} away from B", amount(truth_.contact_away_b())));
     if (remarks_.gap && !remarks_.length_sign && !remarks_.direction_sign) {
       add(fmt::format("the witness points miss the {} by {}", claim_.overlap ? "translation" : "distance",
                       amount(*judgement_.witness_gap)));

@@ -15,7 +15,8 @@ struct Remarks {
   bool tolerated = false;                                  ///< the classification is wrong, within the tolerance
   bool length_sign = false, direction_sign = false;        ///< wrong, and corrected in the claim
   bool witness_a = false, witness_b = false, gap = false;  ///< off
-  bool position_a = false, position_b = false;             ///< off
+  bool contact_a = false, contact_b = false;               ///< off
+  bool price = false, deepest = false;                     ///< not the claimed length
 };
 
 /// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.

@@ -106,8 +106,9 @@ class ShapeMeasures final : public Measures {
 
   bool is_off_a() override { return away_a_ && below(0, *away_a_, of_witness_); }
   bool is_off_b() override { return away_b_ && below(0, *away_b_, of_witness_); }
-  bool is_position_off_a() override { return position_a_ && below(0, *position_a_, of_witness_); }
-  bool is_position_off_b() override { return position_b_ && below(0, *position_b_, of_witness_); }
+  bool is_contact_off_a() override { return contact_a_ && below(0, *contact_a_, of_witness_); }
+  bool is_contact_off_b() override { return contact_b_ && below(0, *contact_b_, of_witness_); }
+  bool is_off_length(const mpq_class& difference) override { return above(abs(difference), known(0), of_length_); }
   bool misses(const Surd& squared_gap) override {
     if (compare(squared_gap, of_gap_.high * of_gap_.high) > 0) return true;
     open_ = open_ || compare(squared_gap, of_gap_.low * of_gap_.low) > 0;
@@ -137,9 +138,12 @@ class ShapeMeasures final : public Measures {
     }
     if (claim.witness_a) result.witness_a_distance = outward(*(away_a_ = distance_of(*claim.witness_a, truth_.a)));
     if (claim.witness_b) result.witness_b_distance = outward(*(away_b_ = distance_of(*claim.witness_b, truth_.b)));
-    if (!claim.position) return;
-    result.position_a_distance = outward(*(position_a_ = distance_of(*claim.position, truth_.a)));
-    result.position_b_distance = outward(*(position_b_ = distance_of(*claim.position, truth_.b)));
+    for (const Point& contact : claim.contacts) {
+      contact_a_ = greater(contact_a_.value_or(known(0)), distance_of(contact, truth_.a));
+      contact_b_ = greater(contact_b_.value_or(known(0)), distance_of(contact, truth_.b));
+    }
+    if (contact_a_) result.contact_a_distance = outward(*contact_a_);
+    if (contact_b_) result.contact_b_distance = outward(*contact_b_);
   }
 
   void conclude(Judgement& result) const override {
@@ -166,8 +170,8 @@ class ShapeMeasures final : public Measures {
   }
   [[nodiscard]] double away_a() const override { return least(*away_a_); }
   [[nodiscard]] double away_b() const override { return least(*away_b_); }
-  [[nodiscard]] double position_away_a() const override { return least(*position_a_); }
-  [[nodiscard]] double position_away_b() const override { return least(*position_b_); }
+  [[nodiscard]] double contact_away_a() const override { return least(*contact_a_); }
+  [[nodiscard]] double contact_away_b() const override { return least(*contact_b_); }
 
  private:
   // ---- allowances ----
@@ -313,7 +317,7 @@ class ShapeMeasures final : public Measures {
   Sizes sizes_;
   mpq_class farthest_;                                                                // a half-space's witness point included
   RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
-  std::optional<RationalInterval> measured_price_, away_a_, away_b_, position_a_, position_b_;
+  std::optional<RationalInterval> measured_price_, away_a_, away_b_, contact_a_, contact_b_;
   std::optional<double> left_;
   bool open_ = false;
 };

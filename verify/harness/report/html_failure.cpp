@@ -97,10 +97,13 @@ std::string claim_list(const Reply& reply, const Conventions& conventions) {
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
   facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap", reply.depth);
   facts.add("distance", reply.distance);
-  facts.add("position", reply.position, triple_text);
   facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
   facts.add("point of A", reply.witness_a, triple_text);
   facts.add("point of B", reply.witness_b, triple_text);
+  for (const ContactPoint& contact : reply.contacts) {
+    facts.add("contact", std::optional(contact.position), triple_text);
+    facts.add("depth there", contact.depth);
+  }
   return facts.list("Claim");
 }
 
@@ -124,10 +127,11 @@ std::string residual_list(const Judgement& judgement) {
   facts.add("point of A is off by", judgement.witness_a_distance, between_text);
   facts.add("point of B is off by", judgement.witness_b_distance, between_text);
   facts.add("points differ from translation by", judgement.witness_gap);
-  facts.add("position is away from A by", judgement.position_a_squared, length_text);
-  facts.add("position is away from B by", judgement.position_b_squared, length_text);
-  facts.add("position is away from A by", judgement.position_a_distance, between_text);
-  facts.add("position is away from B by", judgement.position_b_distance, between_text);
+  facts.add("contacts are away from A by up to", judgement.contact_a_squared, length_text);
+  facts.add("contacts are away from B by up to", judgement.contact_b_squared, length_text);
+  facts.add("contacts are away from A by up to", judgement.contact_a_distance, between_text);
+  facts.add("contacts are away from B by up to", judgement.contact_b_distance, between_text);
+  facts.add("deepest contact less claimed depth", judgement.deepest);
   return facts.list("Residuals");
 }
 

@@ -71,7 +71,10 @@ std::string claim_text(const Outcome& outcome) {
   if (reply.direction) text += ", direction " + vector_text(*reply.direction);
   if (reply.witness_a) text += ", witness of A " + vector_text(*reply.witness_a);
   if (reply.witness_b) text += ", witness of B " + vector_text(*reply.witness_b);
-  if (reply.position) text += ", position " + vector_text(*reply.position);
+  for (const ContactPoint& contact : reply.contacts) {
+    text += ", contact " + vector_text(contact.position);
+    if (contact.depth) text += fmt::format(" of depth {}", *contact.depth);
+  }
   return text;
 }
 
@@ -143,8 +146,11 @@ std::string reply_text(const Outcome& outcome) {
   text += fmt::format("  reply.overlap = {};\n", reply.overlap);
   if (reply.depth) text += fmt::format("  reply.depth = {};\n", literal(*reply.depth));
   if (reply.distance) text += fmt::format("  reply.distance = {};\n", literal(*reply.distance));
-  return text + triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b) +
-         triple("position", reply.position);
+  text += triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b);
+  for (const auto& [p, depth] : reply.contacts)
+    text += fmt::format("  reply.contacts.push_back({{{{{}, {}, {}}}, {}}});\n", literal(p[0]), literal(p[1]), literal(p[2]),
+                        depth ? literal(*depth) : "std::nullopt");
+  return text;
 }
 
 std::string conventions_text(const Conventions& conventions) {
