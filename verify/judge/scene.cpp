@@ -2,13 +2,16 @@
 #include "verify/judge/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <variant>
 
 #include "kernels/number/ratio.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/distance.hpp"
 #include "reference/polytope/position.hpp"
+#include "reference/shapes/support.hpp"
 #include "verify/judge/way_out.hpp"
 
 namespace fathom::judging {
@@ -26,6 +29,23 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
     sizes.extent = std::max({sizes.extent, mpq_class(high_a - low_a), mpq_class(high_b - low_b)});
     sizes.farthest = std::max({sizes.farthest, mpq_class(-low_a), high_a, mpq_class(-low_b), high_b});
     sizes.reach = std::max({sizes.reach, mpq_class(high_b - low_a), mpq_class(high_a - low_b)});
+  }
+  return sizes;
+}
+
+Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
+  Sizes sizes;
+  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
+    std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, to either side
+    for (const Shape* body : {&a, &b}) {
+      if (std::holds_alternative<HalfSpace>(body->core)) continue;
+      auto& [low, high] = reach[body == &b ? 1 : 0];
+      low = shapes::support(*body, {-axis.x, -axis.y, -axis.z}, bits).high;
+      high = shapes::support(*body, axis, bits).high;
+      sizes.extent = std::max(sizes.extent, mpq_class(low + high));
+      sizes.farthest = std::max({sizes.farthest, low, high});
+    }
+    sizes.reach = std::max({sizes.reach, mpq_class(reach[1][1] + reach[0][0]), mpq_class(reach[0][1] + reach[1][0])});
   }
   return sizes;
 }

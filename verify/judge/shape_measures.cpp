@@ -324,34 +324,8 @@ class ShapeMeasures final : public Measures {
 
 }  // namespace
 
-Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
-  Sizes sizes;
-  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
-    std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, to either side
-    for (const Shape* body : {&a, &b}) {
-      if (is_halfspace(*body)) continue;
-      auto& [low, high] = reach[body == &b ? 1 : 0];
-      low = shapes::support(*body, {-axis.x, -axis.y, -axis.z}, bits).high;
-      high = shapes::support(*body, axis, bits).high;
-      sizes.extent = std::max(sizes.extent, mpq_class(low + high));
-      sizes.farthest = std::max({sizes.farthest, low, high});
-    }
-    sizes.reach = std::max({sizes.reach, mpq_class(reach[1][1] + reach[0][0]), mpq_class(reach[0][1] + reach[1][0])});
-  }
-  return sizes;
-}
-
 std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits) {
   return std::make_unique<ShapeMeasures>(truth, format, tolerance, bits);
 }
 
 }  // namespace fathom::judging
-
-namespace fathom {
-
-ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options) {
-  SignedDepth depth = signed_depth(a, b, options);
-  return {std::move(a), std::move(b), std::move(depth)};
-}
-
-}  // namespace fathom

@@ -63,6 +63,11 @@ Truth truth_about(GivenPoints a, GivenPoints b, const Options& options) {
   return {std::move(a), std::move(b), std::move(depth)};
 }
 
+ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options) {
+  SignedDepth depth = signed_depth(a, b, options);
+  return {std::move(a), std::move(b), std::move(depth)};
+}
+
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,
                 const NumberFormat& format, const Tolerance& tolerance) {
   return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format, tolerance);
