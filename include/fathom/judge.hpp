@@ -77,8 +77,8 @@ struct Reply {
 /// Which translations pass that are longer than need be, with a depth that is the price of their own direction.
 struct Policy {
   enum class Kind { declared, minimum, separating, within };  ///< what the conventions claim; none; all; prices up to (1 + most) depths
-  Kind kind = Kind::declared;
-  mpq_class most = 0;  ///< of `within`
+  Kind kind = Kind::declared;                                 ///< what is asked
+  mpq_class most = 0;                                         ///< of `within`
   friend bool operator==(const Policy&, const Policy&) = default;
 };
 
@@ -174,9 +174,9 @@ struct Judgement {
   std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
   std::optional<double> witness_gap;                              ///< 0 if they fit
   // The same of the contact that is farthest from A, and of that from B.
-  std::optional<mpq_class> contact_a_squared, contact_b_squared;
-  std::optional<Between> contact_a_distance, contact_b_distance;
-  std::optional<double> deepest;  ///< the largest depth of a contact less the claimed depth
+  std::optional<mpq_class> contact_a_squared, contact_b_squared;  ///< of polytopes
+  std::optional<Between> contact_a_distance, contact_b_distance;  ///< of shapes
+  std::optional<double> deepest;                                  ///< the largest depth of a contact less the claimed depth
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };

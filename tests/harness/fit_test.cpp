@@ -32,9 +32,13 @@ TEST(InUnit, LengthsOfAnswersAreScaledAndDirectionsAreNot) {
   reply.depth = 3;
   reply.direction = Triple{0, 2, 0};
   reply.witness_b = Triple{1, -5, 0x1p-1074};
+  reply.distance = 7;
+  reply.contacts = {{{2, 4, 6}, 5.0}, {{1, 1, 1}, {}}};
   const Reply there = in_unit(reply, -1);
   EXPECT_EQ(there.depth, 1.5);
   EXPECT_EQ(there.direction, reply.direction);
+  EXPECT_EQ(there.distance, 3.5);
+  EXPECT_EQ(there.contacts, (std::vector<ContactPoint>{{{1, 2, 3}, 2.5}, {{0.5, 0.5, 0.5}, {}}}));
   EXPECT_EQ(*there.witness_b, (Triple{0.5, -2.5, 0})) << "rounded once, ties to even";
 }
 

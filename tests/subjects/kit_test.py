@@ -55,7 +55,7 @@ class Kit(unittest.TestCase):
             self.assertEqual(json.loads(done.stdout),
                              {"type": "hello", "protocol": "fathom/subject/1", "name": "trial", "version": "7",
                               "precision": {"points": "binary32", "answers": "binary64"},
-                              "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False},
+                              "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False, "claims": "separating"},
                               "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
                               "rounding": {"vertices": 0.1, "box": 0.25}, "settings": {"limit": "3"}})
 
@@ -93,6 +93,17 @@ class Kit(unittest.TestCase):
         for [reply], _ in self.replies((marked(6), POINTS)):
             self.assertGreater(reply.pop("microseconds"), 0)
             self.assertEqual(reply, {"overlap": True, "depth": 0.25, "hull": {"a": [[6, 0, 0], [1, 1, 1]]}})
+
+    def test_contacts(self):
+        for [reply], _ in self.replies((marked(7), POINTS)):
+            del reply["microseconds"]
+            contacts = [{"position": [7, 0, 0]}, {"position": [1, 1, 1], "depth": 0.25}]
+            self.assertEqual(reply, {"overlap": True, "depth": 0.25, "contacts": contacts})
+
+    def test_distances(self):
+        for [reply], _ in self.replies((marked(8), POINTS)):
+            del reply["microseconds"]
+            self.assertEqual(reply, {"overlap": False, "distance": "inf"})
 
     def test_what_is_no_message_ends_it(self):
         for done in self.talk(['{"type":"run","id":"1","a":']):

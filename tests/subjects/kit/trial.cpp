@@ -44,6 +44,16 @@ Reply solve(const Body& a, const Body& b) {
     reply.hull[0] = a.vertices;
     return reply;
   }
+  if (what == 7) {
+    reply.depth = 0.25;
+    reply.contacts = {{a.vertices[0]}, {a.vertices[1], 0.25}};
+    return reply;
+  }
+  if (what == 8) {
+    reply.overlap = false;
+    reply.distance = infinity;
+    return reply;
+  }
   if (what == 5) reply.overlap = false;
   else reply.depth = 1.0 / 3 + static_cast<double>(a.faces.size());
   return reply;
@@ -63,6 +73,7 @@ int main() {
   subject.shapes = {"capsule", "box", "margin"};
   subject.promises = {"depth"};
   subject.settings = {{"limit", "3"}};
+  subject.claims = "separating";
   subject.rounding = {{"vertices", 0.1}, {"box", 0.25}};
   return fathom_subject::run(subject, solve);
 }

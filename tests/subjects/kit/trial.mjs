@@ -17,6 +17,9 @@ run((a, b) => {
   if (what === 3) throw new Error('no "way" out');
   if (what === 4) throw new Unsupported('too flat');
   if (what === 6) return { overlap: true, depth: 0.25, hull: { a: a.vertices } };
+  if (what === 7) return { overlap: true, depth: 0.25, contacts: [{ position: a.vertices[0] }, { position: a.vertices[1], depth: 0.25 }] };
+  if (what === 8) return { overlap: false, distance: Infinity };
   return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
 }, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
-     shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 } });
+     shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 },
+     claims: 'separating' });

@@ -22,9 +22,13 @@ def solve(a, b):
         raise Unsupported("too flat")
     if what == 6:
         return Reply(True, 0.25, hull=(a.vertices, None))
+    if what == 7:
+        return Reply(True, 0.25, contacts=[(a.vertices[0], None), (a.vertices[1], 0.25)])
+    if what == 8:
+        return Reply(False, distance=float("inf"))
     return Reply(False) if what == 5 else Reply(True, 1 / 3 + len(a.faces))
 
 
 fathom_subject.run(solve, name="trial", version="7", precision={"points": "binary32", "answers": "binary64"}, touching="overlap", depth="negative", moves="b", unit=False,
                    faces=True, shapes=["capsule", "box", "margin"], promises=["depth"], settings={"limit": "3"},
-                   rounding={"vertices": 0.1, "box": 0.25})
+                   rounding={"vertices": 0.1, "box": 0.25}, claims="separating")

@@ -53,12 +53,20 @@ struct Body {
   Vector translation{};
 };
 
+/// One point of a contact manifold, in both bodies, and maybe how deep they overlap there along the reply's direction.
+struct Contact {
+  Vector position{};
+  std::optional<double> depth = {};
+};
+
 /// What the code under test answers. Only `overlap` is needed, and what is there is judged.
 struct Reply {
   bool overlap = false;
   std::optional<double> depth = {};                   ///< with the sign that is declared
   std::optional<Vector> direction = {};               ///< moving the declared body by |depth| * direction takes the bodies apart
   std::optional<std::array<Vector, 2>> witness = {};  ///< a point of A and one of B, which differ by that translation of A
+  std::optional<double> distance = {};  ///< of bodies that are apart; direction and witness then lead farther apart, and are nearest points
+  std::vector<Contact> contacts = {};   ///< of a depth, which is the largest of theirs
   std::array<std::vector<Vector>, 2> hull = {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
 };
 
@@ -72,19 +80,21 @@ using Solve = std::function<Reply(const Body& a, const Body& b)>;
 
 /// What the subject declares of itself.
 struct Subject {
-  std::string name, version;               ///< of what is tested
-  std::string precision = "binary64";      ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
-  std::string touching = "either";         ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
-  std::string depth = "positive";          ///< or "negative": the sign of the depth of bodies that overlap
-  std::string moves = "a";                 ///< or "b": which body |depth| * direction moves apart
-  bool unit = true;                        ///< whether directions are promised to have length 1
-  bool faces = false;                      ///< whether bodies of vertices need faces
-  std::vector<std::string> shapes = {};    ///< that it takes, and "margin" if they may have one; others come as vertices or not at all
-  std::vector<std::string> promises = {};  ///< what each answer holds that says "overlap": "depth", "direction", "witness"
+  std::string name, version;             ///< of what is tested
+  std::string precision = "binary64";    ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
+  std::string touching = "either";       ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
+  std::string depth = "positive";        ///< or "negative": the sign of the depth of bodies that overlap
+  std::string moves = "a";               ///< or "b": which body |depth| * direction moves apart
+  bool unit = true;                      ///< whether directions are promised to have length 1
+  bool faces = false;                    ///< whether bodies of vertices need faces
+  std::vector<std::string> shapes = {};  ///< that it takes, and "margin" if they may have one; others come as vertices or not at all
+  std::vector<std::string> promises =
+      {};  ///< of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
   std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
   std::string answers = {};                          ///< the precision of answers, if `precision` is that of points alone
   std::map<std::string, double> rounding = {};       ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
+  std::string claims = "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
 };
 
 namespace details {
@@ -294,9 +304,13 @@ inline std::string hello(const Subject& subject) {
   return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) + ",\"version\":" + quoted(subject.version) +
          ",\"precision\":" + precision(subject) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
          ",\"depth\":" + quoted(subject.depth) + ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
-         "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) + '}' +
-         (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) + ",\"promises\":" + list(subject.promises) +
-         rounding(subject.rounding) + ",\"settings\":{" + settings + "}}";
+         ",\"claims\":" + quoted(subject.claims) + "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") +
+         ",\"shapes\":" + list(subject.shapes) + '}' + (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
+         ",\"promises\":" + list(subject.promises) + rounding(subject.rounding) + ",\"settings\":{" + settings + "}}";
+}
+
+inline std::string contact(const Contact& contact) {
+  return "{\"position\":" + vector(contact.position) + (contact.depth ? ",\"depth\":" + number(*contact.depth) : "") + '}';
 }
 
 inline std::string answer(const Reply& reply) {
@@ -304,6 +318,8 @@ inline std::string answer(const Reply& reply) {
   if (reply.depth) result += ",\"depth\":" + number(*reply.depth);
   if (reply.direction) result += ",\"direction\":" + vector(*reply.direction);
   if (reply.witness) result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
+  if (reply.distance) result += ",\"distance\":" + number(*reply.distance);
+  if (!reply.contacts.empty()) result += ",\"contacts\":[" + joined(reply.contacts, contact) + ']';
   std::string hulls;
   for (const std::size_t i : {0U, 1U})
     if (!reply.hull[i].empty())

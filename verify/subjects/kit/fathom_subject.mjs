@@ -62,11 +62,15 @@ const vector = (v) => ('x' in v ? [v.x, v.y, v.z] : Array.from(v)).map(number);
 
 const isGiven = (value) => value !== undefined && value !== null;
 
+const contact = ({ position, depth }) => ({ position: vector(position), ...(isGiven(depth) ? { depth: number(depth) } : {}) });
+
 function replyOf(answer) {
   const reply = { overlap: Boolean(answer.overlap) };
   if (isGiven(answer.depth)) reply.depth = number(answer.depth);
   if (isGiven(answer.direction)) reply.direction = vector(answer.direction);
   if (isGiven(answer.witness)) reply.witness = { a: vector(answer.witness.a), b: vector(answer.witness.b) };
+  if (isGiven(answer.distance)) reply.distance = number(answer.distance);
+  if (answer.contacts?.length) reply.contacts = answer.contacts.map(contact);
   if (isGiven(answer.hull))
     reply.hull = Object.fromEntries(['a', 'b'].filter((name) => isGiven(answer.hull[name]))
                                         .map((name) => [name, Array.from(answer.hull[name], vector)]));
@@ -107,7 +111,9 @@ function divertPrints() {
 
 /**
  * Answers cases until there are no more. solve(a, b) returns, now or by a promise, { overlap, depth, direction, witness: { a, b } }; all but
- * `overlap` may be left out, and what is there is judged. `hull: { a, b }`, or one of them, tells the vertices of the hulls that were really
+ * `overlap` may be left out, and what is there is judged. Of bodies that are apart `distance` says how far, `witness` nearest points, and
+ * `direction` leads farther apart. `contacts: [{ position, depth }]` are points of both bodies; the largest of their depths, which may be left
+ * out, is the depth. `hull: { a, b }`, or one of them, tells the vertices of the hulls that were really
  * used, where they may be others than the asked ones. `microseconds` says how long the answer took, where solve measured a part of its
  * time itself. What the subject declares:
  *
@@ -120,14 +126,15 @@ function divertPrints() {
  * unit            whether directions are promised to have length 1
  * faces           whether bodies of vertices need faces
  * shapes          names of the shapes that it takes, and 'margin' if they may have one; others come as vertices or not at all
- * promises        which of 'depth', 'direction', 'witness' each answer holds that says 'overlap'
+ * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; and 'distance' of the others
  * settings        { iterations: 100, ... }: shown beside the verdicts
  * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes
+ * claims          'minimum': no translation is shorter than depth * direction; or 'separating': no more than that this one separates
  */
 export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
-          shapes = [], promises = [], settings = {}, rounding } = declared;
-  const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit },
+          shapes = [], promises = [], settings = {}, rounding, claims = 'minimum' } = declared;
+  const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit, claims },
                   capabilities: { faces, shapes }, promises, settings, rounding };
   divertPrints();
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {

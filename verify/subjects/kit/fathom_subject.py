@@ -71,12 +71,15 @@ class Reply:
     depth      how deep, with the sign that `run` declares
     direction  moving the declared body by |depth| * direction takes the bodies apart
     witness    a point of A and one of B, which differ by that translation of A
+    distance   how far apart; direction then leads the declared body farther away, and witness is a pair of nearest points
+    contacts   of a manifold: pairs of a point of both bodies and the depth there, or None; the largest is the depth
     hull       the vertices of A's and of B's hull that your code really used, where they may be others than the asked ones; None for either
                whose are not known
     """
 
-    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None):
+    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None, distance=None, contacts=()):
         self.overlap, self.depth, self.direction, self.witness, self.hull = overlap, depth, direction, witness, hull
+        self.distance, self.contacts = distance, contacts
 
     def fields(self):
         found = {"overlap": bool(self.overlap)}
@@ -87,6 +90,10 @@ class Reply:
         if self.witness is not None:
             a, b = self.witness
             found["witness"] = {"a": _vector(a), "b": _vector(b)}
+        if self.distance is not None:
+            found["distance"] = _number(self.distance)
+        if self.contacts:
+            found["contacts"] = [{"position": _vector(p), **({} if depth is None else {"depth": _number(depth)})} for p, depth in self.contacts]
         if self.hull is not None:
             found["hull"] = {name: [_vector(v) for v in hull] for name, hull in zip("ab", self.hull) if hull is not None}
         return found
@@ -124,7 +131,7 @@ def _answer(solve, message):
 
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
-        faces=False, shapes=(), promises=(), settings=None, rounding=None):
+        faces=False, shapes=(), promises=(), settings=None, rounding=None, claims="minimum"):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
@@ -136,12 +143,13 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     unit            whether directions are promised to have length 1
     faces           whether bodies of vertices need faces
     shapes          names of the shapes that it takes, and "margin" if they may have one; others come as vertices or not at all
-    promises        which of "depth", "direction", "witness" each answer holds that says "overlap"
+    promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; and "distance" of the others
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
+    claims          "minimum": no translation is shorter than depth * direction; or "separating": no more than that this one separates
     """
     hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
-             "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit},
+             "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit, "claims": claims},
              "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
     if rounding is not None:
         hello["rounding"] = rounding
