@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fathom/certificate.hpp"
+#include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "reference/expanding/expanding_polytope.hpp"

@@ -5,6 +5,7 @@
 order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by name
 doors     the headers of include/fathom, kernels, reference and verify/judge include only the standard library, GMP and each other
 installed only the headers in INSTALLED are installed
+first     a source includes the header of its name before all else: so its compilation shows that the header stands alone
 cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a *_cgal.hpp, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
@@ -53,6 +54,7 @@ CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "tests")
 ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
+FIRST = ("kernels/", "reference/", "verify/", "view/", "cli/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")
 PUBLIC_DOMAIN = ("verify/golden/kit/", "verify/reports/")  # what exports of golden data begin with; programs for others
 NAMES_OF_THEIR_OWN = ("verify/check/", "verify/subjects/", "verify/reports/", "verify/examples/", "examples/", "tests/", "proofs/")
@@ -138,10 +140,21 @@ def include_breaches(root, path, text, listed):
             yield "order", f'"{target}": {breach}'
 
 
+def first_breach(root, name, text):
+    """Of a source of a room with a header beside it. The build compiles alone only the headers without such a source: cmake/rooms.cmake."""
+    header = name.removesuffix(".cpp") + ".hpp"
+    if not name.endswith(".cpp") or not name.startswith(FIRST) or name.startswith(CLOSED) or not (root / header).is_file():
+        return None
+    first = next((target for _, target in INCLUDE.findall(text)), None)
+    return None if first == header else f'"{header}" is not what is included first'
+
+
 def source_breaches(root, path, text, listed):
     name = path.as_posix()
     if not name.startswith("tests/install/consumer/"):  # a foreign project
         yield from include_breaches(root, path, text, listed)
+    if (breach := first_breach(root, name, text)) and name not in listed:
+        yield "first", breach
     if not name.startswith(("kernels/", "tests/")) and (hit := ROUNDING.search(text)):
         yield "rounding", f"{hit.group()} outside kernels"
     if (lines := text.count("\n")) > (most := TO_COPY.get(name, LINES)):

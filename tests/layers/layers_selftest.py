@@ -22,7 +22,7 @@ CLEAN = {
     "kernels/round.cpp": SPDX + "#include <cfenv>\n#include <mpfr.h>\n",
     "reference/polytope/hull.hpp": SPDX + '#include "kernels/sign.hpp"\n',
     "reference/polytope/mesh_cgal.hpp": SPDX + "#include <CGAL/Surface_mesh.h>\n",
-    "reference/depth/depth.cpp": SPDX + '#include "reference/polytope/hull.hpp"\n#include <fmt/format.h>\n',
+    "reference/depth/depth.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include "reference/polytope/hull.hpp"\n#include <fmt/format.h>\n',
     "reference/depth/depth.hpp": SPDX + "#include <vector>\n",
     "verify/check/checker.cpp": "// SPDX-License-Identifier: Apache-2.0\n#include <gmpxx.h>\n",
     "cli/main.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include <CLI/CLI.hpp>\n',
@@ -93,6 +93,13 @@ class Layers(unittest.TestCase):
         text = CLEAN["cmake/cgal_files.txt"]
         self.expect("cmake/cgal_files.txt", text + "cli/main.cpp\n", "cgal")
         self.expect("cmake/cgal_files.txt", text + "cli/missing.cpp\n", "cgal")
+
+    def test_a_header_is_compiled_alone_by_its_source(self):
+        name, header = "reference/polytope/hull.cpp", '#include "reference/polytope/hull.hpp"\n'
+        self.expect(name, SPDX + header + "#include <vector>\n")
+        self.expect(name, SPDX + "#include <vector>\n" + header, "first")
+        self.expect(name, SPDX, "first")
+        self.expect("reference/polytope/part.cpp", SPDX + "#include <vector>\n" + header)
 
     def test_rounding_stays_in_kernels(self):
         self.expect("reference/depth/bad.cpp", SPDX + "#include <cfenv>\n", "rounding")
