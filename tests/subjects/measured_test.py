@@ -32,8 +32,8 @@ def agrees(figure, reply, code):
         return figure.split()[1] in reply.get("failed", "")
     if figure == "reports no penetration":
         return reply.get("overlap") is False
-    if code in ("fclSD", "btPD64") and float(figure) > 0:  # a distance of bodies that are apart, which no reply tells
-        return reply.get("overlap") is False
+    if code in ("fclSD", "btPD64") and float(figure) > 0:  # a distance of bodies that are apart
+        return reply.get("overlap") is False and reply["distance"] == float(figure)
     return reply.get("overlap") is True and reply["depth"] == float(figure)
 
 

@@ -23,8 +23,11 @@ PENETRATING = [
     ("a plate under a tall box, along z", box([-2, -2, 0], [2, 2, 1]), box([-1.25, -1, 0.5], [1, 1.5, 4]), 0.5),
     ("the corner of a tetrahedron in a facet", [[0.25, 0.125, -0.25], [3, 0, 2], [-2, 2, 2], [-1, -3, 2]], box([-4, -4, -3], [4, 4.5, 0]), 0.25),
     ("an edge across an edge", WEDGE, [[x + 0.25, y - 0.5, z - 3.5] for x, y, z in WEDGE], 0.5)]
-APART = [("apart by a quarter, along x", CUBE, box([1.25, -0.5, -0.25], [2, 0.5, 1.5])),
-         ("apart across a corner", CUBE, box([1.5, 1.25, -3], [2.5, 3, -0.5]))]
+# With their exact distances.
+APART = [("apart by a quarter, along x", CUBE, box([1.25, -0.5, -0.25], [2, 0.5, 1.5]), 0.25),
+         ("apart across a corner", CUBE, box([1.5, 1.25, -3], [2.5, 3, -0.5]), 0.75)]
+TELL_DISTANCES = ["fcl-signed", "bullet-pair", "bullet64-pair"]
+TELL_POSITIONS = ["libccd-epa", "libccd-mpr", "fcl-collide", "fcl-indep", "ode-collide"]
 TRIANGLE = [[0.25, 0.25, 0.75], [0.5, 1, 3], [1, 0.5, 3]]
 
 # FCL and libccd stop within 1e-6 of these; Bullet in binary32, whose bodies are round by their margin, within 1e-4 of its own.
@@ -33,6 +36,28 @@ TOLERANCE = 5e-5 if PROGRAM == "bullet" else 2e-6
 
 def dot(u, v):
     return sum(x * y for x, y in zip(u, v))
+
+
+def check_apart(test, hello, a, b, distance, reply, tolerance):
+    """The distance is right, its direction leads the moving body away from the other, and the nearest points are as far apart."""
+    test.assertIs(reply["overlap"], False)
+    test.assertAlmostEqual(reply["distance"], distance, delta=tolerance)
+    points = reply["witness"]
+    test.assertAlmostEqual(dot(*2 * [[x - y for x, y in zip(points["a"], points["b"])]])**0.5, distance, delta=tolerance)
+    if "direction" not in reply:
+        return
+    away = [{"a": 1, "b": -1}[hello["conventions"]["moves"]] * x / dot(*2 * [reply["direction"]])**0.5 for x in reply["direction"]]
+    test.assertAlmostEqual(min(dot(away, v) for v in a) - max(dot(away, v) for v in b), distance, delta=4 * tolerance)
+
+
+def check_contacts(test, a, b, reply, tolerance):
+    """Each position is in the boxes around both bodies, which the bodies are; the deepest contact is as deep as the answer."""
+    for contact in reply["contacts"]:
+        for body in (a, b):
+            for axis, x in zip(zip(*body), contact["position"]):
+                test.assertGreaterEqual(x, min(axis) - tolerance)
+                test.assertLessEqual(x, max(axis) + tolerance)
+    test.assertEqual(max(abs(contact["depth"]) for contact in reply["contacts"]), abs(reply["depth"]))
 
 
 class Conversation(unittest.TestCase):
@@ -131,11 +156,23 @@ class Answers(Conversation):
                 self.check(subject.hello, one, two, depth, subject.ask(one, two))
 
     def test_apart(self):
-        for _, subject in self.each_mode():
-            for name, a, b in APART:
-                with self.subTest(name):
-                    self.assertEqual(subject.ask(a, b)["overlap"], False)
-                    self.assertEqual(subject.ask(b, a)["overlap"], False)
+        for mode, subject in self.each_mode():
+            for name, a, b, distance in APART:
+                for one, two in ((a, b), (b, a)):
+                    with self.subTest(name, swapped=one is b):
+                        reply = subject.ask(one, two)
+                        self.assertIs(reply["overlap"], False)
+                        self.assertEqual("distance" in reply, f"{PROGRAM}-{mode}" in TELL_DISTANCES)
+                        if "distance" in reply:
+                            check_apart(self, subject.hello, one, two, distance, reply, TOLERANCE)
+
+    def test_positions(self):
+        _, a, b, _ = PENETRATING[2]
+        for mode in OWN:
+            if f"{PROGRAM}-{mode}" in TELL_POSITIONS:
+                with Client(PROGRAM, mode, "positions=1") as subject:
+                    check_contacts(self, a, b, subject.ask(a, b), TOLERANCE)
+                    check_contacts(self, b, a, subject.ask(b, a), TOLERANCE)
 
     def test_margin_is_undone(self):
         """Any margin gives the depth of the bodies themselves, to that margin's rounding."""
@@ -145,7 +182,7 @@ class Answers(Conversation):
             with self.subTest(margin=margin), Client(PROGRAM, "pair", f"margin={margin}") as subject:
                 for _, a, b, depth in PENETRATING:
                     self.check(subject.hello, a, b, depth, subject.ask(a, b))
-                for _, a, b in APART:
+                for _, a, b, _ in APART:
                     self.assertEqual(subject.ask(a, b)["overlap"], False)
 
     def test_flat_bodies(self):

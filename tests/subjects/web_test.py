@@ -14,7 +14,7 @@ from itertools import islice
 
 import shapes_test as shapes
 from client import HELLO, ROOT, Client
-from subject_test import APART, CUBE, PENETRATING, TRIANGLE, dot
+from subject_test import APART, CUBE, PENETRATING, TRIANGLE, check_apart, check_contacts, dot
 
 ENGINE = os.environ["FATHOM_SUBJECT"]
 WEB = ROOT / "verify" / "subjects" / "web"
@@ -32,6 +32,8 @@ NAMES = {"jolt": [*ROUND, "cylinder", "frustum", "cone", "tapered_capsule"], "ra
 TOLERANCES = {"jolt-radius": 0.05, "havok-proximity": 2e-2, "rapier-world": 5e-3, "cannon-contact": 5e-3}
 # Which share of the simple pairs of shapes a mode must know the depth of, to a quarter. What is below 1 was measured, and is rounded down.
 SHARES = {"rapier-contact": 0.98, "rapier-world": 0.98, "mujoco-libccd": 0.98}
+TELL_DISTANCES = ["rapier-contact", "physx-gjk", "havok-proximity", "mujoco-distance"]
+TELL_POSITIONS = ["physx-scene", "mujoco-native", "mujoco-single", "mujoco-libccd", "cannon-contact"]
 # A step's contact report is a manifold and no minimum translation: it misses the way out across two edges.
 NO_EDGES = ["physx-scene"]
 EVERY = 3  # of the pairs of shapes, so that the test ends soon; both orders and all bodies are among them
@@ -122,11 +124,23 @@ class Web(unittest.TestCase):
                     self.check(client.hello, one, two, depth, client.ask(one, two), tolerance)
 
     @in_each_mode
-    def test_apart(self, _, client):
-        for name, a, b in APART:
-            with self.subTest(name):
-                self.assertEqual(client.ask(a, b)["overlap"], False)
-                self.assertEqual(client.ask(b, a)["overlap"], False)
+    def test_apart(self, mode, client):
+        for name, a, b, distance in APART:
+            for one, two in ((a, b), (b, a)):
+                with self.subTest(name, swapped=one is b):
+                    reply = client.ask(one, two)
+                    self.assertIs(reply["overlap"], False)
+                    self.assertEqual("distance" in reply, f"{ENGINE}-{mode}" in TELL_DISTANCES)
+                    if "distance" in reply:
+                        check_apart(self, client.hello, one, two, distance, reply, TOLERANCES.get(f"{ENGINE}-{mode}", 1e-4))
+
+    def test_positions(self):
+        _, a, b, _ = PENETRATING[2]
+        for mode in MODES:
+            if f"{ENGINE}-{mode}" in TELL_POSITIONS:
+                with subject(mode, "positions=1") as client:
+                    check_contacts(self, a, b, client.ask(a, b), 1e-4)
+                    check_contacts(self, b, a, client.ask(b, a), 1e-4)
 
     @in_each_mode
     def test_flat_bodies(self, mode, client):

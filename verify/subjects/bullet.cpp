@@ -153,8 +153,8 @@ subject::Solver pair(Settings& settings) {
     detector.getClosestPoints(input, found, nullptr);
     const double distance = found.m_distance + (one.grown + two.grown);
     subject::Reply reply{.overlap = found.m_hasResult && !(distance > 0)};
-    if (!reply.overlap) return reply;
-    reply.depth = distance;
+    if (!found.m_hasResult) return reply;
+    (reply.overlap ? reply.depth : reply.distance) = distance;
     reply.direction = plain(found.m_normalOnBInWorld);
     const Vector& n = *reply.direction;
     Vector b_point = plain(found.m_pointInWorld), a_point;

@@ -76,8 +76,7 @@ subject::Solver signed_distance(Settings& settings) {
     fcl::DistanceResultd result;
     fcl::distance(one.geometry.get(), one.at, two.geometry.get(), two.at, request, result);
     subject::Reply reply{.overlap = !(result.min_distance > 0)};  // NaN is passed on
-    if (!reply.overlap) return reply;
-    reply.depth = result.min_distance;
+    (reply.overlap ? reply.depth : reply.distance) = result.min_distance;
     reply.witness = {plain(result.nearest_points[0]), plain(result.nearest_points[1])};
     return reply;
   };
@@ -100,7 +99,8 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
   request.num_max_contacts = settings.count("num_max_contacts", request.num_max_contacts);
   request.gjk_tolerance = settings.number("gjk_tolerance", request.gjk_tolerance);
   settings.note("gjk_solver_type", type_name);
-  return [request](const Body& a, const Body& b) {
+  const bool tells_positions = settings.count("positions", 0) != 0;
+  return [request, tells_positions](const Body& a, const Body& b) {
     if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: FCL gives no depth");
     const Placed one(a), two(b);
     fcl::CollisionResultd result;
@@ -113,8 +113,12 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
     const fcl::Contactd& deepest = *std::ranges::max_element(contacts, {}, size);
     // GST_INDEP answers depths below 0, as the mode says, but for these pairs.
     const bool turned = request.gjk_solver_type == fcl::GST_INDEP && has_formula(a, b);
-    reply.depth = turned ? -deepest.penetration_depth : deepest.penetration_depth;
+    const double sign = turned ? -1 : 1;
+    reply.depth = sign * deepest.penetration_depth;
     reply.direction = plain(deepest.normal);
+    for (const fcl::Contactd& contact : contacts)
+      if (tells_positions && contact.normal == deepest.normal)
+        reply.contacts.push_back({plain(contact.pos), sign * contact.penetration_depth});
     return reply;
   };
 }

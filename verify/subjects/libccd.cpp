@@ -115,21 +115,6 @@ void centre(const void* object, ccd_vec3_t* out) {
 
 using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
 
-subject::Solver solver(Penetration penetration, const ccd_t& options) {
-  return [penetration, options](const Body& a, const Body& b) {
-    const Object one(a), two(b);
-    ccd_real_t depth = 0;
-    ccd_vec3_t direction{}, position{};
-    const int code = penetration(&one, &two, &options, &depth, &direction, &position);
-    if (code == -2) throw std::runtime_error("libccd ran out of memory");
-    subject::Reply reply{.overlap = code == 0};
-    if (!reply.overlap) return reply;
-    reply.depth = depth;
-    reply.direction = plain(direction);
-    return reply;
-  };
-}
-
 ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, const std::string& name) {
   ccd_t options;
   CCD_INIT(&options);
@@ -141,16 +126,35 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
   return options;
 }
 
+/// libccd's position is where a force should act, by its header: not a point of both bodies, unless it is asked to be taken for one.
+subject::Solver solver(Penetration penetration, subject::Settings& settings, ccd_real_t ccd_t::*tolerance, const std::string& name) {
+  const ccd_t options = options_of(settings, tolerance, name);
+  const bool tells_position = settings.count("positions", 0) != 0;
+  return [penetration, options, tells_position](const Body& a, const Body& b) {
+    const Object one(a), two(b);
+    ccd_real_t depth = 0;
+    ccd_vec3_t direction{}, position{};
+    const int code = penetration(&one, &two, &options, &depth, &direction, &position);
+    if (code == -2) throw std::runtime_error("libccd ran out of memory");
+    subject::Reply reply{.overlap = code == 0};
+    if (!reply.overlap) return reply;
+    reply.depth = depth;
+    reply.direction = plain(direction);
+    if (tells_position) reply.contacts = {{plain(position), depth}};
+    return reply;
+  };
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<std::string> shapes;
   for (const auto& [name, support_of_name] : supports()) shapes.push_back(name);
   const subject::Mode epa{.argument = "epa", .name = "libccd-epa", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
-                            return solver(ccdGJKPenetration, options_of(settings, &ccd_t::epa_tolerance, "epa_tolerance"));
+                            return solver(ccdGJKPenetration, settings, &ccd_t::epa_tolerance, "epa_tolerance");
                           }};
   const subject::Mode mpr{.argument = "mpr", .name = "libccd-mpr", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
-                            return solver(ccdMPRPenetration, options_of(settings, &ccd_t::mpr_tolerance, "mpr_tolerance"));
+                            return solver(ccdMPRPenetration, settings, &ccd_t::mpr_tolerance, "mpr_tolerance");
                           }};
   return subject::run({"libccd", SUBJECT_VERSION, "binary64", {epa, mpr}}, argc, argv);
 }

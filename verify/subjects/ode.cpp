@@ -11,6 +11,8 @@ namespace {
 
 using subject::Body, subject::Vector;
 
+Vector plain(const dVector3& v) { return {v[0], v[1], v[2]}; }
+
 /// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is where its normal and offset say.
 dGeomID primitive(const subject::Shape& shape) {
   const subject::Pose& pose = shape.pose;
@@ -90,8 +92,9 @@ class Geom {
 subject::Solver collide(subject::Settings& settings) {
   constexpr unsigned long usual = 32, most = 0xffff;
   const unsigned long contacts = std::clamp(settings.count("contacts", usual), 1ul, most);
+  const bool tells_positions = settings.count("positions", 0) != 0;
   settings.note("centre", "mean of the vertices");
-  return [contacts](const Body& a, const Body& b) {
+  return [contacts, tells_positions](const Body& a, const Body& b) {
     if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: ODE collides no planes");
     const Geom one(a), two(b);
     std::vector<dContactGeom> found(contacts);
@@ -101,7 +104,9 @@ subject::Solver collide(subject::Settings& settings) {
     const dContactGeom& deepest = *std::max_element(found.begin(), found.begin() + count,
                                                     [](const dContactGeom& c, const dContactGeom& d) { return c.depth < d.depth; });
     reply.depth = deepest.depth;
-    reply.direction = {deepest.normal[0], deepest.normal[1], deepest.normal[2]};
+    reply.direction = plain(deepest.normal);
+    for (int i = 0; i < count; ++i)
+      if (tells_positions && plain(found[i].normal) == *reply.direction) reply.contacts.push_back({plain(found[i].pos), found[i].depth});
     return reply;
   };
 }

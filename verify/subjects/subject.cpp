@@ -65,8 +65,11 @@ Body read_body(const json& from) {
 void tell(const Reply& answer, json& reply) {
   reply["overlap"] = answer.overlap;
   if (answer.depth) reply["depth"] = number_json(*answer.depth);
+  if (answer.distance) reply["distance"] = number_json(*answer.distance);
   if (answer.direction) reply["direction"] = vector_json(*answer.direction);
   if (answer.witness) reply["witness"] = {{"a", vector_json((*answer.witness)[0])}, {"b", vector_json((*answer.witness)[1])}};
+  for (const Contact& contact : answer.contacts)
+    reply["contacts"].push_back({{"position", vector_json(contact.position)}, {"depth", number_json(contact.depth)}});
 }
 
 json reply_to(const json& request, const Running& running) {

@@ -39,12 +39,20 @@ struct Body {
   std::optional<Shape> shape{};
 };
 
+/// One point of a manifold: of both bodies, and how deep they overlap there.
+struct Contact {
+  Vector position{};
+  double depth = 0;
+};
+
 /// What the library answered, in its own numbers and under the conventions of the mode.
 struct Reply {
   bool overlap = false;
   std::optional<double> depth{};
+  std::optional<double> distance{};  ///< of bodies that are apart; direction and witness are then those of the gap
   std::optional<Vector> direction{};
   std::optional<std::array<Vector, 2>> witness{};  ///< on A and on B
+  std::vector<Contact> contacts{};                 ///< of the one direction; the largest of their depths is `depth`
 };
 
 /// Thrown for a pair that the library does not take. Any other exception is an answer that the library failed to give.

@@ -3,10 +3,11 @@
 //   sat       testSepAxis along the axis that it found
 //   contact   the deepest point of clipAgainstHull, measured along the axis as ContactEquation of Narrowphase.convexConvex does
 import { createRequire } from 'node:module';
-import { Refused, serve, setting, versionOf } from './engine.mjs';
+import { mode, Refused, serve, setting, versionOf } from './engine.mjs';
 
 const C = createRequire(import.meta.url)('cannon-es');  // the package's main file is its CommonJS build
 if (setting('warnings', 'off') === 'off') console.warn = console.error = () => {};
+const tellsPositions = mode === 'contact' && setting('positions', 0) !== 0;
 const still = new C.Quaternion();
 
 function polyhedron({ points, faces }) {
@@ -37,8 +38,10 @@ function contact(a, b) {
   const axis = axisOf(a, b), points = [];
   if (!axis) return { overlap: false };
   a.hull.clipAgainstHull(a.at, a.turn, b.hull, b.at, b.turn, axis, -100, 100, points);
-  const depth = Math.max(...points.map((p) => p.depth * p.normal.dot(axis)));
-  return points.length && depth >= 0 ? { overlap: true, depth, direction: axis.toArray() } : { overlap: false };
+  const contacts = points.map((p) => ({ position: p.point.toArray(), depth: p.depth * p.normal.dot(axis) })).filter(({ depth }) => depth >= 0);
+  if (contacts.length === 0) return { overlap: false };
+  return { overlap: true, depth: Math.max(...contacts.map(({ depth }) => depth)), direction: axis.toArray(),
+           ...(tellsPositions ? { contacts } : {}) };
 }
 
 const conventions = { depth: 'positive', moves: 'a', shapes: ['box'] };
@@ -47,7 +50,7 @@ await serve({
   name: 'cannon', version: versionOf('cannon-es'), precision: 'binary64',
   modes: {
     sat: { ...conventions, call: 'ConvexPolyhedron.findSeparatingAxis, testSepAxis', ask: sat },
-    contact: { ...conventions, call: 'ConvexPolyhedron.findSeparatingAxis, clipAgainstHull', ask: contact },
+    contact: { ...conventions, claims: 'separating', call: 'ConvexPolyhedron.findSeparatingAxis, clipAgainstHull', ask: contact },
   },
   make(body) {
     const hull = body.shape ? new C.Box(new C.Vec3(...body.half)).convexPolyhedronRepresentation : polyhedron(body);

@@ -125,7 +125,7 @@ export const turnFrom = (body, axis) => product(body.turn, turnOfAxis(axis, body
  * Answers cases with one mode of an engine.
  *
  * name, version, precision  as in the hello
- * modes                     for each mode { call, depth, moves, unit, faces, shapes, ask(a, b) }: the conventions, and what it answers for
+ * modes                     for each mode { call, depth, moves, unit, claims, shapes, ask(a, b) }: the conventions, and what it answers for
  *                           two made bodies
  * make(body)                what the engine makes of a placed body. Throws Refused where it makes no hull of the points
  * free(made)                gives it back
@@ -138,7 +138,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
   if (given.size) refuse(`${[...given.keys()].join(', ')}: no such setting (there are ${Object.keys(inForce).join(', ')})`);
   note('call', own.call);
   note('centre', 'mean of the vertices');
-  const { depth, moves, unit: isUnit = true, shapes = [] } = own;
+  const { depth, moves, unit: isUnit = true, claims, shapes = [] } = own;
   const round = (precision.points ?? precision) === 'binary32' ? Math.fround : (x) => x;
 
   const solve = (a, b) => {
@@ -162,7 +162,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
       for (const body of made) free(body);
     }
   };
-  await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, faces: true, shapes, settings: inForce });
+  await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce });
 }
 
 function demandDeclared({ shape, margin }, shapes) {
@@ -173,9 +173,25 @@ function demandDeclared({ shape, margin }, shapes) {
 // fathom sends the faces of every solid body of vertices.
 const isFlat = (...bodies) => bodies.some((body) => !body.shape && body.faces.length === 0);
 
-/** The deepest of some contacts, or that there is none. */
-export function deepest(contacts) {
-  let best = { overlap: false };
-  for (const contact of contacts) if (contact.depth <= 0 && !(best.depth <= contact.depth)) best = { overlap: true, ...contact };
-  return best;
+/** The answer that a separation is: the distance of bodies that are apart, or else their depth below 0. */
+export const signed = (separation) => (separation > 0 ? { overlap: false, distance: separation } : { overlap: true, depth: separation });
+
+/** The least of some separations, each with its direction and points; that there is no overlap where there is none. */
+export function nearest(separations) {
+  if (separations.length === 0) return { overlap: false };
+  const { depth, ...rest } = separations.reduce((best, each) => (best.depth <= each.depth ? best : each));
+  return { ...signed(depth), ...rest };
+}
+
+/**
+ * What a manifold answers: its deepest point, { depth, direction, position } with depths below 0; if it is to tell positions, also all that
+ * overlap along the same direction; or that there is no overlap.
+ */
+export function manifold(points, tellsPositions = false) {
+  const found = points.filter(({ depth }) => depth <= 0);
+  if (found.length === 0) return { overlap: false };
+  const { depth, direction } = found.reduce((best, each) => (best.depth <= each.depth ? best : each));
+  const isAlong = (each) => each.direction.every((x, k) => x === direction[k]);
+  const contacts = found.filter(isAlong).map((each) => ({ position: each.position, depth: each.depth }));
+  return { overlap: true, depth, direction, ...(tellsPositions ? { contacts } : {}) };
 }

@@ -4,12 +4,12 @@
 import HavokPhysics from '@babylonjs/havok';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { deepest, note, quiet, Refused, serve, setting } from './engine.mjs';
+import { nearest, note, quiet, Refused, serve, setting } from './engine.mjs';
 
 const binary = createRequire(import.meta.url).resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm');
 const H = await HavokPhysics({ ...quiet, wasmBinary: readFileSync(binary) });  // it would fetch a file: address, which node cannot
 const { version } = JSON.parse(readFileSync(binary.replace(/lib.esm.HavokPhysics.wasm$/, 'package.json')));
-const farthest = setting('max_distance', 0);
+const farthest = setting('max_distance', 1e3);
 note('hulls', 'rounded by about 8.7e-3');
 const upright = [0, 0, 0, 1], nobody = [0n];
 
@@ -59,7 +59,7 @@ function ask(a, b) {
     const [x, y, z, w] = a.turn;
     contacts.push({ depth, direction: onB[4], witness: { a: turned([w, x, y, z], onA[3]).map((c, k) => c + a.at[k]), b: onB[3] } });
   }
-  return deepest(contacts);
+  return nearest(contacts);
 }
 
 await serve({

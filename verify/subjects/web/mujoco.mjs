@@ -6,12 +6,13 @@
 //   distance   mj_geomDistance, which gives points and no direction
 // version=3.9.0 takes another version of MuJoCo, one of those of history/package.json.
 import { existsSync, readFileSync } from 'node:fs';
-import { deepest, mode, note, quiet, refuse, Refused, serve, setting, turnFrom } from './engine.mjs';
+import { manifold, mode, note, quiet, refuse, Refused, serve, setting, signed, turnFrom } from './engine.mjs';
 
 const M = await (await engineOf(setting('version', ''))).default(quiet);
 const tolerance = setting('ccd_tolerance', 1e-6);
 const iterations = setting('ccd_iterations', 35);
-const farthest = mode === 'distance' ? setting('distmax', 1) : 0;
+const farthest = mode === 'distance' ? setting('distmax', 1e9) : 0;
+const tellsPositions = mode !== 'distance' && setting('positions', 0) !== 0;
 note('multiccd', mode === 'single' ? 'disable' : 'default');
 note('nativeccd', mode === 'libccd' ? 'disable' : 'enable');
 const flags = `nativeccd="${mode === 'libccd' ? 'disable' : 'enable'}"${mode === 'single' ? ' multiccd="disable"' : ''}`;
@@ -76,18 +77,18 @@ function contacts({ model, data }) {
   const found = [], list = data.contact;
   for (let i = 0; i < data.ncon; ++i) {
     const contact = list.get(i), sign = contact.geom1 === 0 ? 1 : -1;
-    found.push({ depth: contact.dist, direction: Array.from(contact.frame).slice(0, 3).map((x) => sign * x) });
+    found.push({ depth: contact.dist, direction: Array.from(contact.frame).slice(0, 3).map((x) => sign * x),
+                 position: Array.from(contact.pos) });
     contact.delete?.();
   }
   list.delete?.();
-  return deepest(found);
+  return manifold(found, tellsPositions);
 }
 
 function distance({ model, data }) {
-  const depth = M.mj_geomDistance(model, data, 0, 1, farthest, ends);
-  if (depth > 0) return { overlap: false };
+  const separation = M.mj_geomDistance(model, data, 0, 1, farthest, ends);
   const [p, q] = [0, 3].map((k) => Array.from(ends.GetView().subarray(k, k + 3)));
-  return { overlap: true, depth, witness: { a: p, b: q } };
+  return { ...signed(separation), witness: { a: p, b: q } };
 }
 
 const conventions = { depth: 'negative', moves: 'b', shapes: ['sphere', 'box', 'capsule', 'cylinder', 'ellipsoid'] };
@@ -97,7 +98,7 @@ let first = null;
 await serve({
   name: 'mujoco', version: M.mj_versionString(), precision: { points: 'binary32', answers: 'binary64' },
   modes: {
-    native: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
+    native: { ...conventions, claims: 'separating', call: 'mj_collision', ask: (a, b) => contacts(b) },
     single: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
     libccd: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
     distance: { ...conventions, call: 'mj_geomDistance', ask: (a, b) => distance(b) },

@@ -7,7 +7,7 @@
 import PhysX from 'physx-js-webidl';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { deepest, mode, note, quiet, Refused, serve, setting, turnFrom } from './engine.mjs';
+import { manifold, mode, note, quiet, Refused, serve, setting, signed, turnFrom } from './engine.mjs';
 
 const require = createRequire(import.meta.url), pathOf = (name) => require.resolve(`physx-js-webidl/${name}`);
 const P = await start();
@@ -79,10 +79,10 @@ function geometryOf({ shape, radius: r, half_length: h, half, radii, margin }) {
 }
 
 function gjk() {
-  const near = new P.PxGjkQueryProximityInfoResult();
+  const near = new P.PxGjkQueryProximityInfoResult(), farthest = setting('contact_distance', 1e9);
   const ask = (a, b) => {
-    if (!P.PxGjkQuery.prototype.proximityInfo(a.support, b.support, a.pose, b.pose, 0, length, near)) return { overlap: false };
-    return { overlap: near.separation <= 0, depth: near.separation, direction: plain(near.separatingAxis),
+    if (!P.PxGjkQuery.prototype.proximityInfo(a.support, b.support, a.pose, b.pose, farthest, length, near)) return { overlap: false };
+    return { ...signed(near.separation), direction: plain(near.separatingAxis),
              witness: { a: plain(near.pointA), b: plain(near.pointB) } };
   };
   return { ...conventions, call: 'PxGjkQuery.proximityInfo', ask };
@@ -102,6 +102,7 @@ function sweep() {
 function scene() {
   const about = new P.PxSceneDesc(scale), shader = new P.PassThroughFilterShaderImpl(), events = new P.PxSimulationEventCallbackImpl();
   const most = 256, points = new P.Vector_PxContactPairPoint(most), F = P.PxPairFlagEnum;
+  const tellsPositions = setting('positions', 0) !== 0;
   let found = [], shapeOfA;
   about.set_gravity(new P.PxVec3(0, 0, 0));
   about.set_cpuDispatcher(top.DefaultCpuDispatcherCreate(0));
@@ -116,7 +117,8 @@ function scene() {
       const pair = P.NativeArrayHelpers.prototype.getContactPairAt(P.wrapPointer(pairs, P.PxContactPair), k);
       const sign = P.getPointer(pair.get_shapes(0)) === shapeOfA ? 1 : -1;
       for (let i = 0, n = pair.extractContacts(points.data(), most); i < n; ++i)
-        found.push({ depth: points.at(i).separation, direction: plain(points.at(i).normal).map((x) => sign * x) });
+        found.push({ depth: points.at(i).separation, direction: plain(points.at(i).normal).map((x) => sign * x),
+                     position: plain(points.at(i).position) });
     }
   };
   top.setupPassThroughFilterShader(about, shader);
@@ -142,9 +144,9 @@ function scene() {
       shape.release();
       actor.release();
     }
-    return deepest(found);
+    return manifold(found, tellsPositions);
   };
-  return { ...conventions, call: 'PxScene.simulate, PxContactPair.extractContacts', ask };
+  return { ...conventions, claims: 'separating', call: 'PxScene.simulate, PxContactPair.extractContacts', ask };
 }
 
 const modes = { gjk, sweep, scene };

@@ -3,11 +3,11 @@
 //   contact   Collider.contactCollider, parry's query::contact: GJK and EPA
 //   world     the deepest point of World.contactPair after one step of a new world: the manifold that the solver sees
 import RAPIER from '@dimforge/rapier3d-compat';
-import { deepest, mode, quiet, Refused, serve, setting, turnFrom, Unsupported } from './engine.mjs';
+import { manifold, mode, quiet, Refused, serve, setting, signed, turnFrom, Unsupported } from './engine.mjs';
 
 console.warn = quiet.printErr;
 await RAPIER.init();
-const prediction = mode === 'contact' ? setting('prediction', 0) : 0;
+const prediction = mode === 'contact' ? setting('prediction', 1e9) : 0;  // how far bodies that are apart are looked at
 const plain = (v) => [v.x, v.y, v.z];
 const newWorld = () => new RAPIER.World({ x: 0, y: 0, z: 0 });
 let world = newWorld();
@@ -33,18 +33,17 @@ function describe(body) {
 function contact(a, b) {
   const found = a.collider.contactCollider(b.collider, prediction);
   if (!found) return { overlap: false };
-  return { overlap: found.distance <= 0, depth: found.distance, direction: plain(found.normal1),
-           witness: { a: plain(found.point1), b: plain(found.point2) } };
+  return { ...signed(found.distance), direction: plain(found.normal1), witness: { a: plain(found.point1), b: plain(found.point2) } };
 }
 
 function inWorld(a, b) {
   world.step();
   const contacts = [];
-  world.contactPair(a.collider, b.collider, (manifold, flipped) => {
-    const direction = plain(manifold.normal()).map((x) => (flipped ? -x : x));
-    for (let i = 0; i < manifold.numContacts(); ++i) contacts.push({ depth: manifold.contactDist(i), direction });
+  world.contactPair(a.collider, b.collider, (found, flipped) => {
+    const direction = plain(found.normal()).map((x) => (flipped ? -x : x));
+    for (let i = 0; i < found.numContacts(); ++i) contacts.push({ depth: found.contactDist(i), direction });
   });
-  return deepest(contacts);
+  return manifold(contacts);
 }
 
 const shapes = ['sphere', 'box', 'capsule', 'cylinder', 'cone', 'margin'];
@@ -54,7 +53,7 @@ await serve({
   name: 'rapier', version: RAPIER.version(), precision: 'binary32',
   modes: {
     contact: { ...conventions, call: 'Collider.contactCollider', ask: contact },
-    world: { ...conventions, call: 'World.step, World.contactPair', ask: inWorld },
+    world: { ...conventions, claims: 'separating', call: 'World.step, World.contactPair', ask: inWorld },
   },
   make(body) {
     const description = describe(body);
