@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   two bodies, each the union of convex pieces.
+// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions.md]
+//
+// Pieces may overlap, and abut: where two of them meet in a common face, the body has no gap. A + t and B overlap if their interiors have a
+// common point, and the depth is the least |t| for which they do not. A path from O to t is not asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "fathom/depth.hpp"
+
+namespace fathom {
+
+/// A body: the union of the convex hulls of these point sets. Each has an interior.
+using Pieces = std::vector<std::vector<Point>>;
+
+/// How to compute the depth of unions. The answer does not depend on it.
+struct UnionOptions {
+  Monitor* monitor = nullptr;  ///< hears of progress and may stop the work, which then ends with an enclosure; may be null
+  bool bounds = true;          ///< whether UnionDepth::bounds is found
+};
+
+/// A piece of A and a piece of B that touch.
+struct PieceContact {
+  std::uint32_t a, b;  ///< the pieces' indices
+  Vector direction;    ///< primitive, in the interior of the cone of all planes between the two pieces: points from B to A
+  Contact contact;     ///< the faces of the two pieces that meet, by the indices of points in the pieces
+};
+
+/// A shortest way out.
+struct UnionOptimum {
+  Point translation;  ///< moving A by it, the interiors are disjoint
+  /// Whether translations as near as one likes leave a gap between the bodies. False for an exact fit: all around it the bodies overlap
+  /// or touch, as a key does in a slot of its own width.
+  bool clearance;
+  std::vector<PieceContact> contacts;  ///< of all pairs of pieces that touch after the translation, sorted by a, then b
+};
+
+/// How far apart two unions are.
+struct UnionDistance {
+  std::uint32_t a, b;  ///< the first pair of pieces that are nearest
+  Distance distance;   ///< of these pieces, and of the unions
+};
+
+/// What simpler measures say: deepest_pair <= depth^2 <= hulls.
+struct UnionBounds {
+  mpq_class deepest_pair;        ///< the largest squared depth of a piece of A and a piece of B
+  std::uint32_t a = 0, b = 0;    ///< the first pair that has it; 0 and 0 if no two pieces overlap
+  mpq_class hulls;               ///< the squared depth of the convex hulls of the unions
+};
+
+/// What a search did.
+struct UnionCounters {
+  std::uint64_t nodes = 0;           ///< cells that were split
+  std::uint64_t nearest_points = 0;  ///< least-norm problems of cells that were solved
+  std::uint64_t pairs = 0;           ///< pairs of pieces
+  std::uint64_t pairs_touched = 0;   ///< of these, looked at closely
+};
+
+/// The answer about two unions.
+struct UnionDepth {
+  Status status = Status::disjoint;     ///< touching if interiors are disjoint but pieces meet
+  bool complete = true;                 ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
+  mpq_class low, high;                  ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
+  std::vector<UnionOptimum> optima;     ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
+  std::optional<UnionDistance> apart;   ///< if disjoint
+  std::optional<UnionBounds> bounds;    ///< if asked for
+  UnionCounters counters;               ///< what the search did
+
+  /// depth^2. Throws std::logic_error unless complete.
+  [[nodiscard]] const mpq_class& squared() const;
+};
+
+/// Returns whether two unions penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
+/// bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces within the depth of O. Throws
+/// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms; Interrupted
+/// if the work is stopped before the search.
+UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
+
+}  // namespace fathom

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/unions/least_norm.hpp"
+
+namespace fathom::unions {
+namespace {
+
+using kernels::RationalPoint;
+
+Vector times(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+// The line in which two planes meet.
+class Line {
+ public:
+  Line(Barrier g, Barrier h, long exponent) : g_(g), h_(h), direction_(cross(g->normal, h->normal)), exponent_(exponent) {}
+
+  [[nodiscard]] bool exists() const { return !is_zero(direction_); }
+
+  // Its point nearest to O.
+  [[nodiscard]] RationalPoint foot() const {
+    return kernels::rational_point(times(g_->height, cross(h_->normal, direction_)) + times(h_->height, cross(direction_, g_->normal)),
+                                   dot(direction_, direction_), exponent_);
+  }
+  // The sign of the direction in which the line leads beyond a plane: 0 if it is parallel to it.
+  [[nodiscard]] int leads_beyond(Barrier e) const { return sgn(dot(direction_, e->normal)); }
+  [[nodiscard]] RationalPoint meeting(Barrier e) const {
+    return kernels::rational_point(times(g_->height, cross(h_->normal, e->normal)) + times(h_->height, cross(e->normal, g_->normal)) +
+                                       times(e->height, direction_),
+                                   dot(direction_, e->normal), exponent_);
+  }
+
+ private:
+  Barrier g_, h_;
+  Vector direction_;
+  long exponent_;
+};
+
+// On the line the point only moves away from its foot, to one side: it ends as soon as it would have to go back.
+NearestEnd nearest_on_line(const Line& line, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit,
+                           RationalPoint& nearest) {
+  if (!line.exists()) return NearestEnd::infeasible;
+  nearest = line.foot();
+  int way = 0;
+  std::size_t moved = 0;  // barriers before this one were met before the last move
+  for (std::size_t i = 0; i < barriers.size(); ++i) {
+    if (kernels::side(*barriers[i], nearest) >= 0) continue;
+    const int to = line.leads_beyond(barriers[i]);
+    if (to == 0 || to == -way) return NearestEnd::infeasible;
+    way = to;
+    nearest = line.meeting(barriers[i]);
+    moved = i;
+    if (limit != nullptr && kernels::compare(nearest, *limit) > 0) return NearestEnd::beyond;
+  }
+  for (std::size_t i = 0; i < moved; ++i)
+    if (kernels::side(*barriers[i], nearest) < 0) return NearestEnd::infeasible;
+  return limit != nullptr && kernels::compare(nearest, *limit) > 0 ? NearestEnd::beyond : NearestEnd::found;
+}
+
+}  // namespace
+
+NearestEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
+                           RationalPoint& nearest) {
+  nearest = kernels::rational_point(times(wall->height, wall->normal), dot(wall->normal, wall->normal), exponent);
+  if (limit != nullptr && kernels::compare(nearest, *limit) > 0) return NearestEnd::beyond;
+  for (std::size_t i = 0; i < barriers.size(); ++i) {
+    if (kernels::side(*barriers[i], nearest) >= 0) continue;
+    const Line line(wall, barriers[i], exponent);
+    if (!line.exists()) return NearestEnd::infeasible;
+    const NearestEnd end = nearest_on_line(line, barriers.first(i), limit, nearest);
+    if (end != NearestEnd::found) return end;
+  }
+  return NearestEnd::found;
+}
+
+NearestEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, RationalPoint& nearest) {
+  nearest = RationalPoint{};
+  for (std::size_t i = 0; i < barriers.size(); ++i) {
+    if (kernels::side(*barriers[i], nearest) >= 0) continue;
+    const NearestEnd end = nearest_on_wall(barriers[i], barriers.first(i), nullptr, exponent, nearest);
+    if (end != NearestEnd::found) return end;
+  }
+  return NearestEnd::found;
+}
+
+}  // namespace fathom::unions

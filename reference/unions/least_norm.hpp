@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   half-spaces <n,x> >= h.
+// Output  the point nearest to O that lies in all of them, exactly; or that none does.
+// An LP-type problem of dimension 3, by the incremental algorithm of Seidel (1991), whose constraints come in the order given. Points are
+// computed by Cramer's rule from the at most three planes that hold them, so that numbers do not grow.
+#pragma once
+
+#include <span>
+
+#include "kernels/filters/rational_point.hpp"
+
+namespace fathom::unions {
+
+/// The point set { x : <normal, x> >= height }.
+using Barrier = const kernels::OrientedPlane*;
+
+/// What a search for the nearest point found.
+enum class NearestEnd {
+  found,     ///< the point
+  beyond,    ///< all points are farther away than the limit
+  infeasible ///< there is none
+};
+
+/// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of the cell that they and `wall` make, if
+/// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. Otherwise `nearest` is
+/// not the cell's. All coordinates are of size about 2^exponent.
+NearestEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
+                           kernels::RationalPoint& nearest);
+
+/// Finds the point nearest to O in all `barriers`.
+NearestEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, kernels::RationalPoint& nearest);
+
+}  // namespace fathom::unions

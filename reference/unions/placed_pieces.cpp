@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pieces of two unions, put on one lattice.
+#include "reference/unions/placed_pieces.hpp"
+
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "reference/polytope/polytope.hpp"
+
+namespace fathom::unions {
+namespace {
+
+std::vector<Point> joined(const Pieces& pieces, const std::string& body) {
+  if (pieces.empty()) throw std::invalid_argument("body " + body + " has no pieces");
+  std::vector<Point> all;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].empty()) throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " has no points");
+    all.insert(all.end(), pieces[i].begin(), pieces[i].end());
+  }
+  return all;
+}
+
+std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const Pieces& pieces, const std::string& body) {
+  std::vector<kernels::PointCloud> clouds;
+  auto from = whole.points().begin();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto to = std::next(from, static_cast<std::ptrdiff_t>(pieces[i].size()));
+    std::vector<Vector> points(from, to);
+    if (polytope::affine_rank(points) < 3)
+      throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " is flat: the pieces of a union need interiors");
+    clouds.emplace_back(std::move(points), whole.exponent());
+    from = to;
+  }
+  return clouds;
+}
+
+}  // namespace
+
+PlacedPieces place_pieces(const Pieces& a, const Pieces& b) {
+  PlacedPieces placed;
+  placed.whole = polytope::place(joined(a, "A"), joined(b, "B"));
+  placed.a = parted(placed.whole.a, a, "A");
+  placed.b = parted(placed.whole.b, b, "B");
+  return placed;
+}
+
+polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const { return {whole.denominator, whole.origin, a[i], b[j]}; }
+
+}  // namespace fathom::unions

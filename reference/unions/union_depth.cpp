@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answer about two unions: where O lies, the search, and what touches at each optimum.
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "fathom/union.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/ratio.hpp"
+#include "reference/depth/apart.hpp"
+#include "reference/depth/contact.hpp"
+#include "reference/solve/methods.hpp"
+#include "reference/unions/clearance.hpp"
+#include "reference/unions/union_search.hpp"
+
+namespace fathom::unions {
+namespace {
+
+using kernels::RationalPoint;
+
+bool before(const Point& p, const Point& q) {
+  if (const int c = cmp(p.x, q.x)) return c < 0;
+  if (const int c = cmp(p.y, q.y)) return c < 0;
+  return cmp(p.z, q.z) < 0;
+}
+
+// Of the hulls of A and B, with its optima as points of the lattice: no P_ij holds one in its interior.
+struct HullDepth {
+  mpq_class squared;
+  std::vector<RationalPoint> optima;
+};
+
+class Answer {
+ public:
+  Answer(kernels::Context& context, const PlacedPieces& pieces, bool bounds)
+      : context_(context), pieces_(pieces), bounds_(bounds), search_(pieces) {}
+
+  UnionDepth run() {
+    if (search_.starts_free()) {
+      answer_free();
+    } else {
+      answer_overlap();
+    }
+    result_.counters = search_.counts();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t columns() const { return static_cast<std::uint32_t>(pieces_.b.size()); }
+
+  // Pieces meet, or they are apart.
+  void answer_free() {
+    UnionOptimum here = optimum(RationalPoint{});
+    if (bounds_) result_.bounds = UnionBounds{0, 0, 0, hull_depth().squared};
+    if (!here.contacts.empty()) {
+      result_.status = Status::touching;
+      result_.optima.push_back(std::move(here));
+      return;
+    }
+    for (std::uint32_t i = 0; i < pieces_.a.size(); ++i) {
+      for (std::uint32_t j = 0; j < columns(); ++j) {
+        context_.check();
+        Depth depth;
+        if (!depth::answer_apart(context_, pieces_.pair(i, j), false, depth)) continue;
+        if (result_.apart && depth.distance()->squared >= result_.apart->distance.squared) continue;
+        result_.apart = UnionDistance{i, j, *depth.distance()};
+      }
+    }
+  }
+
+  void answer_overlap() {
+    result_.status = Status::penetrating;
+    const HullDepth hulls = hull_depth();
+    for (const RationalPoint& p : hulls.optima) search_.offer(p);
+    if (bounds_) {
+      result_.bounds = deepest_pair();
+      result_.bounds->hulls = hulls.squared;
+    }
+    search_.dive();
+    result_.complete = search_.run(context_);
+    const mpz_class unit = pieces_.whole.denominator * pieces_.whole.denominator;
+    result_.high = kernels::ratio(search_.best()->numerator, search_.best()->denominator * unit);
+    result_.low = result_.complete ? result_.high : search_.low() / unit;
+    if (result_.bounds) result_.low = std::max(result_.low, result_.bounds->deepest_pair);
+    for (const RationalPoint& p : search_.optima()) result_.optima.push_back(optimum(p));
+    std::sort(result_.optima.begin(), result_.optima.end(),
+              [](const UnionOptimum& x, const UnionOptimum& y) { return before(x.translation, y.translation); });
+  }
+
+  HullDepth hull_depth() {
+    const Depth depth = solve::depth_by_method(context_, pieces_.whole, {});
+    HullDepth result{depth.squared(), {}};
+    for (const Optimum& o : depth.optima()) {
+      const mpz_class height(o.support * pieces_.whole.denominator);
+      const Vector& n = o.direction;
+      result.optima.push_back(
+          kernels::rational_point({height * n.x, height * n.y, height * n.z}, dot(n, n), pieces_.exponent()));
+    }
+    return result;
+  }
+
+  UnionBounds deepest_pair() {
+    UnionBounds bounds{0, 0, 0, 0};
+    for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
+      if (!search_.pairs()[k]->contains(RationalPoint{})) continue;
+      const std::uint32_t i = k / columns(), j = k % columns();
+      Options options;
+      options.optima = 1;
+      mpq_class squared = solve::depth_by_method(context_, pieces_.pair(i, j), options).squared();
+      if (squared > bounds.deepest_pair) bounds = {std::move(squared), i, j, 0};
+    }
+    return bounds;
+  }
+
+  // A free point, and all that touches there.
+  UnionOptimum optimum(const RationalPoint& p) {
+    const mpz_class w = p.w * pieces_.whole.denominator;
+    UnionOptimum optimum{{kernels::ratio(p.v.x, w), kernels::ratio(p.v.y, w), kernels::ratio(p.v.z, w)}, true, {}};
+    std::vector<TangentCone> cones;
+    for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
+      PiecePair& pair = *search_.pairs()[k];
+      if (pair.contains(p)) throw std::logic_error("a translation out of a union lies inside");
+      if (kernels::side(pair.separation(), p) > 0) continue;
+      TangentCone cone = pair.planes_through(p);
+      if (cone.empty()) continue;
+      optimum.contacts.push_back(contact(k / columns(), k % columns(), cone));
+      cones.push_back(std::move(cone));
+    }
+    optimum.clearance = !cover_space(cones);
+    return optimum;
+  }
+
+  // The sum of the normals of the facets that meet at a point lies in the interior of the cone of all planes through it.
+  PieceContact contact(std::uint32_t i, std::uint32_t j, const TangentCone& cone) {
+    Vector n{0, 0, 0};
+    for (const kernels::OrientedPlane* plane : cone) n = n + plane->normal;
+    n = primitive(n);
+    return {i, j, n, depth::contact_of(depth::facing_faces(pieces_.pair(i, j), n))};
+  }
+
+  kernels::Context& context_;
+  const PlacedPieces& pieces_;
+  bool bounds_;
+  UnionSearch search_;
+  UnionDepth result_;
+};
+
+}  // namespace
+}  // namespace fathom::unions
+
+namespace fathom {
+
+const mpq_class& UnionDepth::squared() const {
+  if (!complete) throw std::logic_error("the depth of unions is not known: the search was stopped");
+  return low;
+}
+
+UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options) {
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(options.monitor);
+  const unions::PlacedPieces pieces = unions::place_pieces(a, b);
+  return unions::Answer(context, pieces, options.bounds).run();
+}
+
+}  // namespace fathom

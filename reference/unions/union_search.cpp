@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/unions/union_search.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "kernels/number/ratio.hpp"
+
+namespace fathom::unions {
+namespace {
+
+using kernels::RationalPoint;
+
+mpq_class squared(const RationalPoint& p) { return kernels::ratio(dot(p.v, p.v), p.w * p.w); }
+
+}  // namespace
+
+bool same_point(const RationalPoint& p, const RationalPoint& q) {
+  return p.v.x * q.w == q.v.x * p.w && p.v.y * q.w == q.v.y * p.w && p.v.z * q.w == q.v.z * p.w;
+}
+
+UnionSearch::UnionSearch(const PlacedPieces& pieces) : exponent_(pieces.exponent()) {
+  for (const kernels::PointCloud& a : pieces.a)
+    for (const kernels::PointCloud& b : pieces.b) recent_.push_back(pairs_.emplace_back(std::make_unique<PiecePair>(a, b)).get());
+  push(RationalPoint{}, none);
+}
+
+bool UnionSearch::starts_free() { return is_free(RationalPoint{}); }
+
+bool UnionSearch::is_free(const RationalPoint& p) {
+  for (std::size_t i = 0; i < recent_.size(); ++i) {
+    if (!recent_[i]->contains(p)) continue;
+    std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(i), recent_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    return false;
+  }
+  return true;
+}
+
+void UnionSearch::offer(const RationalPoint& p) {
+  if (best_ && kernels::compare(p, *best_) > 0) return;
+  if (is_free(p)) accept(p);
+}
+
+void UnionSearch::accept(const RationalPoint& p) {
+  const int order = best_ ? kernels::compare(p, *best_) : -1;
+  if (order > 0) return;
+  if (order < 0) {
+    optima_.clear();
+    best_ = kernels::squared_distance(p);
+  }
+  if (std::none_of(optima_.begin(), optima_.end(), [&](const RationalPoint& o) { return same_point(o, p); })) optima_.push_back(p);
+}
+
+PiecePair* UnionSearch::deepest(const RationalPoint& p) {
+  PiecePair* found = nullptr;
+  double most = 0;
+  for (const auto& pair : pairs_) {
+    if (!pair->contains(p)) continue;
+    const double margin = pair->margin(p);
+    if (found != nullptr && margin <= most) continue;
+    found = pair.get();
+    most = margin;
+  }
+  return found;
+}
+
+NearestEnd UnionSearch::cut(std::span<const Barrier> cell, Barrier wall, RationalPoint& nearest) {
+  ++counts_.nearest_points;
+  return nearest_on_wall(wall, cell, best_ ? &*best_ : nullptr, exponent_, nearest);
+}
+
+std::vector<UnionSearch::OpenFacet> UnionSearch::open_facets(PiecePair& pair, std::span<const Barrier> cell) {
+  std::map<const PieceFacet*, std::optional<RationalPoint>> known;
+  std::vector<OpenFacet> open;
+  for (bool again = true; again;) {
+    again = false;
+    open.clear();
+    const std::vector<PieceFacet*> facets = pair.facets();
+    for (PieceFacet* f : facets) {
+      if (again && !pair.surface().triangles()[f->triangle].alive) continue;
+      if (best_ && kernels::farther(f->plane, *best_)) continue;
+      auto [place, fresh] = known.try_emplace(f);
+      if (fresh) {
+        RationalPoint nearest;
+        if (cut(cell, &f->plane, nearest) == NearestEnd::found) place->second = std::move(nearest);
+      }
+      if (!place->second) continue;
+      if (!pair.settle(*f)) again = true;
+      else open.push_back({f, *place->second});
+    }
+  }
+  std::sort(open.begin(), open.end(), [](const OpenFacet& x, const OpenFacet& y) {
+    return std::pair(x.nearest.image_square, x.facet->triangle.value) < std::pair(y.nearest.image_square, y.facet->triangle.value);
+  });
+  const auto same_plane = [](const OpenFacet& x, const OpenFacet& y) { return x.facet->plane.normal == y.facet->plane.normal; };
+  std::vector<OpenFacet> distinct;
+  for (OpenFacet& f : open)
+    if (std::none_of(distinct.begin(), distinct.end(), [&](const OpenFacet& other) { return same_plane(f, other); }))
+      distinct.push_back(std::move(f));
+  return distinct;
+}
+
+void UnionSearch::dive() {
+  std::vector<Barrier> cell;
+  RationalPoint p;
+  while (PiecePair* pair = deepest(p)) {
+    std::optional<OpenFacet> next;
+    while (!next) {
+      for (PieceFacet* f : pair->facets()) {
+        RationalPoint nearest;
+        if (cut(cell, &f->plane, nearest) != NearestEnd::found) continue;
+        if (!next || nearest.image_square < next->nearest.image_square) next = OpenFacet{f, std::move(nearest)};
+      }
+      if (!next) return;
+      if (!pair->settle(*next->facet)) next.reset();
+    }
+    cell.insert(cell.begin(), &next->facet->plane);
+    p = std::move(next->nearest);
+  }
+  accept(p);
+}
+
+void UnionSearch::push(RationalPoint nearest, std::uint32_t link) {
+  open_.push_back({std::move(nearest), link});
+  std::push_heap(open_.begin(), open_.end(),
+                 [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
+}
+
+UnionSearch::Cell UnionSearch::pop() {
+  std::pop_heap(open_.begin(), open_.end(), [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
+  Cell cell = std::move(open_.back());
+  open_.pop_back();
+  return cell;
+}
+
+void UnionSearch::collect(std::uint32_t link) {
+  cell_.clear();
+  for (; link != none; link = links_[link].before) cell_.push_back(links_[link].barrier);
+}
+
+void UnionSearch::split(const Cell& cell) {
+  ++counts_.nodes;
+  PiecePair* pair = deepest(cell.nearest);
+  if (pair == nullptr) return accept(cell.nearest);
+  if (best_ && kernels::compare(cell.nearest, *best_) == 0) return;  // the cell's other points are farther
+  collect(cell.link);
+  std::uint32_t link = cell.link;
+  std::vector<OpenFacet> open = open_facets(*pair, cell_);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto& [facet, unbarred] = open[i];
+    RationalPoint nearest = unbarred;
+    const std::uint32_t before = link;
+    if (i == 0 || cut(cell_, &facet->plane, nearest) == NearestEnd::found) {
+      links_.push_back({&facet->plane, before});
+      push(std::move(nearest), static_cast<std::uint32_t>(links_.size() - 1));
+    }
+    links_.push_back({&facet->reversed, before});
+    link = static_cast<std::uint32_t>(links_.size() - 1);
+    cell_.insert(cell_.begin(), &facet->reversed);
+  }
+}
+
+bool UnionSearch::run(kernels::Context& context) {
+  try {
+    while (!open_.empty()) {
+      const double high = best_ ? best_->image : 0;
+      context.report("union", high > 0 ? std::min(1.0, open_.front().nearest.image_square / high) : 0);
+      const Cell cell = pop();
+      if (!best_ || kernels::compare(cell.nearest, *best_) <= 0) split(cell);
+    }
+  } catch (const Interrupted&) {
+    return false;
+  }
+  return true;
+}
+
+mpq_class UnionSearch::low() const {
+  std::optional<mpq_class> least;
+  if (best_) least = kernels::ratio(best_->numerator, best_->denominator);
+  for (const Cell& cell : open_) {
+    mpq_class q = squared(cell.nearest);
+    if (!least || q < *least) least = std::move(q);
+  }
+  return least.value_or(0);
+}
+
+UnionCounters UnionSearch::counts() const {
+  UnionCounters counts = counts_;
+  counts.pairs = pairs_.size();
+  for (const auto& pair : pairs_) counts.pairs_touched += pair->touched();
+  return counts;
+}
+
+}  // namespace fathom::unions

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Input   the pieces of two unions, on one lattice.
+// Output  the least squared length of a translation t of A that lies in the interior of no P_ij, and all such t.
+//         A branch-and-bound search over cells of half-spaces, by their exact points nearest to O: the cell whose point is nearest comes
+//         first. If that point lies in the interior of a P_ij, the facets of a polytope inside P_ij split the rest of the cell.
+//                                                                                                              [proofs/unions.md]
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kernels/context.hpp"
+#include "reference/unions/least_norm.hpp"
+#include "reference/unions/piece_pair.hpp"
+#include "reference/unions/placed_pieces.hpp"
+
+namespace fathom::unions {
+
+/// An ongoing search.
+class UnionSearch {
+ public:
+  /// `pieces` must outlive it.
+  explicit UnionSearch(const PlacedPieces& pieces);
+
+  /// Whether O itself lies in the interior of no P_ij.
+  bool starts_free();
+  /// Takes a point for an answer if it lies in the interior of no P_ij and is not farther than those before.
+  void offer(const kernels::RationalPoint& p);
+  /// Walks greedily to a free point, and offers it.
+  void dive();
+  /// Searches to the end. Returns false if the context stopped it; then low() and best() enclose the answer.
+  bool run(kernels::Context& context);
+
+  /// The squared distance of the nearest free point so far; at the end the nearest there is.
+  [[nodiscard]] const std::optional<kernels::SquaredDistance>& best() const { return best_; }
+  /// At the end: all nearest free points.
+  [[nodiscard]] const std::vector<kernels::RationalPoint>& optima() const { return optima_; }
+  /// No free point is nearer: an exact squared distance.
+  [[nodiscard]] mpq_class low() const;
+  [[nodiscard]] UnionCounters counts() const;
+  /// Of piece i of A and piece j of B: at i * (number of pieces of B) + j.
+  [[nodiscard]] std::span<const std::unique_ptr<PiecePair>> pairs() const { return pairs_; }
+  /// The facets of Q that a cell's point has to pass in the cell, nearest first, each with its nearest point; every one supports P_ij.
+  /// No facet that is left out lets a point of the cell pass that is as near as best().
+  struct OpenFacet {
+    PieceFacet* facet;
+    kernels::RationalPoint nearest;
+  };
+  std::vector<OpenFacet> open_facets(PiecePair& pair, std::span<const Barrier> cell);
+  /// The pair in whose interior a point lies deepest, or null if it is free.
+  PiecePair* deepest(const kernels::RationalPoint& p);
+  /// How a cell's nearest point is found when it is cut by one more wall, with best() as the limit.
+  NearestEnd cut(std::span<const Barrier> cell, Barrier wall, kernels::RationalPoint& nearest);
+
+ private:
+  struct Link {
+    Barrier barrier;
+    std::uint32_t before;
+  };
+  struct Cell {
+    kernels::RationalPoint nearest;
+    std::uint32_t link;
+  };
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  void push(kernels::RationalPoint nearest, std::uint32_t link);
+  Cell pop();
+  void split(const Cell& cell);
+  void collect(std::uint32_t link);
+  bool is_free(const kernels::RationalPoint& p);
+  void accept(const kernels::RationalPoint& p);
+
+  long exponent_;
+  std::vector<std::unique_ptr<PiecePair>> pairs_;
+  std::vector<PiecePair*> recent_;  // those that held a point last come first
+  std::vector<Link> links_;
+  std::vector<Cell> open_;  // a heap
+  std::vector<Barrier> cell_;
+  std::optional<kernels::SquaredDistance> best_;
+  std::vector<kernels::RationalPoint> optima_;
+  UnionCounters counts_;
+};
+
+/// p - q = 0?
+bool same_point(const kernels::RationalPoint& p, const kernels::RationalPoint& q);
+
+}  // namespace fathom::unions
