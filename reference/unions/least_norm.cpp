@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/unions/least_norm.hpp"
 
+#include <initializer_list>
+
 namespace fathom::unions {
 namespace {
 
@@ -34,38 +36,54 @@ class Line {
   long exponent_;
 };
 
-// On the line the point only moves away from its foot, to one side: it ends as soon as it would have to go back.
+// On the line the point only moves away from its foot, to one side: it ends as soon as it would have to go back. Sets `last` and `against`
+// to the barriers that leave nothing of the line, or one of them to null.
 NearestEnd nearest_on_line(const Line& line, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit,
-                           RationalPoint& nearest) {
-  if (!line.exists()) return NearestEnd::infeasible;
+                           RationalPoint& nearest, Barrier& last, Barrier& against) {
   nearest = line.foot();
   int way = 0;
   std::size_t moved = 0;  // barriers before this one were met before the last move
   for (std::size_t i = 0; i < barriers.size(); ++i) {
     if (kernels::side(*barriers[i], nearest) >= 0) continue;
     const int to = line.leads_beyond(barriers[i]);
+    against = barriers[i];
+    if (to == 0) last = nullptr;
     if (to == 0 || to == -way) return NearestEnd::infeasible;
     way = to;
     nearest = line.meeting(barriers[i]);
+    last = barriers[i];
     moved = i;
     if (limit != nullptr && kernels::compare(nearest, *limit) > 0) return NearestEnd::beyond;
   }
-  for (std::size_t i = 0; i < moved; ++i)
+  for (std::size_t i = 0; i < moved; ++i) {
+    against = barriers[i];
     if (kernels::side(*barriers[i], nearest) < 0) return NearestEnd::infeasible;
+  }
   return limit != nullptr && kernels::compare(nearest, *limit) > 0 ? NearestEnd::beyond : NearestEnd::found;
 }
 
 }  // namespace
 
 NearestEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
-                           RationalPoint& nearest) {
+                           RationalPoint& nearest, std::vector<Barrier>* conflict) {
+  const auto infeasible = [&](std::initializer_list<Barrier> with) {
+    if (conflict == nullptr) return;
+    conflict->assign(1, wall);
+    for (const Barrier barrier : with)
+      if (barrier != nullptr) conflict->push_back(barrier);
+  };
   nearest = kernels::rational_point(times(wall->height, wall->normal), dot(wall->normal, wall->normal), exponent);
   if (limit != nullptr && kernels::compare(nearest, *limit) > 0) return NearestEnd::beyond;
   for (std::size_t i = 0; i < barriers.size(); ++i) {
     if (kernels::side(*barriers[i], nearest) >= 0) continue;
     const Line line(wall, barriers[i], exponent);
-    if (!line.exists()) return NearestEnd::infeasible;
-    const NearestEnd end = nearest_on_line(line, barriers.first(i), limit, nearest);
+    if (!line.exists()) {
+      infeasible({barriers[i]});
+      return NearestEnd::infeasible;
+    }
+    Barrier last = nullptr, against = nullptr;
+    const NearestEnd end = nearest_on_line(line, barriers.first(i), limit, nearest, last, against);
+    if (end == NearestEnd::infeasible) infeasible({barriers[i], last, against});
     if (end != NearestEnd::found) return end;
   }
   return NearestEnd::found;

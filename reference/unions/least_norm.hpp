@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "kernels/filters/rational_point.hpp"
 
@@ -18,14 +19,15 @@ using Barrier = const kernels::OrientedPlane*;
 enum class NearestEnd {
   found,     ///< the point
   beyond,    ///< all points are farther away than the limit
-  infeasible ///< there is none
+  infeasible,  ///< there is none
 };
 
 /// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of the cell that they and `wall` make, if
 /// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. Otherwise `nearest` is
-/// not the cell's. All coordinates are of size about 2^exponent.
+/// not the cell's. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four of
+/// the half-spaces, `wall` among them, that have no common point by themselves.
 NearestEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
-                           kernels::RationalPoint& nearest);
+                           kernels::RationalPoint& nearest, std::vector<Barrier>* conflict = nullptr);
 
 /// Finds the point nearest to O in all `barriers`.
 NearestEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, kernels::RationalPoint& nearest);
