@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies that are not convex: how far is a bar from leaving the slot of a block in the shape of a U?
+#include <fathom/union.hpp>
+#include <iostream>
+#include <vector>
+
+std::vector<fathom::Point> box(const fathom::Point& low, const fathom::Point& high) {
+  return {{low.x, low.y, low.z},  {high.x, low.y, low.z},  {low.x, high.y, low.z},  {high.x, high.y, low.z},
+          {low.x, low.y, high.z}, {high.x, low.y, high.z}, {low.x, high.y, high.z}, {high.x, high.y, high.z}};
+}
+
+int main() {
+  const fathom::Pieces block{box({0, 0, 0}, {2, 4, 4}), box({4, 0, 0}, {6, 4, 4}), box({2, 0, 0}, {4, 4, 1})};
+  const fathom::Pieces bar{box({1, 1, 2}, {3, 3, 6})};
+  const fathom::UnionDepth depth = fathom::union_depth(bar, block);
+  const fathom::UnionOptimum& out = depth.optima.front();
+  std::cout << "depth^2 = " << depth.squared() << " along (" << out.translation.x << ", " << out.translation.y << ", " << out.translation.z
+            << "), " << (out.clearance ? "into a gap" : "into an exact fit") << ", where " << out.contacts.size() << " pairs touch\n"
+            << "deepest pair " << depth.bounds->deepest_pair << ", hulls " << depth.bounds->hulls << '\n';
+}
+
+//> x
