@@ -19,4 +19,5 @@ int main() {
             << "deepest pair " << depth.bounds->deepest_pair << ", hulls " << depth.bounds->hulls << '\n';
 }
 
-//> x
+//> depth^2 = 1 along (1, 0, 0), into an exact fit, where 2 pairs touch
+//> deepest pair 1, hulls 4

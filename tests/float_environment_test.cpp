@@ -20,6 +20,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 #include "fathom/width.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
@@ -308,6 +309,8 @@ TEST(FloatEnvironment, Numbers) {
 }
 
 TEST(FloatEnvironment, SignedDepths) {
+  const std::vector<Point> piece{{0, 0, 0}, {1, exact_value(5e-324), 0}, {0, 1, 0}, {0, 0, exact_value(0.1)}};
+  expect_the_same("union_depth", [&] { return union_depth({piece, piece}, {piece}).optima.front().translation; });
   const Pose pose = rigid_pose({exact_value(0.1), exact_value(0.3), 2, 1}, {mpq_class(5, 3) >> 1060, 0, exact_value(5e-324)});
   for (const Shape& body : {box({1, 1, exact_value(3e-310)}), capsule(exact_value(0.7), 2), moved(box({1, 2, 3}), pose)}) {
     expect_the_same("study", [&] { return study(body, moved(sphere(2), pose))[ShapeCoincidence::concentric].count; });

@@ -13,4 +13,5 @@
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/study.hpp"
+#include "fathom/union.hpp"
 #include "fathom/width.hpp"

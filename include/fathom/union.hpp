@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies, each the union of convex pieces.
-// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions.md]
+// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions_search.md]
 //
 // Pieces may overlap, and abut: where two of them meet in a common face, the body has no gap. A + t and B overlap if their interiors have a
 // common point, and the depth is the least |t| for which they do not. A path from O to t is not asked for.
@@ -47,9 +47,9 @@ struct UnionDistance {
 
 /// What simpler measures say: deepest_pair <= depth^2 <= hulls.
 struct UnionBounds {
-  mpq_class deepest_pair;        ///< the largest squared depth of a piece of A and a piece of B
-  std::uint32_t a = 0, b = 0;    ///< the first pair that has it; 0 and 0 if no two pieces overlap
-  mpq_class hulls;               ///< the squared depth of the convex hulls of the unions
+  mpq_class deepest_pair;      ///< the largest squared depth of a piece of A and a piece of B
+  std::uint32_t a = 0, b = 0;  ///< the first pair that has it; 0 and 0 if no two pieces overlap
+  mpq_class hulls;             ///< the squared depth of the convex hulls of the unions
 };
 
 /// What a search did.
@@ -62,13 +62,13 @@ struct UnionCounters {
 
 /// The answer about two unions.
 struct UnionDepth {
-  Status status = Status::disjoint;     ///< touching if interiors are disjoint but pieces meet
-  bool complete = true;                 ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
-  mpq_class low, high;                  ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
-  std::vector<UnionOptimum> optima;     ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
-  std::optional<UnionDistance> apart;   ///< if disjoint
-  std::optional<UnionBounds> bounds;    ///< if asked for
-  UnionCounters counters;               ///< what the search did
+  Status status = Status::disjoint;    ///< touching if interiors are disjoint but pieces meet
+  bool complete = true;                ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
+  mpq_class low, high;                 ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
+  std::vector<UnionOptimum> optima;    ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
+  std::optional<UnionDistance> apart;  ///< if disjoint
+  std::optional<UnionBounds> bounds;   ///< if asked for
+  UnionCounters counters;              ///< what the search did
 
   /// depth^2. Throws std::logic_error unless complete.
   [[nodiscard]] const mpq_class& squared() const;
@@ -76,8 +76,8 @@ struct UnionDepth {
 
 /// Returns whether two unions penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
 /// bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces within the depth of O. Throws
-/// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms; Interrupted
-/// if the work is stopped before the search.
+/// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms;
+/// Interrupted if the work is stopped before the search.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 }  // namespace fathom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points where planes meet, and on which side of other planes they lie: by binary64 with an error bound, and exactly where that cannot tell.
+// Points where planes meet, and on which side of other planes they lie: by binary64 with an error bound, and exactly where that cannot
+// tell.                                                                                     [proofs/kernels.md, "Error bounds"]
 #pragma once
 
 #include "kernels/filters/error_bounds.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist if and only if some are
-// beyond these planes moved out by 1: the nearest of these stands for all.
+// A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist if and only if some
+// are beyond these planes moved out by 1: the nearest of these stands for all.
 #include "reference/unions/clearance.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Covering {
   // Whether the cones cover the cell of all `beyond_`.
   bool covered() {
     kernels::RationalPoint p;
-    if (nearest_in_cell(beyond_, 0, p) != NearestEnd::found) return true;
+    if (nearest_in_cell(beyond_, 0, p) != CellEnd::found) return true;
     const auto cone = std::find_if(cones_.begin(), cones_.end(), [&](const std::vector<Facet>& c) { return holds(c, p); });
     if (cone == cones_.end()) return false;
     const std::size_t before = beyond_.size();

@@ -16,20 +16,20 @@ namespace fathom::unions {
 using Barrier = const kernels::OrientedPlane*;
 
 /// What a search for the nearest point found.
-enum class NearestEnd {
-  found,     ///< the point
-  beyond,    ///< all points are farther away than the limit
+enum class CellEnd {
+  found,       ///< the point
+  beyond,      ///< all points are farther away than the limit
   infeasible,  ///< there is none
 };
 
 /// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of the cell that they and `wall` make, if
 /// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. Otherwise `nearest` is
-/// not the cell's. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four of
-/// the half-spaces, `wall` among them, that have no common point by themselves.
-NearestEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
-                           kernels::RationalPoint& nearest, std::vector<Barrier>* conflict = nullptr);
+/// not the cell's. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four
+/// of the half-spaces, `wall` among them, that have no common point by themselves.
+CellEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
+                        kernels::RationalPoint& nearest, std::vector<Barrier>* conflict = nullptr);
 
 /// Finds the point nearest to O in all `barriers`.
-NearestEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, kernels::RationalPoint& nearest);
+CellEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, kernels::RationalPoint& nearest);
 
 }  // namespace fathom::unions

@@ -38,8 +38,8 @@ class PiecePair {
   [[nodiscard]] const std::vector<PieceFacet*>& facets() const { return facets_; }
   /// True if the facet's plane supports P_ij. Otherwise Q grows and the facet is no more.
   bool settle(PieceFacet& facet);
-  /// Grows Q until all its planes that have the point on them or below support P_ij, and returns these: if the point lies in the boundary of
-  /// P_ij, the planes of all facets that meet there, each once; else none.
+  /// Grows Q until all its planes that have the point on them or below support P_ij, and returns these: if the point lies in the boundary
+  /// of P_ij, the planes of all facets that meet there, each once; else none.
   std::vector<const kernels::OrientedPlane*> planes_through(const kernels::RationalPoint& p);
   /// Q, its coplanar parts merged. Sets `facet_of` to the merged facet of each of facets().
   InnerPolytope inner(std::vector<std::uint32_t>& facet_of);

@@ -93,8 +93,7 @@ class Answer {
     for (const Optimum& o : depth.optima()) {
       const mpz_class height(o.support * pieces_.whole.denominator);
       const Vector& n = o.direction;
-      result.optima.push_back(
-          kernels::rational_point({height * n.x, height * n.y, height * n.z}, dot(n, n), pieces_.exponent()));
+      result.optima.push_back(kernels::rational_point({height * n.x, height * n.y, height * n.z}, dot(n, n), pieces_.exponent()));
     }
     return result;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What proves the depth of two unions of convex pieces, as plain data: polytopes inside differences of pieces, a tree that splits space at
-// their facets, and the optima. All numbers are in the unit of the input.                                             [proofs/unions.md]
+// their facets, and the optima. All numbers are in the unit of the input.                                      [proofs/unions_search.md]
 #pragma once
 
 #include <array>

@@ -102,9 +102,9 @@ class Prover {
   void prove_beyond(PieceFacet* f) {
     RationalPoint nearest;
     std::vector<Barrier> conflict;
-    NearestEnd end = nearest_on_wall(&f->plane, path_, nullptr, pieces_.exponent(), nearest, &conflict);
+    CellEnd end = nearest_on_wall(&f->plane, path_, nullptr, pieces_.exponent(), nearest, &conflict);
     path_.push_back(&f->plane);
-    if (end == NearestEnd::infeasible) {
+    if (end == CellEnd::infeasible) {
       close(conflict);
     } else if (kernels::compare(nearest, *search_.best()) > 0) {
       close_at(nearest);
@@ -131,9 +131,9 @@ class Prover {
     if (!fresh) return place->second;
     place->second.index = static_cast<std::uint32_t>(proof_.polytopes.size());
     PiecePolytope& polytope = proof_.polytopes.emplace_back();
-    const auto k = static_cast<std::size_t>(std::find_if(search_.pairs().begin(), search_.pairs().end(),
-                                                         [&](const auto& other) { return other.get() == &pair; }) -
-                                            search_.pairs().begin());
+    const auto k = static_cast<std::size_t>(
+        std::find_if(search_.pairs().begin(), search_.pairs().end(), [&](const auto& other) { return other.get() == &pair; }) -
+        search_.pairs().begin());
     polytope.a = static_cast<std::uint32_t>(k / pieces_.b.size());
     polytope.b = static_cast<std::uint32_t>(k % pieces_.b.size());
     polytope.inner = pair.inner(place->second.facet_of);
@@ -174,7 +174,9 @@ class Prover {
 
 }  // namespace
 
-UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search) { return Prover(context, pieces, search).run(); }
+UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search) {
+  return Prover(context, pieces, search).run();
+}
 
 UnionProof prove_union_depth(kernels::Context& context, const Pieces& a, const Pieces& b) {
   const PlacedPieces pieces = place_pieces(a, b);

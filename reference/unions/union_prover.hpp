@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two unions that penetrate.
-// Output  the proof of their depth, as plain data.                                                               [proofs/unions.md]
+// Output  the proof of their depth, as plain data.                                                               [proofs/unions_search.md]
 #pragma once
 
 #include "fathom/union.hpp"

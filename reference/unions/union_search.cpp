@@ -65,7 +65,7 @@ PiecePair* UnionSearch::deepest(const RationalPoint& p) {
   return found;
 }
 
-NearestEnd UnionSearch::cut(std::span<const Barrier> cell, Barrier wall, RationalPoint& nearest) {
+CellEnd UnionSearch::cut(std::span<const Barrier> cell, Barrier wall, RationalPoint& nearest) {
   ++counts_.nearest_points;
   return nearest_on_wall(wall, cell, best_ ? &*best_ : nullptr, exponent_, nearest);
 }
@@ -83,7 +83,7 @@ std::vector<UnionSearch::OpenFacet> UnionSearch::open_facets(PiecePair& pair, st
       auto [place, fresh] = known.try_emplace(f);
       if (fresh) {
         RationalPoint nearest;
-        if (cut(cell, &f->plane, nearest) == NearestEnd::found) place->second = std::move(nearest);
+        if (cut(cell, &f->plane, nearest) == CellEnd::found) place->second = std::move(nearest);
       }
       if (!place->second) continue;
       if (!pair.settle(*f)) again = true;
@@ -109,7 +109,7 @@ void UnionSearch::dive() {
     while (!next) {
       for (PieceFacet* f : pair->facets()) {
         RationalPoint nearest;
-        if (cut(cell, &f->plane, nearest) != NearestEnd::found) continue;
+        if (cut(cell, &f->plane, nearest) != CellEnd::found) continue;
         if (!next || nearest.image_square < next->nearest.image_square) next = OpenFacet{f, std::move(nearest)};
       }
       if (!next) return;
@@ -123,8 +123,7 @@ void UnionSearch::dive() {
 
 void UnionSearch::push(RationalPoint nearest, std::uint32_t link) {
   open_.push_back({std::move(nearest), link});
-  std::push_heap(open_.begin(), open_.end(),
-                 [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
+  std::push_heap(open_.begin(), open_.end(), [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
 }
 
 UnionSearch::Cell UnionSearch::pop() {
@@ -151,7 +150,7 @@ void UnionSearch::split(const Cell& cell) {
     const auto& [facet, unbarred] = open[i];
     RationalPoint nearest = unbarred;
     const std::uint32_t before = link;
-    if (i == 0 || cut(cell_, &facet->plane, nearest) == NearestEnd::found) {
+    if (i == 0 || cut(cell_, &facet->plane, nearest) == CellEnd::found) {
       links_.push_back({&facet->plane, before});
       push(std::move(nearest), static_cast<std::uint32_t>(links_.size() - 1));
     }

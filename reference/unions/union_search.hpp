@@ -3,7 +3,7 @@
 // Output  the least squared length of a translation t of A that lies in the interior of no P_ij, and all such t.
 //         A branch-and-bound search over cells of half-spaces, by their exact points nearest to O: the cell whose point is nearest comes
 //         first. If that point lies in the interior of a P_ij, the facets of a polytope inside P_ij split the rest of the cell.
-//                                                                                                              [proofs/unions.md]
+//                                                                                                              [proofs/unions_search.md]
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class UnionSearch {
   /// The pair in whose interior a point lies deepest, or null if it is free.
   PiecePair* deepest(const kernels::RationalPoint& p);
   /// How a cell's nearest point is found when it is cut by one more wall, with best() as the limit.
-  NearestEnd cut(std::span<const Barrier> cell, Barrier wall, kernels::RationalPoint& nearest);
+  CellEnd cut(std::span<const Barrier> cell, Barrier wall, kernels::RationalPoint& nearest);
 
  private:
   struct Link {

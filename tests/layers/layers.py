@@ -33,7 +33,7 @@ ORDER = [
     ["reference/lines"],
     ["reference/depth"],
     ["reference/solve"],
-    ["reference/approximate", "reference/shapes"],
+    ["reference/approximate", "reference/shapes", "reference/unions"],
     ["reference/curved"],
     ["reference/rounded"],
     ["reference/certificate"],

@@ -107,7 +107,7 @@ inline Pieces grid(const Point& low, const Point& high, int cells) {
 
 /// A ring of so many wedges that abut, about the z axis, or about the x axis and moved along x.
 inline Pieces ring(int wedges, bool upright, const mpq_class& shift) {
-  static constexpr int circle[12][2] = {{20, 0}, {17, 10}, {10, 17}, {0, 20}, {-10, 17}, {-17, 10},
+  static constexpr int circle[12][2] = {{20, 0},  {17, 10},   {10, 17},   {0, 20},  {-10, 17}, {-17, 10},
                                         {-20, 0}, {-17, -10}, {-10, -17}, {0, -20}, {10, -17}, {17, -10}};
   Pieces pieces;
   for (int i = 0; i < wedges; ++i) {

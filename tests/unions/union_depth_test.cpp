@@ -98,9 +98,7 @@ TEST(UnionDepth, OfBoxesCutIntoGridsIsThatOfTheWhole) {
 }
 
 // A wall with a slot of the given width along x, and a plate of width 1 that stands in it askew to its middle.
-Pieces wall(const mpq_class& width) {
-  return {box({-9, -5, -5}, {0, 5, 5}), box({width, -5, -5}, {width + 9, 5, 5})};
-}
+Pieces wall(const mpq_class& width) { return {box({-9, -5, -5}, {0, 5, 5}), box({width, -5, -5}, {width + 9, 5, 5})}; }
 
 TEST(UnionDepth, ASlotAsWideAsTheBodyIsAnEscapeWithoutClearance) {
   const Pieces plate = {box({mpq_class(4, 5), -1, -1}, {mpq_class(9, 5), 1, 1})};
@@ -174,7 +172,8 @@ TEST(UnionDepth, ObeysTheLawsOfSwapMoveAndScale) {
     const Pieces a = random_pieces(random, 3, 7, 50, 20), b = random_pieces(random, 4, 7, 50, 20);
     const UnionDepth depth = depth_of(a, b), swapped = depth_of(b, a);
     const Point t{mpq_class(1, 3), -7, mpq_class(5, 2)};
-    const UnionDepth elsewhere = depth_of(moved(a, t), moved(b, t)), larger = depth_of(scaled(a, mpq_class(3, 2)), scaled(b, mpq_class(3, 2)));
+    const UnionDepth elsewhere = depth_of(moved(a, t), moved(b, t)),
+                     larger = depth_of(scaled(a, mpq_class(3, 2)), scaled(b, mpq_class(3, 2)));
     EXPECT_EQ(swapped.squared(), depth.squared());
     EXPECT_EQ(elsewhere.squared(), depth.squared());
     EXPECT_EQ(places(elsewhere), places(depth));

@@ -100,7 +100,7 @@ class ProofCheck {
     for (const Plane& f : active) planes.push_back(kernels::oriented_plane(f.n, f.h, 8));
     std::vector<Barrier> barriers;
     for (const kernels::OrientedPlane& f : planes) barriers.push_back(&f);
-    if (nearest_in_cell(barriers, 8, nearest) == NearestEnd::infeasible) return true;
+    if (nearest_in_cell(barriers, 8, nearest) == CellEnd::infeasible) return true;
     return far_enough(nearest.v, kernels::ratio(dot(nearest.v, nearest.v), nearest.w));
   }
 
@@ -112,7 +112,8 @@ class ProofCheck {
     for (std::size_t k = 0; k < optimum.directions.size(); ++k) {
       const Vector& u = optimum.directions[k];
       expect(!is_zero(u), "a direction is zero");
-      expect(u.x * t.x + u.y * t.y + u.z * t.z >= polytope::support_naive(a_[k / b_.size()], b_[k % b_.size()], u), "a pair is not separated");
+      expect(u.x * t.x + u.y * t.y + u.z * t.z >= polytope::support_naive(a_[k / b_.size()], b_[k % b_.size()], u),
+             "a pair is not separated");
     }
   }
 
