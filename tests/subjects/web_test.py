@@ -33,6 +33,7 @@ TOLERANCES = {"jolt-radius": 0.05, "havok-proximity": 2e-2, "rapier-world": 5e-3
 # Which share of the simple pairs of shapes a mode must know the depth of, to a quarter. What is below 1 was measured, and is rounded down.
 SHARES = {"rapier-contact": 0.98, "rapier-world": 0.98, "mujoco-libccd": 0.98}
 TELL_DISTANCES = ["rapier-contact", "physx-gjk", "havok-proximity", "mujoco-distance"]
+TELL_HULLS = ["jolt-radius0", *(f"physx-{mode}" for mode in MODES), *(f"mujoco-{mode}" for mode in MODES)]
 TELL_POSITIONS = ["physx-scene", "mujoco-native", "mujoco-single", "mujoco-libccd", "cannon-contact"]
 # A step's contact report is a manifold and no minimum translation: it misses the way out across two edges.
 NO_EDGES = ["physx-scene"]
@@ -141,6 +142,20 @@ class Web(unittest.TestCase):
                 with subject(mode, "positions=1") as client:
                     check_contacts(self, a, b, client.ask(a, b), 1e-4)
                     check_contacts(self, b, a, client.ask(b, a), 1e-4)
+
+    @in_each_mode
+    def test_hulls(self, mode, client):
+        """The hull of a cube and a point inside it, placed elsewhere, has the cube's corners, to the rounding of a frame; a shape has none."""
+        corners = [[x + 5, y + 2, z - 7] for x, y, z in CUBE]
+        reply = client.ask([[5.5, 2.25, -6.5], *corners], CUBE)
+        self.assertEqual("hull" in reply, f"{ENGINE}-{mode}" in TELL_HULLS)
+        if "hull" not in reply:
+            return
+        for used, asked in ((reply["hull"]["a"], corners), (reply["hull"]["b"], CUBE)):
+            for (one, two) in zip(sorted(used, key=lambda v: [round(x) for x in v]), sorted(asked), strict=True):
+                for x, y in zip(one, two):
+                    self.assertAlmostEqual(x, y, delta=2e-6)
+        self.assertEqual(set(client.ask(CUBE, shapes.BRICK)["hull"]), {"a"})
 
     @in_each_mode
     def test_flat_bodies(self, mode, client):

@@ -17,7 +17,7 @@ CLASSES = ("correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance")
 GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shallow",),
           "wrong status": ("false-separation", "false-overlap"),
           "other wrong": ("not-a-direction", "wrong-sign", "too-far", "too-near", "not-separating", "inconsistent", "witness-off",
-                          "witness-outside", "not-invariant", "nan"),
+                          "not-invariant", "nan"),
           "no answer": ("crash", "time-out", "silent", "garbage", "failed"), "declined": ("unsupported",)}
 GROUP_OF = {verdict: group for group, verdicts in GROUPS.items() for verdict in verdicts}
 BADNESS = ("wrong status", "too shallow", "too deep", "other wrong", "no answer")  # of equal errors, and where there is none

@@ -129,10 +129,11 @@ export const turnFrom = (body, axis) => product(body.turn, turnOfAxis(axis, body
  *                           two made bodies
  * make(body)                what the engine makes of a placed body. Throws Refused where it makes no hull of the points
  * free(made)                gives it back
+ * hulls(a, b)               { a, b }: the vertices of the hulls that the engine uses of two made bodies, in the world; undefined of a shape
  *
  * The time told is that of `ask` alone: the bodies are made before.
  */
-export async function serve({ name, version, precision, modes, make, free = () => {} }) {
+export async function serve({ name, version, precision, modes, make, free = () => {}, hulls = () => ({}) }) {
   const own = modes[mode];
   if (!own) refuse(`expected a mode, one of ${Object.keys(modes).join(', ')}, instead of ${JSON.stringify(mode)}`);
   if (given.size) refuse(`${[...given.keys()].join(', ')}: no such setting (there are ${Object.keys(inForce).join(', ')})`);
@@ -150,7 +151,8 @@ export async function serve({ name, version, precision, modes, make, free = () =
       }
       const start = process.hrtime.bigint();
       const answer = own.ask(made[0], made[1]);
-      return { ...answer, microseconds: Number(process.hrtime.bigint() - start) / 1000 };
+      const microseconds = Number(process.hrtime.bigint() - start) / 1000;
+      return { ...answer, microseconds, ...hullMember(hulls(made[0], made[1])) };
     } catch (why) {
       if (why instanceof WebAssembly.RuntimeError || why?.name === 'ExitStatus') {
         process.stderr.write(`${me}: ${why?.stack ?? why}\n`);
@@ -164,6 +166,8 @@ export async function serve({ name, version, precision, modes, make, free = () =
   };
   await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce });
 }
+
+const hullMember = (hull) => (hull.a || hull.b ? { hull } : {});
 
 function demandDeclared({ shape, margin }, shapes) {
   if (shape && !shapes.includes(shape)) throw new Unsupported(`${shape}: this mode declares ${shapes.join(', ') || 'no shapes'}`);

@@ -55,6 +55,20 @@ function primitive({ shape, radius: r, half_length: h, half, radius_low: low, ra
   }
 }
 
+// Jolt's hull by its triangles, where it is the hull that the query uses: with a convex radius it is shrunk, and rounded.
+function verticesOf({ shape, at, isHull }) {
+  if (!isHull || radius > 0) return undefined;
+  const faces = new J.ShapeGetTriangles(shape, J.AABox.prototype.sBiggest(), shape.GetCenterOfMass(), J.Quat.prototype.sIdentity(), one);
+  const numbers = new Float32Array(J.HEAPF32.buffer, faces.GetVerticesData(), faces.GetVerticesSize() / 4);
+  const vertices = new Map();
+  for (let i = 0; i < numbers.length; i += 3) {
+    const vertex = Array.from(numbers.subarray(i, i + 3), (x, k) => x + at[k]);
+    vertices.set(vertex.join(), vertex);
+  }
+  J.destroy(faces);
+  return [...vertices.values()];
+}
+
 const ask = (a, b) => {
   b.collector.Reset();
   b.placed.CollideShape(a.shape, one, a.placed.GetCenterOfMassTransform(), query, zero, b.collector, filter);
@@ -83,8 +97,9 @@ await serve({
     placed.SetWorldTransform(position, turn, one);
     J.destroy(position);
     J.destroy(turn);
-    return { shape, placed, collector: new J.CollideShapeClosestHitCollisionCollector() };
+    return { shape, placed, at: body.at, isHull: !body.shape, collector: new J.CollideShapeClosestHitCollisionCollector() };
   },
+  hulls: (a, b) => ({ a: verticesOf(a), b: verticesOf(b) }),
   free({ shape, placed, collector }) {
     J.destroy(placed);
     J.destroy(collector);

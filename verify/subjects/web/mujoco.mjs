@@ -72,6 +72,20 @@ function modelOf(a, b) {
   }
 }
 
+// The corners of the mesh's hull, moved and turned as the geom is: MuJoCo gives a mesh the frame of its inertia.
+function verticesOf({ model, data }, geom) {
+  const mesh = model.geom_dataid[geom];
+  if (mesh < 0) return undefined;
+  const first = model.mesh_vertadr[mesh], graph = model.mesh_graphadr[mesh];
+  const corners = graph < 0 ? Array.from({ length: model.mesh_vertnum[mesh] }, (_, i) => i)
+                            : Array.from({ length: model.mesh_graph[graph] }, (_, i) => model.mesh_graph[graph + 2 + model.mesh_graph[graph] + i]);
+  const at = data.geom_xpos.slice(3 * geom, 3 * geom + 3), turn = data.geom_xmat.slice(9 * geom, 9 * geom + 9);
+  return corners.map((corner) => {
+    const v = model.mesh_vert.slice(3 * (first + corner), 3 * (first + corner) + 3);
+    return [0, 1, 2].map((i) => at[i] + turn[3 * i] * v[0] + turn[3 * i + 1] * v[1] + turn[3 * i + 2] * v[2]);
+  });
+}
+
 function contacts({ model, data }) {
   M.mj_collision(model, data);
   const found = [], list = data.contact;
@@ -109,6 +123,7 @@ await serve({
     first = null;
     return modelOf(a, body);
   },
+  hulls: (_, made) => ({ a: verticesOf(made, 0), b: verticesOf(made, 1) }),
   free(made) {
     first = null;
     made.data?.delete();

@@ -63,6 +63,11 @@ function meshOf(points) {
   return mesh;
 }
 
+function verticesOf(mesh, at) {
+  const first = mesh.getVertices(), vec3At = (i) => P.NativeArrayHelpers.prototype.getVec3At(first, i);
+  return Array.from({ length: mesh.getNbVertices() }, (_, i) => plain(vec3At(i)).map((x, k) => x + at[k]));
+}
+
 // Sphere, box and capsule are PhysX's own geometries; the others, and those with a margin, are its convex cores.
 function geometryOf({ shape, radius: r, half_length: h, half, radii, margin }) {
   const F = P.PxConvexCoreGeometryFactory.prototype;
@@ -160,7 +165,11 @@ await serve({
       return { pose, geometry, support: mode === 'gjk' ? new P.ConvexGeomSupport(geometry) : null, mesh: null };
     }
     const mesh = meshOf(body.points);
-    return { pose, mesh, geometry: new P.PxConvexMeshGeometry(mesh), support: new P.ConvexMeshSupport(mesh) };
+    return { pose, mesh, at: body.at, geometry: new P.PxConvexMeshGeometry(mesh), support: new P.ConvexMeshSupport(mesh) };
+  },
+  hulls: (...pair) => {
+    const [a, b] = pair.map(({ mesh, at }) => (mesh ? verticesOf(mesh, at) : undefined));
+    return { a, b };
   },
   free({ support, geometry, pose, mesh }) {
     if (support) P.destroy(support);
