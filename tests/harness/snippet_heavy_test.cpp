@@ -78,6 +78,18 @@ TEST_F(Snippets, Compile) {
   }
 }
 
+TEST_F(Snippets, CompileForASubjectThatRounds) {
+  SubjectInfo info = subject("", "mine");
+  info.rounding = {{"vertices", mpq_class(1, 20)}};
+  const Case pair = real_case("real::fcl-545-unit");
+  Outcome outcome = claimed(pair, 1);
+  outcome.reply->contacts = {{{0.5, 0.5, 0.5}, 1.0}, {{0.25, 0.5, 0.5}, {}}};
+  const std::string text = snippet(info, pair, outcome);
+  EXPECT_NE(text.find("fathom::truth_about(rounded(a, mpq_class(\"1/20\")), rounded(b, mpq_class(\"1/20\")))"), std::string::npos) << text;
+  const Ran ran = compile(info, text, "-fsyntax-only");
+  EXPECT_EQ(ran.code, 0) << ran.said;
+}
+
 struct Wrong {
   SubjectInfo info;
   const char* id;

@@ -18,16 +18,8 @@
 namespace fathom::harness {
 namespace {
 
-/// In the subject's unit.
-mpq_class radius_of(const Body& body, const std::map<std::string, mpq_class>& rounding) {
-  const std::string word = body.words ? std::string(files::named_shape(body.words->shape).shape->name) : vertices_word;
-  for (const std::string& name : {word, std::string()})
-    if (const auto found = rounding.find(name); found != rounding.end()) return found->second;
-  return 0;
-}
-
 Body grown(const Body& body, const SubjectInfo& info, long exponent) {
-  const mpq_class radius = scaled(radius_of(body, info.rounding), -exponent);
+  const mpq_class radius = scaled(rounding_radius(body, info), -exponent);
   if (radius == 0) return body;
   Body result;
   result.shape = with_margin(files::shape_of(body), radius);
@@ -49,6 +41,13 @@ mpq_class squared_way(const Body& from, const Body& to) {
 }
 
 }  // namespace
+
+mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
+  const std::string word = body.words ? std::string(files::named_shape(body.words->shape).shape->name) : vertices_word;
+  for (const std::string& name : {word, std::string()})
+    if (const auto found = info.rounding.find(name); found != info.rounding.end()) return found->second;
+  return 0;
+}
 
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
   if (info.rounding.empty()) return seen;

@@ -12,6 +12,9 @@ namespace fathom::harness {
 /// case. What has a radius is a shape without words.
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 
+/// Returns the radius by which the subject rounds such a body, in the subject's unit.
+mpq_class rounding_radius(const Body& body, const SubjectInfo& info);
+
 /// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices.
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
 

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
@@ -167,17 +169,34 @@ std::string conventions_text(const Conventions& conventions) {
       conventions.claims == Conventions::Claims::minimum ? "" : "  conventions.claims = fathom::Conventions::Claims::separating;\n");
 }
 
+/// Of bodies that the subject rounds: the truth about the rounded ones.
+constexpr std::string_view rounded_truth = R"(  const auto rounded = [](const std::vector<fathom::Triple>& body, const mpq_class& radius) {
+    std::vector<fathom::Point> points;
+    for (const auto& [x, y, z] : body) points.push_back({fathom::exact_value(x), fathom::exact_value(y), fathom::exact_value(z)});
+    return fathom::with_margin(fathom::hull(points), radius);
+  };
+)";
+
 /// For a library without a program here.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   std::string text = heading(info, pair, outcome, "link fathom::judge and GoogleTest's main");
-  text += "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/judge.hpp>\n\n";
+  text +=
+      "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/judge.hpp>\n#include "
+      "<fathom/numbers.hpp>\n#include <fathom/shape.hpp>\n\n";
   text += "TEST(Depth, IsRight) {\n";
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
     text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   text += reply_text(outcome) + conventions_text(info.conventions);
   const std::string of_answers =
       info.format.points == info.format.answers ? "" : fmt::format(", fathom::Precision::{}}}", name(info.format.answers));
-  text += fmt::format("  const fathom::Judgement judgement = fathom::judge(a, b, reply, conventions, {}fathom::Precision::{}{});\n",
+  const mpq_class radius_a = rounding_radius(pair.a, info), radius_b = rounding_radius(pair.b, info);
+  std::string bodies = "a, b";
+  if (radius_a != 0 || radius_b != 0) {
+    text += rounded_truth;
+    bodies = fmt::format("fathom::truth_about(rounded(a, mpq_class(\"{}\")), rounded(b, mpq_class(\"{}\")))", exact_text(radius_a),
+                         exact_text(radius_b));
+  }
+  text += fmt::format("  const fathom::Judgement judgement = fathom::judge({}, reply, conventions, {}fathom::Precision::{}{});\n", bodies,
                       of_answers.empty() ? "" : "{", name(info.format.points), of_answers);
   return text + "  EXPECT_TRUE(fathom::passes(judgement.verdict)) << judgement.sentence;\n}\n";
 }
