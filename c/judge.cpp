@@ -58,6 +58,7 @@ void require_claim(const fathom_claim& claim) {
   };
   const auto is_tolerance = [](double x) { return std::isfinite(x) && x >= 0; };
   demand(claim.precision == FATHOM_BINARY64 || claim.precision == FATHOM_BINARY32, "there is no such precision");
+  demand(claim.answers >= FATHOM_SAME_PRECISION && claim.answers <= FATHOM_BINARY32, "there is no such precision of answers");
   demand(claim.touching >= FATHOM_TOUCHING_EITHER && claim.touching <= FATHOM_TOUCHING_IS_APART, "there is no such convention of touching");
   demand(is_tolerance(claim.tol_relative) && is_tolerance(claim.tol_absolute), "a tolerance is negative or not finite");
   demand(claim.tol_ulps >= 0 && claim.tol_ulps <= 1e9 && std::floor(claim.tol_ulps) == claim.tol_ulps,
@@ -81,6 +82,11 @@ Conventions conventions_of(const fathom_claim& claim) {
           .moves = claim.moves_b ? Conventions::Body::b : Conventions::Body::a,
           .unit = claim.not_unit == 0,
           .claims = claim.separating ? Conventions::Claims::separating : Conventions::Claims::minimum};
+}
+
+NumberFormat format_of(const fathom_claim& claim) {
+  const auto precision = [](int number) { return number == FATHOM_BINARY32 ? Precision::binary32 : Precision::binary64; };
+  return {precision(claim.precision), precision(claim.answers == FATHOM_SAME_PRECISION ? claim.precision : claim.answers)};
 }
 
 Reply reply_of(const fathom_claim& claim) {
@@ -157,21 +163,21 @@ Shape seen_shape(const Body& body, Precision precision, const char* body_name) {
 
 /// Judges by the truth about two polytopes, or about two shapes.
 template <class TheTruth>
-void judge_by(const TheTruth& truth, const fathom_claim& claim, Precision precision, fathom_judgement& judgement, std::string& sentence) {
+void judge_by(const TheTruth& truth, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
   const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
                             policy_of(claim)};
-  const Judgement found = judge(truth, reply_of(claim), conventions_of(claim), precision, tolerance);
+  const Judgement found = judge(truth, reply_of(claim), conventions_of(claim), format_of(claim), tolerance);
   judgement = judgement_of(found, status_of(truth.depth), rounded(truth.depth));
   sentence = found.sentence;
 }
 
 void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
   require_claim(claim);
-  const Precision precision = claim.precision == FATHOM_BINARY32 ? Precision::binary32 : Precision::binary64;
+  const Precision precision = format_of(claim).points;
   if (!a.shape && !b.shape) {
-    judge_by(truth_about(seen_points(a, precision, "a"), seen_points(b, precision, "b")), claim, precision, judgement, sentence);
+    judge_by(truth_about(seen_points(a, precision, "a"), seen_points(b, precision, "b")), claim, judgement, sentence);
   } else {
-    judge_by(truth_about(seen_shape(a, precision, "a"), seen_shape(b, precision, "b")), claim, precision, judgement, sentence);
+    judge_by(truth_about(seen_shape(a, precision, "a"), seen_shape(b, precision, "b")), claim, judgement, sentence);
   }
 }
 
@@ -184,6 +190,7 @@ void fathom_claim_init(fathom_claim* claim) {
   if (claim == nullptr) return;
   *claim = {};
   claim->size = sizeof(fathom_claim);
+  claim->answers = FATHOM_SAME_PRECISION;
   claim->tol_relative = 1e-3;
   claim->tol_absolute = 1e-6;
 }

@@ -38,6 +38,7 @@ struct FathomClaim {
     direction: [c_double; 3],
     witness_a: [c_double; 3],
     witness_b: [c_double; 3],
+    answers: c_int,
     separating: c_int,
     policy: c_int,
     policy_most: c_double,

@@ -229,7 +229,7 @@ enum {
   FATHOM_WITHIN_TOLERANCE = 4
 };
 
-enum { FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
+enum { FATHOM_SAME_PRECISION = -1, FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
 enum { FATHOM_TOUCHING_EITHER = 0, FATHOM_TOUCHING_IS_OVERLAP = 1, FATHOM_TOUCHING_IS_APART = 2 };
 
 /** Depths that are too deep pass if they are the price of their direction, and the policy allows it: "the claim class and the policy" in
@@ -258,6 +258,7 @@ typedef struct fathom_claim {
   double direction[3]; /**< in which a body moves apart */
   double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
 
+  int answers;        /**< FATHOM_SAME_PRECISION: that of the answer's numbers, where `precision` is that of points alone */
   int separating;     /**< 0: whether a depth with a direction claims no shortest translation, but one that separates, at its own price */
   int policy;         /**< FATHOM_POLICY_DECLARED, that is, by `separating`: which longer translations pass */
   double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the price may be (1 + policy_most) depths; not negative */

@@ -132,7 +132,7 @@ class Judgement(NamedTuple):
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
           unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64",
-          relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
+          answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
@@ -145,6 +145,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     claims     "minimum", or "separating": no more than that its translation separates, at the price of its direction
     policy     "declared", as it claims; "minimum", "separating", or "within=5%": no dearer than that above the depth
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
+    answers    the precision of the answer's numbers; as that of points if None
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
 
     >>> import fathom
@@ -162,6 +163,6 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     """
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
              "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
-             "claims": claims, "policy": policy, "precision": precision, "relative": relative, "absolute": absolute}
+             "claims": claims, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**{field: found[field] for field in Judgement._fields})

@@ -152,7 +152,7 @@ Value one_of(const std::string& what, const std::string& word, std::initializer_
 struct Claimed {
   Reply reply;
   Conventions conventions;
-  Precision precision = Precision::binary64;
+  NumberFormat format;
   Tolerance tolerance;
 };
 
@@ -191,8 +191,11 @@ Claimed claimed_from(const py::dict& claim) {
   result.conventions.claims =
       one_of<Conventions::Claims>("claims", claim["claims"].cast<std::string>(),
                                   {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
-  result.precision = one_of<Precision>("precision", claim["precision"].cast<std::string>(),
-                                       {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
+  const auto precision = [&](const char* of) {
+    return one_of<Precision>(of, claim[of].cast<std::string>(), {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
+  };
+  result.format = precision("precision");
+  if (!claim["answers"].is_none()) result.format.answers = precision("answers");
   result.tolerance.relative = number_from(claim["relative"]);
   result.tolerance.absolute = number_from(claim["absolute"]);
   const std::string policy = claim["policy"].cast<std::string>();
@@ -214,7 +217,7 @@ Judgement judgement_on(const Body& a, const Body& b, const Claimed& claimed, Mon
   Options options;
   options.monitor = &monitor;
   const auto judge_by = [&](const auto& truth) {
-    return judge(truth, claimed.reply, claimed.conventions, claimed.precision, claimed.tolerance);
+    return judge(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance);
   };
   if (!a.shape && !b.shape) return judge_by(truth_about(a.points, b.points, options));
   return judge_by(truth_about(files::shape_of(a), files::shape_of(b), {.cores = options}));
@@ -222,8 +225,8 @@ Judgement judgement_on(const Body& a, const Body& b, const Claimed& claimed, Mon
 
 py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
   const Claimed claimed = claimed_from(claim);
-  const Body seen_a = as_seen(body_from(a, pose_a, "a"), claimed.precision, "a"),
-             seen_b = as_seen(body_from(b, pose_b, "b"), claimed.precision, "b");
+  const Body seen_a = as_seen(body_from(a, pose_a, "a"), claimed.format.points, "a"),
+             seen_b = as_seen(body_from(b, pose_b, "b"), claimed.format.points, "b");
   const Judgement found = watched([&](Monitor& monitor) { return judgement_on(seen_a, seen_b, claimed, monitor); });
   const bool polytopes = !seen_a.shape && !seen_b.shape;
   py::list findings;

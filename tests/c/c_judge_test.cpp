@@ -176,6 +176,22 @@ TEST_F(CJudge, ClaimsOfSeparation) {
   }
 }
 
+// The answer of a subject that sees binary32 points and calculates in binary64 is right to an ulp of that.
+TEST_F(CJudge, AnswersOfAnotherPrecision) {
+  claims(0.6, -1, 0, 0);
+  claim.tol_relative = claim.tol_absolute = 0;
+  claim.precision = FATHOM_BINARY32;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  claim.answers = FATHOM_BINARY64;  // 1 - 0.4F is not 0.6
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
+  claim.depth = 1 - static_cast<double>(0.4F);
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.accuracy, FATHOM_CORRECTLY_ROUNDED);
+}
+
 TEST_F(CJudge, Contacts) {
   claims(0.6, -1, 0, 0);
   const double positions[] = {0.5, 0.5, 0.5, 1.25, 0.5, 0.5}, depths[] = {0.125, 0.6};
@@ -233,6 +249,8 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
     b = body_of({1e300, 0, 0});
     claim.precision = FATHOM_BINARY32;
   });
+  with([&] { claim.answers = 2; });
+  with([&] { claim.answers = -2; });
   with([&] { claim.policy = 4; });
   with([&] { claim.policy = -1; });
   with([&] { claim.policy_most = -0.5; });

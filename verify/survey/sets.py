@@ -47,8 +47,8 @@ SETS = {
                 file="tests/data/real_cases.jsonl"),
     "claims": Set("Published claims", "The pairs about which other projects' tests and issues state something, most of them shapes.",
                   file="verify/claims/claims.jsonl"),
-    "20": Set("All families, 20 points", "Every way for two polytopes to be special that fathom knows, made to find errors.", count=276),
-    "200": Set("All families, 200 points", "The same families with larger bodies.", count=92, size=200),
+    "20": Set("All families, 20 points", "Every way for two polytopes to be special that fathom knows, made to find errors.", count=920),
+    "200": Set("All families, 200 points", "The same families with larger bodies.", count=184, size=200),
     "primitives": Set("Primitives", "Spheres, capsules, boxes, cylinders, cones and ellipsoids by name, to subjects that have them; many "
                       "pairs are shallow, touching or special by intent.", count=70, families=PRIMITIVES),
 }
