@@ -136,7 +136,8 @@ def index(results, of_versions):
             f"{e(results['fathom'])}.</p>\n<p class=\"soft small\">Right: the bodies overlap or not as said, and depth, direction and points are "
             f"within the larger of {tolerance['relative']} of the depth and {tolerance['absolute']} of the longer side; a binary32 subject is "
             "judged on the numbers that it sees. The families are made to find errors: they say where a method breaks, not how often a user "
-            "meets it. A contact manifold, which a solver wants, is no minimum translation. Declined is neither right nor wrong.</p></header>\n")
+            "meets it. A contact manifold claims to separate the bodies, and is judged by that. Declined is neither right nor wrong.</p>"
+            "</header>\n")
     body = head + filters(results) + "<main>\n" + "".join(section(results, name) for name in results["sets"])
     body += history.section(of_versions) + subject_cards(results) + "</main>\n"
     body += ('<footer><p class="soft small">Times are medians of the query alone in microseconds, as each subject measured it, hulls made '
