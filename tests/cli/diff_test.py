@@ -8,7 +8,7 @@ import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, UNIT, CliTest, box, case
 
 SCHEMA = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "diff.schema.json").read_text()))
-RIGHT, DEEP, DEEPER, SHALLOW, NONE = 0.5, 0.75, 1, 0.25, None
+RIGHT, DEEP, DEEPER, SHALLOW, NONE, DECLINED = 0.5, 0.75, 1, 0.25, None, "declined"
 
 
 def hello(version="1", precision="binary64", **settings):
@@ -17,7 +17,7 @@ def hello(version="1", precision="binary64", **settings):
 
 
 def reply(name, depth):
-    answer = {"overlap": False} if depth is NONE else {"overlap": True, "depth": depth}
+    answer = {"unsupported": "no"} if depth is DECLINED else {"overlap": False} if depth is NONE else {"overlap": True, "depth": depth}
     return json.dumps({"type": "reply", "id": name, **answer}) + "\n"
 
 
@@ -59,6 +59,25 @@ class Diff(CliTest):
         back = self.diff(new, old, 0 if not names["newly_passing"] else 1)
         self.assertEqual([each["id"] for each in back["newly_failing"]], ["f::c"])
         self.assertEqual([each["id"] for each in back["newly_passing"]], ["f::a", "f::g"])
+
+    def test_declined(self):
+        """What was declined before can newly fail or pass; what is declined now is no failure."""
+        depths = {"f::a": DECLINED, "f::b": DECLINED, "f::c": DEEP, "f::d": RIGHT}
+        old = self.report("old", depths)
+        value = self.diff(old, self.report("new", {"f::a": DEEP, "f::b": RIGHT, "f::c": DECLINED, "f::d": DECLINED}, hello(margin="1")), 1)
+        self.assertEqual([[each["id"] for each in value[key]] for key in ("newly_failing", "newly_passing", "another_verdict")],
+                         [["f::a"], ["f::b"], ["f::c", "f::d"]])
+        self.assertEqual(value["header"], {"subject.settings.margin": {"old": "", "new": "1"}})
+
+    def test_variants(self):
+        """A variant of a case is compared with the same variant."""
+        def with_variants(name, depth, of_variant):
+            case_line = self.report(name, {"f::a": depth}).read_text().splitlines(keepends=True)
+            variant = self.report(name + " variant", {"f::a": of_variant}).read_text().splitlines(keepends=True)[1]
+            return self.file(name + " both", "".join([*case_line[:2], variant.replace('"id":"f::a"', '"id":"f::a","variant":"swap"')]))
+        value = self.diff(with_variants("old", RIGHT, DEEP), with_variants("new", RIGHT, RIGHT), 0)
+        self.assertEqual([(each["id"], each["variant"]) for each in value["newly_passing"]], [("f::a", "swap")])
+        self.assertEqual((value["newly_failing"], value["both"]), ([], 2))
 
     def test_nothing_changed(self):
         old, new = self.report("old", {"f::a": RIGHT, "f::b": DEEP}), self.report("new", {"f::b": DEEP, "f::a": RIGHT})
