@@ -17,6 +17,7 @@
 #include "cli/args/help.hpp"
 #include "cli/args/parser.hpp"
 #include "cli/args/parser_words.hpp"
+#include "cli/args/pieces_arguments.hpp"
 #include "cli/args/shell_words.hpp"
 #include "cli/args/sweep_arguments.hpp"
 #include "cli/io/terminal.hpp"
@@ -98,6 +99,7 @@ std::string wrong_page(const Request& request) {
 /// Returns what does not go together in a request for a curve or a chart, or "".
 std::string wrong_picture(const CLI::App& asked, Request& request) {
   if (request.svg == "-") return "--svg writes a file, found - for standard output";
+  if (request.pieces) return wrong_pieces(asked, request);
   if (request.command == Command::depth) return wrong_along(asked, request);
   return request.command == Command::study ? wrong_sweep(asked, request) : "";
 }

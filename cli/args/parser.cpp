@@ -13,6 +13,7 @@
 #include "cli/args/certify_arguments.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/parser_words.hpp"
+#include "cli/args/pieces_arguments.hpp"
 #include "cli/args/sweep_arguments.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
@@ -235,6 +236,7 @@ Parser::Parser() {
   add_options(depth, request, texts, false);
   add_optima(depth, request);
   add_along_options(depth, request);
+  add_pieces_option(depth, request);
   add_case(depth, request);
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");

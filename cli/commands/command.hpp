@@ -20,6 +20,7 @@ ExitCode run_command(std::string_view name, const std::vector<std::string>& word
 ExitCode run_depth(const Request& request);
 /// depth --along
 ExitCode run_along(const Request& request);
+ExitCode run_union(const Request& request);
 ExitCode run_width(const Request& request);
 ExitCode run_approx(const Request& request);
 ExitCode run_ray(const Request& request);

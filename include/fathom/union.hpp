@@ -8,9 +8,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom {
 
@@ -79,5 +82,15 @@ struct UnionDepth {
 /// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms;
 /// Interrupted if the work is stopped before the search.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
+
+// ---- pieces from files ----
+
+/// Returns the convex pieces of a body in an OBJ file: for each object and group with faces (lines "o" and "g") the corners of its faces,
+/// in the order of their numbers. So tools for convex decomposition write them. Groups come in the order of their first faces; a file
+/// without groups is one piece. Throws InputError of fathom/files.hpp, with file and line, as read_mesh does, and if there are no faces.
+Pieces read_pieces(const std::string& path, Decimals decimals = Decimals::binary64);
+
+/// The same for a file in memory; `name` appears in messages.
+Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals = Decimals::binary64);
 
 }  // namespace fathom

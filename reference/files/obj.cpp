@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: lines "v x y z" and "f i/j/k ..."; skips every other kind of line.
+// Wavefront OBJ: lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line.
+#include <algorithm>
 #include <charconv>
+#include <map>
 #include <utility>
 
+#include "fathom/union.hpp"
+#include "kernels/float_environment.hpp"
 #include "reference/files/mesh_formats.hpp"
+#include "reference/files/source.hpp"
 
 namespace fathom::files {
 namespace {
@@ -39,6 +44,31 @@ void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex
   faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
 }
 
+void require_vertices(const TextScanner& scanner, const std::string& name, std::size_t points, const HighestIndex& highest) {
+  if (points == 0) scanner.fail_at_end("at least one vertex 'v x y z'");
+  if (highest.index <= points) return;
+  throw InputError(name, highest.line,
+                   "expected a vertex index of at most " + std::to_string(points) + ", found '" + std::to_string(highest.index) + "'");
+}
+
+/// Which piece the faces after a line 'o' or 'g' belong to: that of the object and the group. Those without a name are new ones.
+class Groups {
+ public:
+  void object(std::string_view name) {
+    object_ = named(name);
+    group_.clear();
+  }
+  void group(std::string_view name) { group_ = named(name); }
+  std::size_t piece() { return pieces_.try_emplace({object_, group_}, pieces_.size()).first->second; }
+
+ private:
+  std::string named(std::string_view name) { return name.empty() ? "\n" + std::to_string(++unnamed_) : std::string(name); }
+
+  std::string object_, group_;
+  std::size_t unnamed_ = 0;
+  std::map<std::pair<std::string, std::string>, std::size_t> pieces_;
+};
+
 }  // namespace
 
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals) {
@@ -51,13 +81,46 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
     if (keyword == "v") read_point(scanner, decimals, points);
     if (keyword == "f") read_face(scanner, points.size(), highest, faces);
   }
-  if (points.empty()) scanner.fail_at_end("at least one vertex 'v x y z'");
-  if (highest.index > points.size()) {
-    throw InputError(
-        name, highest.line,
-        "expected a vertex index of at most " + std::to_string(points.size()) + ", found '" + std::to_string(highest.index) + "'");
-  }
+  require_vertices(scanner, name, points.size(), highest);
   return mesh_body(std::move(points), std::move(faces));
 }
 
 }  // namespace fathom::files
+
+namespace fathom {
+
+Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals) {
+  const kernels::DefaultFloatEnvironment environment;
+  files::TextScanner scanner(text, name, {.comment = '#', .continuation = true});
+  std::vector<Point> points;
+  files::HighestIndex highest;
+  files::Groups groups;
+  std::vector<MeshFaces> faces;  // of each piece
+  while (scanner.next_line()) {
+    const std::string_view keyword = scanner.next_token();
+    if (keyword == "o") groups.object(scanner.rest_of_line());
+    if (keyword == "g") groups.group(scanner.rest_of_line());
+    if (keyword == "v") {
+      Point& p = points.emplace_back();
+      for (mpq_class* c : {&p.x, &p.y, &p.z}) *c = files::exact(files::read_coordinate(scanner, decimals));
+    }
+    if (keyword != "f") continue;
+    const std::size_t piece = groups.piece();
+    if (piece == faces.size()) faces.emplace_back();
+    files::read_face(scanner, points.size(), highest, faces[piece]);
+  }
+  files::require_vertices(scanner, name, points.size(), highest);
+  if (faces.empty()) scanner.fail_at_end("at least one face 'f i j k': a piece is what the faces of a group have as corners");
+  Pieces pieces;
+  for (MeshFaces& of_piece : faces) {
+    std::sort(of_piece.corners.begin(), of_piece.corners.end());
+    of_piece.corners.erase(std::unique(of_piece.corners.begin(), of_piece.corners.end()), of_piece.corners.end());
+    std::vector<Point>& piece = pieces.emplace_back();
+    for (const std::uint32_t corner : of_piece.corners) piece.push_back(points[corner]);
+  }
+  return pieces;
+}
+
+Pieces read_pieces(const std::string& path, Decimals decimals) { return parse_pieces(files::read_file(path), path, decimals); }
+
+}  // namespace fathom

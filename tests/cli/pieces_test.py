@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom depth --pieces: unions of convex pieces, from OBJ files with groups; the same as text and JSON; bad input."""
+import copy
+import json
+import unittest
+from fractions import Fraction
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, ROOT, CliTest, box
+
+SCHEMA = json.loads((ROOT / "schemas" / "union.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
+FACES = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
+
+
+def obj(*boxes, group="o"):
+    """Boxes as the tools for convex decomposition write them: a group each, with vertices of its own."""
+    text = ""
+    for k, (low, high) in enumerate(boxes):
+        text += f"{group} convex_{k}\n" + "".join("v {} {} {}\n".format(*p) for p in box(low, high))
+        text += "".join("f " + " ".join(str(8 * k + i) for i in face) + "\n" for face in FACES)
+    return text
+
+
+SLOT = obj([[-9, -5, -5], [0, 5, 5]], [[1, -5, -5], [10, 5, 5]])
+PLATE = obj([[0.75, -1, -1], [1.75, 1, 1]])
+
+
+class Pieces(CliTest):
+    def pieces(self, a, b, *options):
+        return self.result("depth", "--pieces", *options, self.file("a.obj", a), self.file("b.obj", b))
+
+    def refused(self, sentence, *arguments):
+        code, out, err = self.run_cli("depth", *arguments)
+        self.assertEqual((code, out), (2, ""), err)
+        self.assertIn(sentence, err)
+
+    def test_obeys_its_schema(self):
+        jsonschema.Draft202012Validator.check_schema(SCHEMA)
+        for a, b in ((PLATE, SLOT), (PLATE, obj([[9, 9, 9], [10, 10, 10]])), (PLATE, obj([[1.75, 1, 1], [10, 10, 10]]))):
+            VALIDATOR.validate(self.pieces(a, b))
+
+    def test_the_schema_has_teeth(self):
+        good = self.pieces(PLATE, SLOT)
+        for path, value in ((["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["optima", 0, "translation", 0], 0.5),
+                            (["deepest_pair", "pieces"], [0]), (["extra"], 1)):
+            bad = copy.deepcopy(good)
+            place = bad
+            for key in path[:-1]:
+                place = place[key]
+            place[path[-1]] = value
+            self.assertFalse(VALIDATOR.is_valid(bad), path)
+
+    def test_an_exact_fit(self):
+        found = self.pieces(PLATE, SLOT)
+        self.assertEqual((found["status"], found["depth"]["squared"], found["complete"]), ("penetrating", "9/16", True))
+        self.assertEqual([o["translation"] for o in found["optima"]], [["-3/4", "0", "0"]])
+        self.assertEqual((found["optima"][0]["clearance"], len(found["optima"][0]["contacts"])), (False, 2))
+        text = self.answer("depth", "--pieces", "--exact", self.file("a.obj", PLATE), self.file("b.obj", SLOT))
+        for line in ("penetrating", "depth         0.75", "depth^2       9/16", "translation   (-3/4, 0, 0)", "clearance     none: an exact fit",
+                     "ties          none"):
+            self.assertIn(line + "\n", text)
+
+    def test_a_gap_has_clearance(self):
+        wide = self.pieces(PLATE, obj([[-9, -5, -5], [0, 5, 5]], [[1.125, -5, -5], [10, 5, 5]]))
+        self.assertEqual((wide["depth"]["squared"], wide["optima"][0]["clearance"]), (str(Fraction(25, 64)), True))
+
+    def test_groups_of_any_kind_are_pieces(self):
+        expected = self.pieces(PLATE, SLOT)
+        for text in (obj([[-9, -5, -5], [0, 5, 5]], [[1, -5, -5], [10, 5, 5]], group="g"), SLOT.replace("o convex_1", "o\ng x y"),
+                     "mtllib none.mtl\n" + SLOT.replace("f ", "usemtl m\nf ")):
+            self.assertEqual(self.pieces(PLATE, text)["optima"], expected["optima"])
+        hull = self.pieces(PLATE, SLOT.replace("o convex_0\n", "").replace("o convex_1\n", ""))
+        self.assertEqual(hull["depth"]["squared"], "36", "without groups it is one piece")
+
+    def test_touching_and_disjoint(self):
+        touching = self.pieces(PLATE, obj([[1.75, 1, 1], [10, 10, 10]]))
+        self.assertEqual((touching["status"], touching["optima"][0]["contacts"][0]["contact"]["kind"]), ("touching", "vertex-vertex"))
+        apart = self.pieces(PLATE, obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))
+        self.assertEqual((apart["status"], apart["apart"]["distance"]["squared"], apart["apart"]["pieces"]), ("disjoint", "4", [0, 1]))
+        self.assertIn("between       piece 0 of A, piece 1 of B\n",
+                      self.answer("depth", "--pieces", self.file("a.obj", PLATE), self.file("b.obj", obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))))
+
+    def test_the_comb_and_the_key(self):
+        found = self.result("depth", "--pieces", KEY, COMB)
+        squared, pair, hulls = (Fraction(x["squared"]) for x in (found["depth"], found["deepest_pair"]["depth"], found["hulls"]))
+        self.assertTrue(pair < squared < hulls, (pair, squared, hulls))
+
+    def test_bad_input(self):
+        good = self.file("good.obj", PLATE)
+        flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
+        self.refused("piece 1 of B is flat: the pieces of a union need interiors", "--pieces", good, flat)
+        self.refused("none.obj:2: expected at least one face", "--pieces", good, self.file("none.obj", "o a\nv 0 0 0\n"))
+        self.refused("far.obj:5: expected a vertex index of at most 3, found '4'", "--pieces", good,
+                     self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
+        self.refused("--pieces expects OBJ files, whose groups are the pieces, found 'a.off'", "--pieces", "a.off", good)
+        self.refused("--pieces expects two OBJ files", "--pieces", good)
+        self.refused("cannot be combined with --certificate", "--pieces", "--certificate", "x", good, good)
+        self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)
+
+
+if __name__ == "__main__":
+    unittest.main()
