@@ -38,4 +38,4 @@ int main() {
 
 //> depth^2 = 1 along (1, 0, 0), into an exact fit, where 2 pairs touch
 //> deepest pair 1, hulls 4
-//> 2 pieces, X
+//> 2 pieces, 1/2
