@@ -79,7 +79,7 @@ class Pieces(CliTest):
         self.assertEqual((touching["status"], touching["optima"][0]["contacts"][0]["contact"]["kind"]), ("touching", "vertex-vertex"))
         apart = self.pieces(PLATE, obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))
         self.assertEqual((apart["status"], apart["apart"]["distance"]["squared"], apart["apart"]["pieces"]), ("disjoint", "4", [0, 1]))
-        self.assertIn("between       piece 0 of A, piece 1 of B\n",
+        self.assertIn("between   piece 0 of A, piece 1 of B\n",
                       self.answer("depth", "--pieces", self.file("a.obj", PLATE), self.file("b.obj", obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))))
 
     def test_the_comb_and_the_key(self):
@@ -95,7 +95,7 @@ class Pieces(CliTest):
         self.refused("far.obj:5: expected a vertex index of at most 3, found '4'", "--pieces", good,
                      self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
         self.refused("--pieces expects OBJ files, whose groups are the pieces, found 'a.off'", "--pieces", "a.off", good)
-        self.refused("--pieces expects two OBJ files", "--pieces", good)
+        self.refused("found the single mesh", "--pieces", good)
         self.refused("cannot be combined with --certificate", "--pieces", "--certificate", "x", good, good)
         self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)
 
