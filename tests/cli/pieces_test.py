@@ -85,7 +85,8 @@ class Pieces(CliTest):
     def test_the_comb_and_the_key(self):
         found = self.result("depth", "--pieces", KEY, COMB)
         squared, pair, hulls = (Fraction(x["squared"]) for x in (found["depth"], found["deepest_pair"]["depth"], found["hulls"]))
-        self.assertEqual((pair, squared, hulls), (Fraction(1, 4), Fraction(1, 4), Fraction(9, 4)))
+        self.assertEqual((pair, squared, hulls), (Fraction(1, 4), Fraction(5, 8), Fraction(9, 4)))
+        self.assertEqual([each["translation"] for each in found["optima"]], [["-1/4", "3/4", "0"]])
 
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
