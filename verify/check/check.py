@@ -17,7 +17,8 @@ INTEGER = re.compile("-?" + NATURAL.pattern)
 RATIONAL = re.compile(INTEGER.pattern + "(/(?!0+$)" + NATURAL.pattern + ")?")
 TEXT = re.compile("([!-$&-~]|%[0-9A-Fa-f]{2})+")
 NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of each format: how many a claim has
-           2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2}}
+           2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
+           3: {"depth": 1, "touching": 0, "apart": 1}}
 ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
 
 
@@ -148,21 +149,94 @@ class Reader:
             c["radius_" + x] = rational(self.these("radius_" + x, RATIONAL)[1])
             self.advance()
 
+    def claim(self, c):
+        word, claims = (self.fields() + [""])[1], NUMBERS[c["format"]]
+        demand(word in claims, "expected a claim", Malformed)
+        c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * claims[word])[1:]
+        c["bounds"] = [rational(q) for q in bounds]
+        self.advance()
+
+    def pieces(self, x):
+        """The pieces of a union, each a list of points."""
+        count, found = self.header("pieces_" + x), []
+        self.advance()
+        for _ in count:
+            self.count_numbers(1)
+            found.append(self.part(x, [RATIONAL] * 3, rational))
+        return found
+
+    def separations(self):
+        return self.part("separations", [INTEGER] * 3, int)
+
+    def optimum(self):
+        t = tuple(map(rational, self.these("optimum", *[RATIONAL] * 3)[1:]))
+        self.count_numbers(3)
+        self.advance()
+        return t, self.separations()
+
+    def indices(self, word):
+        """Two on one line, behind a word."""
+        i, j = self.these(word, NATURAL, NATURAL)[1:]
+        self.count_numbers(2)
+        self.advance()
+        return int(i), int(j)
+
+    def polytope(self):
+        return *self.indices("polytope"), self.part("vertices", [NATURAL] * 2, int), self.facets()
+
+    def tree(self):
+        nodes = []
+        for _ in self.header("tree"):
+            self.advance()
+            word, *rest = self.fields()
+            demand(word == "leaf" or (word == "split" and rest), "expected split or leaf", Malformed)
+            nodes.append((word, *map(int, self.these(word, *[NATURAL] * len(rest))[1:])))
+            self.count_numbers(1 + len(rest))
+        self.advance()
+        return nodes
+
+    def union(self, c):
+        c["pieces_a"], c["pieces_b"] = self.pieces("a"), self.pieces("b")
+        self.claim(c)
+        c["optima"], c["polytopes"], c["tree"] = [], [], []
+        if c["claim"] == "depth":
+            count = self.header("optima")
+            self.advance()
+            c["optima"] = [self.optimum() for _ in count]
+            count = self.header("polytopes")
+            self.advance()
+            c["polytopes"] = [self.polytope() for _ in count]
+            c["tree"] = self.tree()
+        else:
+            c["optima"] = [((0, 0, 0), self.separations())]
+            c["nearest"] = self.indices("nearest")
+            self.weights(c)
+
+    def weights(self, c):
+        c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
+        c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
+
     def certificate(self, c):
         self.bytes, self.numbers, self.counts = 0, 0, []
-        c["format"] = int(self.these("fathom-certificate", re.compile("[12]"))[1])
+        c["format"] = int(self.these("fathom-certificate", re.compile("[123]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
             self.advance()
+        if c["format"] == 3:
+            self.union(c)
+        else:
+            self.convex(c)
+        counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
+        demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again", Malformed)
+
+    def convex(self, c):
         self.body(c, "a")
         self.body(c, "b")
         shapes, plane = [x for x in "ab" if c["terms_" + x] is not None], c["halfspace_a"] or c["halfspace_b"]
-        word, claims = (self.fields() + [""])[1], NUMBERS[c["format"]]
-        demand(word in claims and not (shapes and word != "signed_bounds"), "expected a claim", Malformed)
-        c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * claims[word])[1:]
-        c["bounds"] = [rational(q) for q in bounds]
-        self.advance()
+        demand(not shapes or self.fields()[1:2] == ["signed_bounds"], "expected a claim of bounds", Malformed)
+        self.claim(c)
+        word = c["claim"]
         c["which"] = self.fields()[-1]
         c["directions"] = self.rows(self.header("directions", re.compile("some|all")), [INTEGER] * 3, int)
         for x in shapes:
@@ -174,15 +248,12 @@ class Reader:
             c["vertices"] = self.part("vertices", [NATURAL] * 2, int)
             c["facets"] = self.facets()
         elif word != "disjoint" and not plane:
-            c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
-            c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
+            self.weights(c)
         if c["format"] == 2 and word == "touching" and not plane and self.fields()[0] == "lineality":
             c["cone"] = True
             c["lineality"] = self.part("lineality", [INTEGER] * 3, int)
             c["rays"] = self.part("rays", [INTEGER] * 3, int)
             c["differences"] = self.part("differences", [NATURAL] * 2, int)
-        counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
-        demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again", Malformed)
 
 
 def widest(numbers):
@@ -236,6 +307,29 @@ def require_limits(c):
     c["unit"] = fine
 
 
+def require_union_limits(c):
+    """Section 12: the same of unions. From here on the points and the weights are integers, over common denominators."""
+    pieces, weights, depth = c["pieces_a"] + c["pieces_b"], c["weights_a"] + c["weights_b"], c["claim"] == "depth"
+    points = [p for piece in pieces for p in piece]
+    corners = [len(corners) for polytope in c["polytopes"] for corners in polytope[3]]
+    vectors = len(points) + sum(len(polytope[2]) for polytope in c["polytopes"]) + 3 * len(corners)
+    c["unit"], w = common_denominator([x for p in points for x in p], vectors)
+    c["whole"], x = common_denominator([weight for _, weight in weights], len(weights))
+    _, e = common_denominator([x for t, _ in c["optima"] for x in t], len(c["optima"])) if depth and c["optima"] else (1, 0)
+    separations = [u for _, each in c["optima"] for u in each]
+    u, v = widest(x for u in separations for x in u), w + 32
+    size = vectors * v + len(separations) * u + len(c["optima"]) * e + len(weights) * x
+    demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    b = widest(n for q in c["bounds"] for n in q.as_integer_ratio())
+    products = len(c["optima"]) * sum(len(c["pieces_" + y]) * sum(map(len, c["pieces_" + x])) for x, y in ("ab", "ba"))
+    work = products * cost(w + e, u) + 16 * (len(points) + sum(k**2 for k in corners)) * cost(v, v) + 4 * len(corners) * cost(4 * v, b)
+    work += 4 * len(weights) * cost(v + x, v + x) + 16 * sum(map(len, c["tree"])) * cost(8 * v, 8 * v + b)
+    demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
+    for x in "ab":
+        c["pieces_" + x] = [[scaled(p, c["unit"]) for p in piece] for piece in c["pieces_" + x]]
+        c["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + x]]
+
+
 def scaled(numbers, unit):
     return tuple(q.numerator * (unit // q.denominator) for q in numbers)
 
@@ -285,18 +379,25 @@ def height(c, x, s):
     return sum(heights) * c["unit"]
 
 
-def check_inner(c, q):
-    """The polytope Q inside P holds the ball of squared radius q."""
-    for j, i in c["vertices"]:
-        demand(j < len(c["b"]) and i < len(c["a"]), "a vertex without a point")
-    vertices = [tuple(y - x for x, y in zip(c["a"][i], c["b"][j])) for j, i in c["vertices"]]
-    demand(c["facets"], "no facet")
-    planes, across, listed = [], {}, set(c["directions"])
-    for f, corners in enumerate(c["facets"]):
+def differences(a, b, pairs):
+    demand(all(j < len(b) and i < len(a) for j, i in pairs), "a difference without a point")
+    return [tuple(y - x for x, y in zip(a[i], b[j])) for j, i in pairs]
+
+
+def plane_through(corners):
+    """Its normal N, and <N,v> of each corner v."""
+    normal = tuple(map(sum, zip(*(cross(corners[k - 1], corners[k]) for k in range(len(corners))))))
+    return normal, dot(normal, corners[0])
+
+
+def check_inner(vertices, facets, q, listed=None):
+    """The polytope holds the ball round O of squared radius q. If normals are listed, then those of all facets at that distance."""
+    demand(facets, "no facet")
+    planes, across = [], {}
+    for f, corners in enumerate(facets):
         demand(len(corners) >= 3 and max(corners) < len(vertices), "a facet without corners")
         v = [vertices[k] for k in corners]
-        normal = tuple(map(sum, zip(*(cross(v[k - 1], v[k]) for k in range(len(v))))))
-        plane = dot(normal, v[0])
+        normal, plane = plane_through(v)
         planes.append((normal, plane))
         reached, needed = plane * plane * q.denominator, q.numerator * dot(normal, normal)
         demand(plane > 0 and reached >= needed, "a facet nearer than claimed")
@@ -304,9 +405,9 @@ def check_inner(c, q):
         demand(all(dot(v[0], cross(v[k], v[k + 1])) > 0 for k in range(1, len(v) - 1)), "corners do not turn one way")
         for k in range(len(corners)):
             across.setdefault((corners[k], corners[k - 1]), f)  # seen from the other side; the first facet counts
-        if c["which"] == "all" and reached == needed:
+        if listed is not None and reached == needed:
             demand(tuple(x // gcd(*normal) for x in normal) in listed, "a nearest facet that is not listed")
-    for corners in c["facets"]:
+    for corners in facets:
         for k in range(len(corners)):
             u, v = corners[k - 1], corners[k]
             demand((u, v) in across, "an edge with one facet")
@@ -333,9 +434,8 @@ def check_cone(c):
         demand(sum(support(c, x, towards(x, u)) for x in "ab") == 0, "a vector of the cone with h > 0")
     demand(all(gcd(*u) == 1 and not any(dot(u, l) for l in lines) for u in rays), "a ray that is not primitive, or not orthogonal")
     demand(all(u < v for u, v in zip(rays, rays[1:])) and k + r >= 1, "rays not in ascending order, or none")
-    demand(all(j < len(c["b"]) and i < len(c["a"]) for j, i in c["differences"]), "a difference without a point")
-    differences = [tuple(y - x for x, y in zip(c["a"][i], c["b"][j])) for j, i in c["differences"]]
-    zeros = [frozenset(i for i, u in enumerate(rays) if dot(d, u) == 0) for d in differences]
+    across = differences(c["a"], c["b"], c["differences"])
+    zeros = [frozenset(i for i, u in enumerate(rays) if dot(d, u) == 0) for d in across]
     if r >= 3:
         sides = Counter(i for zero in set(zeros) for i in zero)
         demand(all(len(zero) == 2 for zero in zeros), "a difference that is not orthogonal to two rays")
@@ -343,7 +443,7 @@ def check_cone(c):
     demand(k + r <= 3 and (r < 2 or any(cross(*rays))), "too many vectors, or opposite rays")
     for i in range(r):
         demand({*range(r)} - {i} in zeros, "the cone may go on behind a ray")
-    flat = [d for d, zero in zip(differences, zeros) if len(zero) == r]
+    flat = [d for d, zero in zip(across, zeros) if len(zero) == r]
     if k + r == 2:
         demand(any(dot(d, e) < 0 for d in flat for e in flat), "the cone may be wider")
     if k + r == 1:
@@ -376,7 +476,8 @@ def check(c):
         h = square(sum((height if c["halfspace_" + x] else support)(c, x, towards(x, directions[0])) for x in "ab"))
         demand(h >= least * dot(directions[0], directions[0]), "the boundary of P may be nearer than claimed")
     elif c["facets"] is not None:
-        check_inner(c, max(least, 0))
+        listed = set(directions) if c["which"] == "all" else None
+        check_inner(differences(c["a"], c["b"], c["vertices"]), c["facets"], max(least, 0), listed)
     elif claim != "disjoint":
         a, b = (combination(c["weights_" + x], c[x], c["whole"]) for x in "ab")
         z = [y - x for x, y in zip(a, b)]
@@ -404,6 +505,121 @@ def proved(c, rho):
     return f"{status} signed_depth={'-' if claim == 'apart' else ''}sqrt({bounds[0] if bounds else 0})+{rho}{optima}{cone}"
 
 
+def has_interior(points):
+    """Whether some four of them do not lie in one plane."""
+    p = points[0] if points else None
+    edges = [tuple(x - y for x, y in zip(r, p)) for r in points]
+    u = next(filter(any, edges), (0, 0, 0))
+    n = next(filter(any, (cross(u, v) for v in edges)), (0, 0, 0))
+    return any(dot(n, v) for v in edges)
+
+
+def require_separations(c, vectors, separates):
+    """One for each pair of pieces: separates(u, h) with the height h of P_ij."""
+    a, b = c["pieces_a"], c["pieces_b"]
+    demand(len(vectors) == len(a) * len(b), "expected one separation for each pair of pieces")
+    for k, u in enumerate(vectors):
+        demand(any(u), "a separation that is zero and proves nothing")
+        h = max(dot(u, p) for p in b[k % len(b)]) - min(dot(u, p) for p in a[k // len(b)])
+        demand(separates(u, h), "a pair of pieces that is not separated")
+
+
+def facet_planes(c, polytope):
+    """The planes of the facets of a polytope inside a P_ij, which holds all that lies below them."""
+    i, j, pairs, facets = polytope
+    demand(i < len(c["pieces_a"]) and j < len(c["pieces_b"]), "a polytope without a piece")
+    vertices = differences(c["pieces_a"][i], c["pieces_b"][j], pairs)
+    total = tuple(map(sum, zip(*vertices)))
+    check_inner([tuple(len(vertices) * x - t for x, t in zip(v, total)) for v in vertices], facets, 0)
+    return [plane_through([vertices[k] for k in corners]) for corners in facets]
+
+
+def determinant(rows):
+    return sum((-1)**k * x * determinant([row[:k] + row[k + 1:] for row in rows[1:]]) for k, x in enumerate(rows[0])) if rows else 1
+
+
+def adjugate(rows):
+    """Of a symmetric matrix."""
+    without = lambda i, j: [row[:j] + row[j + 1:] for row in rows[:i] + rows[i + 1:]]
+    return [[(-1)**(i + j) * determinant(without(i, j)) for j in range(len(rows))] for i in range(len(rows))]
+
+
+def multipliers(half_spaces):
+    """With them the half-spaces add up to one that is as far away as all of them together."""
+    gram, heights = [[dot(n, m) for m, _ in half_spaces] for n, _ in half_spaces], [h for _, h in half_spaces]
+    adjugated = adjugate(gram)
+    if determinant(gram):
+        return [dot_all(row, heights) for row in adjugated]
+    column = next(filter(any, adjugated), [])
+    return column if dot_all(column, heights) >= 0 else minus(column)
+
+
+def dot_all(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
+def check_tree(nodes, polytopes, done):
+    """No point that is nearer than the optima, and none as near but they, is outside of all polytopes: each a list of planes."""
+    undone = [{f for f, plane in enumerate(planes) if not done(*plane)} for planes in polytopes]
+    path, splits, complete = [], [], False  # of each split above: its planes, its children, the next one, the path before it
+    for word, *numbers in nodes:
+        demand(not complete, "nodes behind the tree")
+        if word == "split":
+            s, *children = numbers
+            demand(s < len(polytopes) and all(f < len(polytopes[s]) for f in children), "no such polytope, or no such facet")
+            demand(undone[s] <= set(children), "a facet that is not done and has no child")
+            splits.append([polytopes[s], children, 0, len(path)])
+        else:
+            demand(len(numbers) <= 4 and all(i < len(path) for i in numbers), "more than four constraints, or one that is not on the path")
+            used = [path[i] for i in numbers]
+            factors = multipliers(used)
+            demand(all(l >= 0 for l in factors), "a constraint that does not count")
+            normal = tuple(sum(l * n[k] for l, (n, _) in zip(factors, used)) for k in range(3))
+            demand(done(normal, sum(l * h for l, (_, h) in zip(factors, used))), "a cell that is nearer than claimed")
+        while splits and splits[-1][2] == len(splits[-1][1]):
+            splits.pop()
+        if splits:
+            planes, children, k, before = splits[-1]
+            del path[before + max(k - 1, 0):]
+            if k > 0:
+                normal, h = planes[children[k - 1]]
+                path.append((minus(normal), -h))
+            path.append(planes[children[k]])
+            splits[-1][2] += 1
+        else:
+            complete = True
+    demand(complete, "a tree that is cut off")
+
+
+def check_union(c):
+    """Section 12. What is proved, for the verdict line."""
+    a, b, unit = c["pieces_a"], c["pieces_b"], c["unit"]
+    demand(a and b and all(map(has_interior, a + b)), "no pieces, or one without an interior")
+    q = c["bounds"][0] if c["bounds"] else 0
+    demand(c["claim"] == "touching" or q > 0, "a distance that is not positive")
+    size = f"pieces={len(a)}x{len(b)}"
+    if c["claim"] == "depth":
+        found = [t for t, _ in c["optima"]]
+        demand(found and all(t < s for t, s in zip(found, found[1:])), "no optimum, or not in ascending order")
+        for t, vectors in c["optima"]:
+            demand(dot(t, t) == q, "an optimum that is not as far as claimed")
+            require_separations(c, vectors, lambda u, h: dot(u, t) * unit >= h)
+        listed, squared = set(found), q * unit**2
+
+        def done(n, h):  # the half-space <n,x> >= h, in units of the points
+            reached, needed = h * h * squared.denominator, squared.numerator * dot(n, n)
+            return h > 0 and (reached > needed or (reached == needed and tuple(Fraction(h * x, dot(n, n) * unit) for x in n) in listed))
+
+        check_tree(c["tree"], [facet_planes(c, polytope) for polytope in c["polytopes"]], done)
+        return f"penetrating depth_squared={q} optima={len(found)} {size}"
+    require_separations(c, c["optima"][0][1], lambda u, h: square(h) <= -q * unit**2 * dot(u, u))
+    i, j = c["nearest"]
+    demand(i < len(a) and j < len(b), "no such piece")
+    z = [y - x for x, y in zip(combination(c["weights_a"], a[i], c["whole"]), combination(c["weights_b"], b[j], c["whole"]))]
+    demand(dot(z, z) == q * (unit * c["whole"])**2, "points that are not as far from each other as claimed")
+    return f"disjoint distance_squared={q} {size}" if q else f"touching depth_squared=0 {size}"
+
+
 def verdicts(file, name):
     """One (exit code, line) per certificate; at least one."""
     reader, any_yet = Reader(file), False
@@ -416,8 +632,8 @@ def verdicts(file, name):
         c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": []})
         try:
             reader.certificate(c)
-            require_limits(c)
-            yield 0, f"s VERIFIED {check(c)} {c['id'] or name}"
+            (require_union_limits if c["format"] == 3 else require_limits)(c)
+            yield 0, f"s VERIFIED {(check_union if c['format'] == 3 else check)(c)} {c['id'] or name}"
             reader.advance()
         except Refused as error:
             yield 1, f"s REFUSED {c['id'] or name}:{reader.number}: {error}"
