@@ -37,6 +37,8 @@ Vec3<NT> operator-(const Vec3<NT>& a) {
   return {NT(-a.x), NT(-a.y), NT(-a.z)};
 }
 
+inline Vector operator*(const mpz_class& s, const Vector& v) { return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)}; }
+
 template <class NT>
 bool is_zero(const Vec3<NT>& v) {
   return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0;

@@ -89,12 +89,12 @@ std::string union_text(const UnionDepth& depth, const Request& request) {
   return aligned(depth.complete ? std::string(name(depth.status)) : "interrupted", rows);
 }
 
-std::string union_json(const std::string& id, const UnionDepth& depth) {
+std::string union_json(const std::string& id, const UnionDepth& depth, const std::string& certificate) {
   Json optima = Json::array();
   for (const UnionOptimum& o : depth.optima) optima.push_back(optimum_json(o));
   const UnionBounds& bounds = *depth.bounds;
   const UnionCounters& c = depth.counters;
-  return Json{
+  Json result{
       {"schema", "fathom/union/1"},
       {"fathom", FATHOM_VERSION},
       {"id", id},
@@ -108,8 +108,9 @@ std::string union_json(const std::string& id, const UnionDepth& depth) {
       {"deepest_pair",
        Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
       {"hulls", length(bounds.hulls, std::nullopt)},
-      {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}}
-      .text();
+      {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
+  if (!certificate.empty()) result["certificate"] = certificate;
+  return result.text();
 }
 
 }  // namespace fathom::cli

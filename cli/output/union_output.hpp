@@ -11,7 +11,7 @@ namespace fathom::cli {
 
 /// Several lines, without the last newline.
 std::string union_text(const UnionDepth& depth, const Request& request);
-/// One line, pure ASCII.
-std::string union_json(const std::string& id, const UnionDepth& depth);
+/// One line, pure ASCII. With the certificate, if it is not empty.
+std::string union_json(const std::string& id, const UnionDepth& depth, const std::string& certificate);
 
 }  // namespace fathom::cli

@@ -21,6 +21,7 @@
 #include "fathom/point.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 
 namespace fathom {
 
@@ -109,5 +110,13 @@ enum class ShapeFormat {
 /// The text of make_certificate(a, b, answer), with this id.
 std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& answer, std::string_view id = {},
                              ShapeFormat format = ShapeFormat::shortest, Monitor* monitor = nullptr);
+
+// ---- unions of convex pieces: format 3 ----
+
+/// The text of a certificate of the answer to union_depth(a, b): the depth with all optima, touching, or the distance. Its length and the
+/// time grow with the search that the answer took. Throws std::logic_error if the answer is not complete or the proof contradicts it,
+/// std::invalid_argument as union_depth does, and Interrupted.
+std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth& answer, std::string_view id = {},
+                             Monitor* monitor = nullptr);
 
 }  // namespace fathom

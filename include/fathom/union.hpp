@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies, each the union of convex pieces.
-// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions_search.md]
+// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions.md]
 //
 // Pieces may overlap, and abut: where two of them meet in a common face, the body has no gap. A + t and B overlap if their interiors have a
 // common point, and the depth is the least |t| for which they do not. A path from O to t is not asked for.

@@ -8,8 +8,6 @@ namespace {
 
 using kernels::RationalPoint;
 
-Vector times(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
 // The line in which two planes meet.
 class Line {
  public:
@@ -19,14 +17,14 @@ class Line {
 
   // Its point nearest to O.
   [[nodiscard]] RationalPoint foot() const {
-    return kernels::rational_point(times(g_->height, cross(h_->normal, direction_)) + times(h_->height, cross(direction_, g_->normal)),
+    return kernels::rational_point(g_->height * cross(h_->normal, direction_) + h_->height * cross(direction_, g_->normal),
                                    dot(direction_, direction_), exponent_);
   }
   // The sign of the direction in which the line leads beyond a plane: 0 if it is parallel to it.
   [[nodiscard]] int leads_beyond(Barrier e) const { return sgn(dot(direction_, e->normal)); }
   [[nodiscard]] RationalPoint meeting(Barrier e) const {
     return kernels::rational_point(
-        times(g_->height, cross(h_->normal, e->normal)) + times(h_->height, cross(e->normal, g_->normal)) + times(e->height, direction_),
+        g_->height * cross(h_->normal, e->normal) + h_->height * cross(e->normal, g_->normal) + e->height * direction_,
         dot(direction_, e->normal), exponent_);
   }
 
@@ -72,7 +70,7 @@ CellEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const k
     for (const Barrier barrier : with)
       if (barrier != nullptr) conflict->push_back(barrier);
   };
-  nearest = kernels::rational_point(times(wall->height, wall->normal), dot(wall->normal, wall->normal), exponent);
+  nearest = kernels::rational_point(wall->height * wall->normal, dot(wall->normal, wall->normal), exponent);
   if (limit != nullptr && kernels::compare(nearest, *limit) > 0) return CellEnd::beyond;
   for (std::size_t i = 0; i < barriers.size(); ++i) {
     if (kernels::side(*barriers[i], nearest) >= 0) continue;

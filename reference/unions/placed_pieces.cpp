@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "kernels/number/ratio.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::unions {
@@ -47,5 +48,20 @@ PlacedPieces place_pieces(const Pieces& a, const Pieces& b) {
 }
 
 polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const { return {whole.denominator, whole.origin, a[i], b[j]}; }
+
+Point PlacedPieces::translation(const kernels::RationalPoint& p) const {
+  const mpz_class w = p.w * whole.denominator;
+  return {kernels::ratio(p.v.x, w), kernels::ratio(p.v.y, w), kernels::ratio(p.v.z, w)};
+}
+
+kernels::RationalPoint PlacedPieces::point(const Point& t) const {
+  const mpz_class w = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
+  const auto over_w = [&](const mpq_class& x) { return mpz_class(x.get_num() * (w / x.get_den()) * whole.denominator); };
+  return kernels::rational_point({over_w(t.x), over_w(t.y), over_w(t.z)}, w, exponent());
+}
+
+mpq_class PlacedPieces::squared(const mpz_class& numerator, const mpz_class& denominator) const {
+  return kernels::ratio(numerator, denominator * whole.denominator * whole.denominator);
+}
 
 }  // namespace fathom::unions

@@ -18,12 +18,6 @@ namespace {
 
 using kernels::RationalPoint;
 
-bool before(const Point& p, const Point& q) {
-  if (const int c = cmp(p.x, q.x)) return c < 0;
-  if (const int c = cmp(p.y, q.y)) return c < 0;
-  return cmp(p.z, q.z) < 0;
-}
-
 // Of the hulls of A and B, with its optima as points of the lattice: no P_ij holds one in its interior.
 struct HullDepth {
   mpq_class squared;
@@ -78,13 +72,12 @@ class Answer {
     }
     search_.dive();
     result_.complete = search_.run(context_);
-    const mpz_class unit = pieces_.whole.denominator * pieces_.whole.denominator;
-    result_.high = kernels::ratio(search_.best()->numerator, search_.best()->denominator * unit);
-    result_.low = result_.complete ? result_.high : search_.low() / unit;
+    result_.high = *search_.squared_best();
+    result_.low = result_.complete ? result_.high : search_.squared_low();
     if (result_.bounds) result_.low = std::max(result_.low, result_.bounds->deepest_pair);
     for (const RationalPoint& p : search_.optima()) result_.optima.push_back(optimum(p));
     std::sort(result_.optima.begin(), result_.optima.end(),
-              [](const UnionOptimum& x, const UnionOptimum& y) { return before(x.translation, y.translation); });
+              [](const UnionOptimum& x, const UnionOptimum& y) { return is_before(x.translation, y.translation); });
   }
 
   HullDepth hull_depth() {
@@ -93,7 +86,7 @@ class Answer {
     for (const Optimum& o : depth.optima()) {
       const mpz_class height(o.support * pieces_.whole.denominator);
       const Vector& n = o.direction;
-      result.optima.push_back(kernels::rational_point({height * n.x, height * n.y, height * n.z}, dot(n, n), pieces_.exponent()));
+      result.optima.push_back(kernels::rational_point(height * n, dot(n, n), pieces_.exponent()));
     }
     return result;
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What proves the depth of two unions of convex pieces, as plain data: polytopes inside differences of pieces, a tree that splits space at
-// their facets, and the optima. All numbers are in the unit of the input.                                      [proofs/unions_search.md]
+// their facets, and the optima. All numbers are in the unit of the input.                                      [proofs/unions.md]
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,21 +13,19 @@ namespace fathom::unions {
 /// A polytope Q inside P_ij = B_j (+) (-A_i). Its vertices are differences of the points of these pieces, by their indices in the pieces.
 /// Unlike that of two convex bodies it need not hold O.
 struct PiecePolytope {
-  std::uint32_t a = 0, b = 0;             ///< i and j: which pieces
-  InnerPolytope inner;                    ///< vertices and facets, coplanar ones merged
-  std::array<std::uint32_t, 4> inside{};  ///< four vertices that do not lie in one plane: their mean lies in the interior
+  std::uint32_t a = 0, b = 0;  ///< i and j: which pieces
+  InnerPolytope inner;         ///< vertices and facets, coplanar ones merged
 };
 
-/// A node of the tree, which stands in preorder: after a split come its `children` subtrees. A node stands for a cell, the points x that
-/// meet the constraints of its path, numbered from 0, from the root on. On the way from a split to its child number c (from 0) these are
-/// added: for each child before it, in their order, <n, x> <= h of that child's facet; then <n, x> >= h of the child's own facet.
-/// Facets of the split's polytope that no child names have h > 0 and h^2 >= q <n,n>.
+/// A node of the tree, which stands in preorder: after a split come the subtrees of its children. A node stands for a cell, the points x
+/// that meet the constraints of its path, numbered from 0, from the root on. On the way from a split to its child number c (from 0) these
+/// are added: for each child before it, in their order, <n, x> <= h of that child's facet; then <n, x> >= h of the child's own facet.
+/// Facets of the split's polytope without a child have h > 0 and h^2 > q <n,n>.
 struct ProofNode {
-  std::uint32_t facet = 0;            ///< which facet of its parent's polytope leads here; 0 for the root
-  bool split = false;                 ///< else a leaf
-  std::uint32_t polytope = 0;         ///< of a split: which one
-  std::uint32_t children = 0;         ///< of a split: how many
-  std::vector<std::uint32_t> active;  ///< of a leaf: at most four constraints of the path that alone keep its cell at distance sqrt(q)
+  bool split = false;                  ///< else a leaf
+  std::uint32_t polytope = 0;          ///< of a split: which one
+  std::vector<std::uint32_t> numbers;  ///< of a split: the facets of its children, each once. Of a leaf: at most four constraints of the
+                                       ///< path that alone keep its cell at distance sqrt(q), or that have no common point; none can go
 };
 
 /// A place of O outside all interiors of P_ij at the depth, and for each pair of pieces a direction u other than 0 with <u, t> >= h_ij(u).

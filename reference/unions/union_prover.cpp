@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search once more, depth first, with the answer as its limit. Q grows on the way, so that the tree is built again until it does not.
+// The search once more, depth first, with the answer as its limit. The polytopes grow on the way; so the tree is built again, until they do
+// not: else the proof would hold each of them in many sizes.
 #include "reference/unions/union_prover.hpp"
 
 #include <algorithm>
@@ -7,8 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/vector.hpp"
 #include "reference/unions/multipliers.hpp"
+#include "reference/unions/union_search.hpp"
 
 namespace fathom::unions {
 namespace {
@@ -28,17 +30,12 @@ class Prover {
       corners = count_corners();
       proof_ = {};
       versions_.clear();
-      add_node(0);
       prove_cell(RationalPoint{});
     }
-    const mpz_class unit = pieces_.whole.denominator * pieces_.whole.denominator;
-    proof_.squared = kernels::ratio(search_.best()->numerator, search_.best()->denominator * unit);
+    proof_.squared = *search_.squared_best();
     for (const RationalPoint& p : search_.optima()) add_optimum(p);
-    const auto before = [](const ProofOptimum& s, const ProofOptimum& t) {
-      const Point &p = s.translation, &q = t.translation;
-      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-    };
-    std::sort(proof_.optima.begin(), proof_.optima.end(), before);
+    std::sort(proof_.optima.begin(), proof_.optima.end(),
+              [](const ProofOptimum& s, const ProofOptimum& t) { return is_before(s.translation, t.translation); });
     return std::move(proof_);
   }
 
@@ -54,13 +51,7 @@ class Prover {
     return count;
   }
 
-  std::size_t add_node(std::uint32_t facet) {
-    ProofNode& node = proof_.nodes.emplace_back();
-    node.facet = facet;
-    return proof_.nodes.size() - 1;
-  }
-
-  // The last node is that of a cell whose nearest point is p, not farther than the depth.
+  // Adds what proves the cell of the path, whose nearest point is p, not farther than the depth.
   void prove_cell(const RationalPoint& p) {
     context_.report("proof of the union");
     const bool known =
@@ -75,37 +66,33 @@ class Prover {
     const std::vector<UnionSearch::OpenFacet> open = search_.open_facets(pair, path_);
     const Version& version = version_of(pair);
     const std::vector<std::uint32_t> facet_of = version.facet_of;
-    const std::size_t node = proof_.nodes.size() - 1, before = path_.size();
-    proof_.nodes[node].split = true;
-    proof_.nodes[node].polytope = version.index;
+    const std::size_t node = proof_.nodes.size(), before = path_.size();
+    proof_.nodes.push_back({true, version.index, {}});
     std::vector<bool> listed(*std::max_element(facet_of.begin(), facet_of.end()) + 1, false);
     const std::vector<PieceFacet*> facets = pair.facets();
     const auto merged = [&](const PieceFacet* f) {
       return facet_of[static_cast<std::size_t>(std::find(facets.begin(), facets.end(), f) - facets.begin())];
     };
-    std::uint32_t children = 0;
     const auto child = [&](PieceFacet* f) {
       listed[merged(f)] = true;
-      ++children;
-      add_node(merged(f));
+      proof_.nodes[node].numbers.push_back(merged(f));
       prove_beyond(f);
       path_.push_back(&f->reversed);
     };
     for (const UnionSearch::OpenFacet& o : open) child(o.facet);
     for (PieceFacet* f : facets)
       if (!listed[merged(f)] && !kernels::farther(f->plane, *search_.best())) child(f);
-    proof_.nodes[node].children = children;
     path_.resize(before);
   }
 
-  // The last node is that of the cell of the path and the facet.
+  // The same for the cell of the path and the facet.
   void prove_beyond(PieceFacet* f) {
     RationalPoint nearest;
     std::vector<Barrier> conflict;
     CellEnd end = nearest_on_wall(&f->plane, path_, nullptr, pieces_.exponent(), nearest, &conflict);
     path_.push_back(&f->plane);
     if (end == CellEnd::infeasible) {
-      close(conflict);
+      close(without_spare(conflict));
     } else if (kernels::compare(nearest, *search_.best()) > 0) {
       close_at(nearest);
     } else {
@@ -115,8 +102,21 @@ class Prover {
   }
 
   void close(const std::vector<Barrier>& active) {
+    std::vector<std::uint32_t>& numbers = proof_.nodes.emplace_back().numbers;
     for (const Barrier barrier : active)
-      proof_.nodes.back().active.push_back(static_cast<std::uint32_t>(std::find(path_.begin(), path_.end(), barrier) - path_.begin()));
+      numbers.push_back(static_cast<std::uint32_t>(std::find(path_.begin(), path_.end(), barrier) - path_.begin()));
+  }
+
+  // Barriers without a common point, of which none can go: then only one combination of them is a contradiction, which checkers find.
+  [[nodiscard]] std::vector<Barrier> without_spare(std::vector<Barrier> barriers) const {
+    for (std::size_t i = 0; i < barriers.size();) {
+      std::vector<Barrier> fewer = barriers;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      RationalPoint p;
+      if (nearest_in_cell(fewer, pieces_.exponent(), p) == CellEnd::infeasible) barriers = std::move(fewer);
+      else ++i;
+    }
+    return barriers;
   }
 
   void close_at(const RationalPoint& p) {
@@ -137,31 +137,13 @@ class Prover {
     polytope.a = static_cast<std::uint32_t>(k / pieces_.b.size());
     polytope.b = static_cast<std::uint32_t>(k % pieces_.b.size());
     polytope.inner = pair.inner(place->second.facet_of);
-    polytope.inside = spanning(polytope);
     return place->second;
   }
 
-  // The corners of a facet that are not in one line with each other, and a corner off its plane.
-  [[nodiscard]] std::array<std::uint32_t, 4> spanning(const PiecePolytope& polytope) const {
-    const auto at = [&](std::uint32_t v) {
-      const auto& [a, b] = polytope.inner.vertices[v];
-      return pieces_.b[polytope.b][b] - pieces_.a[polytope.a][a];
-    };
-    const std::vector<std::uint32_t>& facet = polytope.inner.facets.front();
-    const Vector p = at(facet[0]), n = cross(at(facet[1]) - p, at(facet[2]) - p);
-    std::uint32_t off = 0;
-    while (dot(n, at(off) - p) == 0) ++off;
-    return {facet[0], facet[1], facet[2], off};
-  }
-
   void add_optimum(const RationalPoint& p) {
-    const mpz_class w = p.w * pieces_.whole.denominator;
     ProofOptimum& optimum = proof_.optima.emplace_back();
-    optimum.translation = {kernels::ratio(p.v.x, w), kernels::ratio(p.v.y, w), kernels::ratio(p.v.z, w)};
-    for (const auto& pair : search_.pairs()) {
-      if (pair->contains(p)) throw std::logic_error("a translation out of a union lies inside");
-      optimum.directions.push_back(pair->separation().normal);
-    }
+    optimum.translation = pieces_.translation(p);
+    optimum.directions = separations(search_, p);
   }
 
   kernels::Context& context_;
@@ -174,17 +156,20 @@ class Prover {
 
 }  // namespace
 
-UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search) {
-  return Prover(context, pieces, search).run();
+std::vector<Vector> separations(const UnionSearch& search, const RationalPoint& p) {
+  std::vector<Vector> directions;
+  for (const auto& pair : search.pairs()) {
+    if (pair->contains(p)) throw std::logic_error("a translation out of a union lies inside");
+    directions.push_back(pair->separation().normal);
+  }
+  return directions;
 }
 
-UnionProof prove_union_depth(kernels::Context& context, const Pieces& a, const Pieces& b) {
-  const PlacedPieces pieces = place_pieces(a, b);
+UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, const std::vector<UnionOptimum>& optima) {
   UnionSearch search(pieces);
-  if (search.starts_free()) throw std::invalid_argument("a proof of the depth of unions that do not penetrate");
-  search.dive();
-  if (!search.run(context)) throw Interrupted();
-  return prove(context, pieces, search);
+  for (const UnionOptimum& o : optima) search.offer(pieces.point(o.translation));
+  if (search.starts_free() || search.optima().size() != optima.size()) throw std::logic_error("translations that are not the optima of a union");
+  return Prover(context, pieces, search).run();
 }
 
 }  // namespace fathom::unions

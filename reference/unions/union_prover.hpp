@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two unions that penetrate.
-// Output  the proof of their depth, as plain data.                                                               [proofs/unions_search.md]
+// Input   two unions that penetrate, and the optima.
+// Output  the proof of their depth, as plain data.                                                               [proofs/unions.md]
 #pragma once
 
 #include "fathom/union.hpp"
 #include "kernels/context.hpp"
 #include "reference/unions/union_proof.hpp"
 #include "reference/unions/union_search.hpp"
+#include "reference/unions/placed_pieces.hpp"
 
 namespace fathom::unions {
 
-/// Proves the answer of a search that has run to its end; its polytopes grow where that makes the proof shorter. Throws std::logic_error if
-/// the answer is not true, and Interrupted.
-UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search);
+/// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum. Throws std::logic_error if p is not free.
+std::vector<Vector> separations(const UnionSearch& search, const kernels::RationalPoint& p);
 
-/// Searches, and proves what it finds. Throws std::invalid_argument as union_depth does and if the unions do not penetrate; Interrupted.
-UnionProof prove_union_depth(kernels::Context& context, const Pieces& a, const Pieces& b);
+/// Proves that these are the optima of unions that penetrate, translations of A in the unit of the input. Throws std::logic_error if they
+/// are not, and Interrupted.
+UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, const std::vector<UnionOptimum>& optima);
 
 }  // namespace fathom::unions

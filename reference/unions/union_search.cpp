@@ -5,22 +5,21 @@
 #include <map>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
-
 namespace fathom::unions {
-namespace {
 
 using kernels::RationalPoint;
-
-mpq_class squared(const RationalPoint& p) { return kernels::ratio(dot(p.v, p.v), p.w * p.w); }
-
-}  // namespace
 
 bool same_point(const RationalPoint& p, const RationalPoint& q) {
   return p.v.x * q.w == q.v.x * p.w && p.v.y * q.w == q.v.y * p.w && p.v.z * q.w == q.v.z * p.w;
 }
 
-UnionSearch::UnionSearch(const PlacedPieces& pieces) : exponent_(pieces.exponent()) {
+bool is_before(const Point& p, const Point& q) {
+  if (const int c = cmp(p.x, q.x)) return c < 0;
+  if (const int c = cmp(p.y, q.y)) return c < 0;
+  return cmp(p.z, q.z) < 0;
+}
+
+UnionSearch::UnionSearch(const PlacedPieces& pieces) : pieces_(pieces) {
   for (const kernels::PointCloud& a : pieces.a)
     for (const kernels::PointCloud& b : pieces.b) recent_.push_back(pairs_.emplace_back(std::make_unique<PiecePair>(a, b)).get());
   push(RationalPoint{}, none);
@@ -67,7 +66,7 @@ PiecePair* UnionSearch::deepest(const RationalPoint& p) {
 
 CellEnd UnionSearch::cut(std::span<const Barrier> cell, Barrier wall, RationalPoint& nearest) {
   ++counts_.nearest_points;
-  return nearest_on_wall(wall, cell, best_ ? &*best_ : nullptr, exponent_, nearest);
+  return nearest_on_wall(wall, cell, best_ ? &*best_ : nullptr, pieces_.exponent(), nearest);
 }
 
 std::vector<UnionSearch::OpenFacet> UnionSearch::open_facets(PiecePair& pair, std::span<const Barrier> cell) {
@@ -123,11 +122,11 @@ void UnionSearch::dive() {
 
 void UnionSearch::push(RationalPoint nearest, std::uint32_t link) {
   open_.push_back({std::move(nearest), link});
-  std::push_heap(open_.begin(), open_.end(), [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
+  std::push_heap(open_.begin(), open_.end(), is_farther);
 }
 
 UnionSearch::Cell UnionSearch::pop() {
-  std::pop_heap(open_.begin(), open_.end(), [](const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; });
+  std::pop_heap(open_.begin(), open_.end(), is_farther);
   Cell cell = std::move(open_.back());
   open_.pop_back();
   return cell;
@@ -174,11 +173,16 @@ bool UnionSearch::run(kernels::Context& context) {
   return true;
 }
 
-mpq_class UnionSearch::low() const {
-  std::optional<mpq_class> least;
-  if (best_) least = kernels::ratio(best_->numerator, best_->denominator);
+std::optional<mpq_class> UnionSearch::squared_best() const {
+  if (!best_) return std::nullopt;
+  return pieces_.squared(best_->numerator, best_->denominator);
+}
+
+mpq_class UnionSearch::squared_low() const {
+  std::optional<mpq_class> least = squared_best();
   for (const Cell& cell : open_) {
-    mpq_class q = squared(cell.nearest);
+    const RationalPoint& p = cell.nearest;
+    mpq_class q = pieces_.squared(dot(p.v, p.v), p.w * p.w);
     if (!least || q < *least) least = std::move(q);
   }
   return least.value_or(0);

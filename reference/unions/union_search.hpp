@@ -3,7 +3,7 @@
 // Output  the least squared length of a translation t of A that lies in the interior of no P_ij, and all such t.
 //         A branch-and-bound search over cells of half-spaces, by their exact points nearest to O: the cell whose point is nearest comes
 //         first. If that point lies in the interior of a P_ij, the facets of a polytope inside P_ij split the rest of the cell.
-//                                                                                                              [proofs/unions_search.md]
+//                                                                                                              [proofs/unions.md]
 #pragma once
 
 #include <cstdint>
@@ -31,15 +31,16 @@ class UnionSearch {
   void offer(const kernels::RationalPoint& p);
   /// Walks greedily to a free point, and offers it.
   void dive();
-  /// Searches to the end. Returns false if the context stopped it; then low() and best() enclose the answer.
+  /// Searches to the end. Returns false if the context stopped it; then squared_low() and best() enclose the answer.
   bool run(kernels::Context& context);
 
   /// The squared distance of the nearest free point so far; at the end the nearest there is.
   [[nodiscard]] const std::optional<kernels::SquaredDistance>& best() const { return best_; }
   /// At the end: all nearest free points.
   [[nodiscard]] const std::vector<kernels::RationalPoint>& optima() const { return optima_; }
-  /// No free point is nearer: an exact squared distance.
-  [[nodiscard]] mpq_class low() const;
+  /// The squared distances of best(), and of a bound below all free points, in the unit of the input.
+  [[nodiscard]] std::optional<mpq_class> squared_best() const;
+  [[nodiscard]] mpq_class squared_low() const;
   [[nodiscard]] UnionCounters counts() const;
   /// Of piece i of A and piece j of B: at i * (number of pieces of B) + j.
   [[nodiscard]] std::span<const std::unique_ptr<PiecePair>> pairs() const { return pairs_; }
@@ -66,6 +67,8 @@ class UnionSearch {
   };
   static constexpr std::uint32_t none = UINT32_MAX;
 
+  static bool is_farther(const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; }
+
   void push(kernels::RationalPoint nearest, std::uint32_t link);
   Cell pop();
   void split(const Cell& cell);
@@ -73,7 +76,7 @@ class UnionSearch {
   bool is_free(const kernels::RationalPoint& p);
   void accept(const kernels::RationalPoint& p);
 
-  long exponent_;
+  const PlacedPieces& pieces_;
   std::vector<std::unique_ptr<PiecePair>> pairs_;
   std::vector<PiecePair*> recent_;  // those that held a point last come first
   std::vector<Link> links_;
@@ -84,7 +87,10 @@ class UnionSearch {
   UnionCounters counts_;
 };
 
-/// p - q = 0?
+/// Whether p = q.
 bool same_point(const kernels::RationalPoint& p, const kernels::RationalPoint& q);
+
+/// Whether p comes before q in lexicographic order.
+bool is_before(const Point& p, const Point& q);
 
 }  // namespace fathom::unions

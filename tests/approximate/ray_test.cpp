@@ -22,7 +22,6 @@ namespace fathom::approximate {
 namespace {
 
 using testing::cases_of_all_families;
-using testing::operator*;
 
 /// Where O lies in P of any rank: -1 inside, 0 on the boundary or in a flat P, 1 outside.
 int place_of_origin(const polytope::Polytope& p) {

@@ -13,7 +13,6 @@ namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
-using testing::operator*;  // that of Sign hides it
 
 struct Tally {
   int sure = 0, unsure = 0;

@@ -14,7 +14,6 @@ namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
-using testing::operator*;  // that of Sign hides it
 
 struct Plane {
   Vector normal;

@@ -19,7 +19,6 @@ namespace fathom::kernels {
 namespace {
 
 using namespace fathom::testing;
-using testing::operator*;  // that of Sign hides it
 
 template <class Property>
 void for_all_sizes(const std::string& law, const Property& property) {

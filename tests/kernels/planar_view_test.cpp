@@ -15,7 +15,6 @@ namespace {
 using testing::directions;
 using testing::smallest_steps;
 using testing::vectors;
-using testing::operator*;
 
 /// The middle one of points o, p, q is turned about by lexicographic comparison of two determinants: the axis after the greatest
 /// component of u, in cyclic order, then the one after that.

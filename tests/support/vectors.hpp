@@ -90,6 +90,4 @@ inline rc::Gen<Vector> smallest_steps() {
                           Vector{0, 0, -1});
 }
 
-inline Vector operator*(const mpz_class& s, const Vector& v) { return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)}; }
-
 }  // namespace fathom::testing

@@ -39,15 +39,15 @@ class Naive {
     consider({0, 0, 0}, 1);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const auto& [f, a, unused1, unused2] = planes[i];
-      consider(times(a, f), dot(f, f));
+      consider(a * f, dot(f, f));
       for (std::size_t j = 0; j < i; ++j) {
         const auto& [g, b, unused3, unused4] = planes[j];
         const Vector d = cross(f, g);
         if (is_zero(d)) continue;
-        consider(times(a, cross(g, d)) + times(b, cross(d, f)), dot(d, d));
+        consider(a * cross(g, d) + b * cross(d, f), dot(d, d));
         for (std::size_t k = 0; k < j; ++k) {
           const auto& [e, c, unused5, unused6] = planes[k];
-          if (dot(d, e) != 0) consider(times(a, cross(g, e)) + times(b, cross(e, f)) + times(c, d), dot(d, e));
+          if (dot(d, e) != 0) consider(a * cross(g, e) + b * cross(e, f) + c * d, dot(d, e));
         }
       }
     }
@@ -55,7 +55,6 @@ class Naive {
   std::optional<mpq_class> squared;
 
  private:
-  static Vector times(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
   void consider(Vector v, mpz_class w) {
     if (w < 0) {
       v = -v;

@@ -58,22 +58,20 @@ class NaiveSearch {
     distinct_.insert(planes.begin(), planes.end());
   }
 
-  static Vector times(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
   [[nodiscard]] bool free(const Vector& v, const mpz_class& w) const {
     return std::none_of(pairs_.begin(), pairs_.end(), [&](const std::vector<Plane>& planes) {
       return std::all_of(planes.begin(), planes.end(), [&](const Plane& f) { return dot(f.n, v) < f.h * w; });
     });
   }
 
-  void one(const Plane& f) { consider(times(f.h, f.n), dot(f.n, f.n)); }
+  void one(const Plane& f) { consider(f.h * f.n, dot(f.n, f.n)); }
   void two(const Plane& f, const Plane& g) {
     const Vector d = cross(f.n, g.n);
-    if (!is_zero(d)) consider(times(f.h, cross(g.n, d)) + times(g.h, cross(d, f.n)), dot(d, d));
+    if (!is_zero(d)) consider(f.h * cross(g.n, d) + g.h * cross(d, f.n), dot(d, d));
   }
   void three(const Plane& f, const Plane& g, const Plane& e) {
     const mpz_class w = det(f.n, g.n, e.n);
-    if (w != 0) consider(times(f.h, cross(g.n, e.n)) + times(g.h, cross(e.n, f.n)) + times(e.h, cross(f.n, g.n)), w);
+    if (w != 0) consider(f.h * cross(g.n, e.n) + g.h * cross(e.n, f.n) + e.h * cross(f.n, g.n), w);
   }
 
   void consider(Vector v, mpz_class w) {

@@ -57,7 +57,8 @@ inline Pieces random_pieces(std::mt19937_64& random, std::size_t pieces, std::si
   Pieces result;
   for (std::size_t i = 0; i < pieces; ++i) {
     const mpq_class at(static_cast<unsigned long>(step * i));
-    result.push_back(moved({random_piece(random, points, size)}, {at, random() % 2 == 0 ? at : mpq_class(0), 0}).front());
+    const mpq_class beside = random() % 2 == 0 ? at : mpq_class(0);  // drawn first: compilers differ in the order of arguments
+    result.push_back(moved({random_piece(random, points, size)}, {at, beside, 0}).front());
   }
   return result;
 }

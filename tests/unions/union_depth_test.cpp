@@ -41,7 +41,7 @@ TEST(UnionDepth, IsThatOfTheNaiveTwin) {
     const Pieces b = random_pieces(random, 1 + seed / 2 % 3, 4, size, size / 2);
     expect_naive(a, b, seen);
   }
-  EXPECT_GT(seen.penetrating, 30U);
+  EXPECT_GT(seen.penetrating, 40U);
   EXPECT_GT(seen.between, 5U);
 }
 

@@ -47,14 +47,14 @@ class ProofCheck {
   void read(const PiecePolytope& polytope) {
     std::vector<Vector> corners;
     for (const auto& [i, j] : polytope.inner.vertices) corners.push_back(b_.at(polytope.b).at(j) - a_.at(polytope.a).at(i));
-    Vector mean{0, 0, 0};
-    for (const std::uint32_t v : polytope.inside) mean = mean + corners.at(v);
+    Vector sum{0, 0, 0};
+    for (const Vector& v : corners) sum = sum + v;
     std::vector<Plane>& planes = planes_.emplace_back();
     for (const std::vector<std::uint32_t>& f : polytope.inner.facets) {
       const Vector &p = corners.at(f.at(0)), n = primitive(cross(corners.at(f.at(1)) - p, corners.at(f.at(2)) - p));
       planes.push_back({n, dot(n, p)});
       for (const Vector& v : corners) expect(dot(n, v) <= planes.back().h, "a polytope is not convex");
-      expect(dot(n, mean) < 4 * planes.back().h, "an inner point is not inside");
+      expect(dot(n, sum) < mpz_class(corners.size()) * planes.back().h, "the mean is not inside");
     }
     expect(polytope::convex_hull(corners).facets.size() == planes.size(), "a polytope is not closed");
   }
@@ -77,15 +77,14 @@ class ProofCheck {
     const std::vector<Plane>& planes = planes_.at(node.polytope);
     std::set<std::uint32_t> named;
     const std::size_t before = path.size();
-    for (std::uint32_t c = 0; c < node.children && next < proof_.nodes.size(); ++c) {
-      const std::uint32_t facet = proof_.nodes[next].facet;
+    for (const std::uint32_t facet : node.numbers) {
       named.insert(facet);
       path.push_back(planes.at(facet));
       subtree(next, path);
       path.back() = {-planes[facet].n, -planes[facet].h};
     }
     path.resize(before);
-    expect(named.size() == node.children, "a facet is named twice");
+    expect(named.size() == node.numbers.size(), "a facet is named twice");
     for (std::uint32_t f = 0; f < planes.size(); ++f)
       if (named.count(f) == 0) expect(far_enough(planes[f].n, planes[f].h), "a facet that is not named is near");
   }
@@ -93,7 +92,7 @@ class ProofCheck {
   // Whether the active constraints alone hold their cell at the depth.
   bool closed(const ProofNode& node, const std::vector<Plane>& path) {
     std::vector<Plane> active;
-    for (const std::uint32_t i : node.active) active.push_back(path.at(i));
+    for (const std::uint32_t i : node.numbers) active.push_back(path.at(i));
     if (active.empty() || active.size() > 4) return false;
     kernels::RationalPoint nearest;
     std::vector<kernels::OrientedPlane> planes;
@@ -128,7 +127,7 @@ void expect_proof(const Pieces& a, const Pieces& b) {
   const UnionDepth depth = union_depth(a, b);
   if (depth.status != Status::penetrating) return;
   kernels::Context context;
-  UnionProof proof = prove_union_depth(context, a, b);
+  UnionProof proof = prove(context, place_pieces(a, b), depth.optima);
   EXPECT_EQ(proof.squared, depth.squared());
   ASSERT_EQ(proof.optima.size(), depth.optima.size());
   for (std::size_t i = 0; i < proof.optima.size(); ++i) EXPECT_EQ(proof.optima[i].translation, depth.optima[i].translation);
@@ -159,9 +158,22 @@ TEST(UnionProver, ProvesUnionsOfBoxesWithManyTiesAndSeams) {
 
 TEST(UnionProver, ProvesLinkedRings) { expect_proof(scaled(ring(12, false, 0), 10), scaled(ring(12, true, 26), 10)); }
 
-TEST(UnionProver, RefusesUnionsThatDoNotPenetrate) {
+TEST(UnionProver, RefusesWhatIsNotTheAnswer) {
   kernels::Context context;
-  EXPECT_THROW(prove_union_depth(context, {box({0, 0, 0}, {1, 1, 1})}, {box({1, 0, 0}, {2, 1, 1})}), std::invalid_argument);
+  const PlacedPieces touching = place_pieces({box({0, 0, 0}, {1, 1, 1})}, {box({1, 0, 0}, {2, 1, 1})});
+  EXPECT_THROW(prove(context, touching, {}), std::logic_error);
+  const Pieces a{box({0, 0, 0}, {2, 2, 2})}, b{box({0, 0, 0}, {2, 2, 2})};
+  const UnionDepth depth = union_depth(a, b);
+  ASSERT_EQ(depth.optima.size(), 6U);
+  const PlacedPieces pieces = place_pieces(a, b);
+  std::vector<UnionOptimum> optima = depth.optima;
+  optima.pop_back();
+  EXPECT_THROW(prove(context, pieces, optima), std::logic_error) << "an optimum is missing";
+  optima.assign(1, depth.optima.front());
+  optima.front().translation = {1, 0, 0};
+  EXPECT_THROW(prove(context, pieces, optima), std::logic_error) << "not a way out";
+  optima.front().translation = {3, 0, 0};
+  EXPECT_THROW(prove(context, pieces, optima), std::logic_error) << "not the shortest";
 }
 
 }  // namespace
