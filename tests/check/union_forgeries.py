@@ -79,7 +79,8 @@ def aimed():
                          ("a separation too many", lambda c: c.optima[0][1].append(["0", "0", "1"])),
                          ("a separation that does not separate", lambda c: c.optima[0][1].__setitem__(0, ["0", "1", "0"])),
                          ("no pieces", lambda c: c.a.clear()),
-                         ("a flat piece", lambda c: c.b.append([["9", "9", "9"], ["10", "9", "9"], ["9", "10", "9"], ["10", "10", "9"]])),
+                         ("a flat piece", lambda c: (c.b.append([["9", "9", "9"], ["10", "9", "9"], ["9", "10", "9"], ["10", "10", "9"]]),
+                                                     [each.append(["-1", "0", "0"]) for _, each in c.optima])),
                          ("a piece without points", lambda c: c.a.append([])),
                          ("a polytope that is open", lambda c: c.polytopes[0][2].pop()),
                          ("a polytope inside out", lambda c: [f.__setitem__(slice(1, None), f[:0:-1]) for f in c.polytopes[0][2]]),
@@ -111,7 +112,7 @@ def rows_of(c, kind):
 
 def parts_of(c):
     """Every list of rows that may lose one, or get one twice."""
-    return [c.optima, c.polytopes, c.tree, c.a, c.b, c.weights_a, c.weights_b, *(each for _, each in c.optima),
+    return [c.optima if c.claim[0] == "depth" else [], c.polytopes, c.tree, c.a, c.b, c.weights_a, c.weights_b, *(each for _, each in c.optima),
             *(p[1] for p in c.polytopes), *(p[2] for p in c.polytopes), *c.a, *c.b]
 
 
@@ -145,7 +146,7 @@ def damaged(text, rng):
             q = Fraction(c.claim[1])
             c.claim[1] = str(rng.choice((q * (1 + Fraction(1, 10**9)), q * (1 - Fraction(1, 10**9)), q + 1, q / 4, 4 * q, -q, 0)))
         else:
-            c.claim = ["apart", "1"]
+            c.claim = ["apart", rng.choice("01")]
     elif kind == "node" and c.tree:
         c.tree.insert(rng.randrange(len(c.tree) + 1), rng.choice((["leaf", "0"], ["leaf"], ["split", "0"], list(rng.choice(c.tree)))))
     elif kind == "child":
@@ -226,7 +227,7 @@ class Campaign:
             if answer != (("depth", squared, optima) if squared else ("apart", gap, []) if gap else ("touching", 0, [])):
                 self.fault(f"fathom says {answer}, the definition {squared, optima, gap}", text or "")
             elif seen[answer[0]] < (count if answer[0] == "depth" else count // 5):
-                texts.append(text)
+                texts.append(unions.Union(text).text())
                 seen[answer[0]] += 1
         print(", ".join(f"{n} {claim}" for claim, n in sorted(seen.items())) + " genuine certificates")
         if len(seen) < 3:

@@ -550,8 +550,7 @@ def multipliers(half_spaces):
     adjugated = adjugate(gram)
     if determinant(gram):
         return [dot_all(row, heights) for row in adjugated]
-    column = next(filter(any, adjugated), [])
-    return column if dot_all(column, heights) >= 0 else minus(column)
+    return next(filter(any, adjugated), [])
 
 
 def dot_all(u, v):
