@@ -105,6 +105,7 @@ int fathom_bodies_from_case(const char* json, fathom_body** a, fathom_body** b) 
     fathom::CaseItem item = fathom::parse_case(json, "case");
     if (!item.ok()) throw item.error();
     auto& both = std::get<fathom::Case>(item.outcome);
+    if (both.a.pieces || both.b.pieces) throw std::invalid_argument("a case of unions of pieces, where convex bodies are expected");
     auto first = std::make_unique<fathom_body>(handle(std::move(both.a)));
     *b = std::make_unique<fathom_body>(handle(std::move(both.b))).release();
     *a = first.release();

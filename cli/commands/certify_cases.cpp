@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "cli/io/case_stream.hpp"
 #include "cli/io/cases_in.hpp"
 #include "kernels/printable.hpp"
 
@@ -17,9 +18,12 @@ std::string CertifyCases::place() const { return (input_ == "-" ? "<stdin>" : in
 std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {
     std::string fault;
+    const std::string name = input_ == "-" ? "<stdin>" : input_;
     if (!item->ok()) fault = item->error().what();
+    else if (const std::string wrong = wrong_bodies(item->value(), false, "", false); !wrong.empty())
+      fault = InputError(name, item->line, wrong).what();
     else if (!ids_.insert(item->id).second)
-      fault = InputError(input_ == "-" ? "<stdin>" : input_, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
+      fault = InputError(name, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
     if (fault.empty()) return std::get<Case>(std::move(item->outcome));
     ++bad_;
     tell_(fault);

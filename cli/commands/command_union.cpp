@@ -23,18 +23,18 @@ ExitCode run_union(const Request& request) {
   if (!request.certificate.empty()) file.emplace(request.certificate);
   const Working working;
   Progress progress;
-  UnionDepth depth;
-  std::string certificate;
+  UnionAnswer answer{id, {}, ""};
   try {
-    depth = union_depth(a, b, {&progress});
-    if (depth.complete && (file || request.embed_certificate)) certificate = certificate_text(a, b, depth, id, &progress);
+    answer.depth = union_depth(a, b, {&progress});
+    if (answer.depth.complete && (file || request.embed_certificate))
+      answer.certificate = certificate_text(a, b, answer.depth, id, &progress);
   } catch (const std::invalid_argument& error) {
     throw InputError(id, 0, error.what());
   }
   progress.clear();
-  if (file && depth.complete) file->write(certificate);
-  print(request.json ? union_json(id, depth, request.embed_certificate ? certificate : "") : union_text(depth, request));
-  return depth.complete ? fine : interrupted;
+  if (file && answer.depth.complete) file->write(answer.certificate);
+  print(request.json ? union_json(answer, request) : union_text(answer.depth, request));
+  return answer.depth.complete ? fine : interrupted;
 }
 
 }  // namespace fathom::cli

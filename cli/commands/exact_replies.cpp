@@ -11,6 +11,7 @@
 #include "cli/output/picture_output.hpp"
 #include "cli/output/shape_output.hpp"
 #include "cli/output/text_result.hpp"
+#include "cli/output/union_output.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/width.hpp"
@@ -90,6 +91,33 @@ ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Moni
   return answer;
 }
 
+/// A body as a union: a polytope is one piece.
+Pieces pieces_of(const Body& body) { return body.pieces ? *body.pieces : Pieces{body.points.exact()}; }
+
+/// Throws InputError for pieces without an interior, and if the request asks for what unions do not have.
+UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor) {
+  const Case& single = asked;
+  if (request.shallow || request.closest_lines || request.method != Method::automatic || !request.svg.empty() || request.optima)
+    throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines, --optima and --svg");
+  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
+  UnionAnswer answer{single.id, {}, ""};
+  try {
+    answer.depth = union_depth(a, b, {&monitor});
+  } catch (const std::invalid_argument& error) {
+    throw InputError(single.id, 0, error.what());
+  }
+  if (!answer.depth.complete) throw Interrupted();
+  if (!request.certificate.empty() || request.embed_certificate) answer.certificate = certificate_text(a, b, answer.depth, single.id, &monitor);
+  return answer;
+}
+
+std::string text_of(const UnionAnswer& answer, const Request& request) {
+  if (request.json) return union_json(answer, request);
+  return is_stream(request) ? union_line(answer, request) : union_text(answer.depth, request);
+}
+
+std::string picture_text(const Case&, const UnionAnswer&, const Request&) { return ""; }
+
 std::string text_of(const Answer& answer, const Request& request) {
   if (request.json) return json_result(answer, request);
   return is_stream(request) ? text_line(answer, request) : text_block(answer, request);
@@ -105,6 +133,7 @@ std::string text_of(const ShapeAnswer& answer, const Request& request) {
 Replies exact_replies(const Request& request) {
   Replies replies;
   replies.tells_of_dents = true;
+  replies.takes_unions = request.command == Command::depth;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // an unwritable path fails early
@@ -122,6 +151,7 @@ Replies exact_replies(const Request& request) {
         };
       return reply;
     };
+    if (has_union(single)) return reply_with(union_answer_to(asked, request, monitor));
     return single.a.shape || (single.b.shape && !has_one_body(request)) ? reply_with(shape_answer_to(asked, request, monitor, workspace))
                                                                         : reply_with(answer_to(asked, request, monitor, workspace));
   };

@@ -115,6 +115,7 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
   work.error_line = replies.error_line;
   work.lost = replies.lost;
   work.refuses_shapes = replies.refuses_shapes;
+  work.takes_unions = replies.takes_unions;
   work.answer = replies.reply;
   work.require_convex = request.require_convex;
   work.threads = request.threads.value_or(usual_threads());
@@ -125,7 +126,8 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = asked_case(request);
-  if (const std::string fault = wrong_shapes(single, has_one_body(request), replies.refuses_shapes); !fault.empty())
+  if (const std::string fault = wrong_bodies(single, has_one_body(request), replies.refuses_shapes, replies.takes_unions);
+      !fault.empty())
     throw InputError(single.id, 0, fault);
   const Working working;
   Progress progress;
@@ -139,7 +141,7 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
   if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty() && !(replies.tells_of_dents && !request.json))
     talk(dents);
-  if (!has_shape(single)) tell_of_hulls(single, has_one_body(request), progress);
+  if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);
   return fine;

@@ -34,6 +34,8 @@ struct Replies {
   std::string header = {};
   /// As in StreamWork.
   std::string refuses_shapes = {};
+  /// As in StreamWork.
+  bool takes_unions = false;
   /// Whether the reply tells of meshes that are not convex; else a line on standard error does.
   bool tells_of_dents = false;
 };

@@ -83,7 +83,7 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     std::string().swap(passage.text.text);
     passage.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_shapes(item.value(), work.one_body, work.refuses_shapes); !fault.empty())
+    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.takes_unions); !fault.empty())
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
       passage.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
@@ -94,7 +94,7 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
       passage.notes.push_back({NoteKind::dents, std::move(dents)});
     if (std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes))
       passage.notes.push_back({NoteKind::sizes, *std::move(note)});
-    passage.perhaps_inner = !has_shape(item.value()) && may_have_inner_points(item.value(), work.one_body);
+    passage.perhaps_inner = !has_shape(item.value()) && !has_union(item.value()) && may_have_inner_points(item.value(), work.one_body);
     if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
     passage.reply = work.answer(asked, monitor, memory.workspace);
   } catch (const Interrupted&) {
@@ -288,10 +288,15 @@ ExitCode Stream::finish() {
 
 }  // namespace
 
-std::string wrong_shapes(const Case& single, bool one_body, const std::string& refusal) {
-  if (refusal.empty()) return "";
-  const char* const body = single.a.shape ? "a" : single.b.shape && !one_body ? "b" : "";
-  return *body ? fmt::format("{}: expected a polytope, found a shape that is none: {}", body, refusal) : "";
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions) {
+  const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };
+  const std::string of_pieces = which(single.a.pieces != nullptr, single.b.pieces != nullptr);
+  const std::string of_shape = which(single.a.shape.has_value(), single.b.shape.has_value());
+  if (!of_pieces.empty() && !takes_unions) return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
+  if (!of_pieces.empty() && !of_shape.empty())
+    return of_shape + ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than their cores";
+  if (!of_shape.empty() && !refuses_shapes.empty()) return of_shape + ": expected a polytope, found a shape that is none: " + refuses_shapes;
+  return "";
 }
 
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex) {

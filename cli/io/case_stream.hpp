@@ -33,6 +33,8 @@ struct StreamWork {
   bool one_body = false;
   /// Empty if bodies may be shapes that are no polytopes; else such cases are errors, and this says which command takes them.
   std::string refuses_shapes;
+  /// Whether bodies may be unions of pieces; else such cases are errors.
+  bool takes_unions = false;
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
   /// How many cases are answered at once.
@@ -45,8 +47,12 @@ struct StreamWork {
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refusal` says unless it is empty, or "".
-std::string wrong_shapes(const Case& single, bool one_body, const std::string& refusal);
+/// Returns whether a body of the case is a union of pieces.
+inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }
+
+/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refuses_shapes` says unless it is empty, and may be unions
+/// only if `takes_unions`; or "".
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);

@@ -89,7 +89,23 @@ std::string union_text(const UnionDepth& depth, const Request& request) {
   return aligned(depth.complete ? std::string(name(depth.status)) : "interrupted", rows);
 }
 
-std::string union_json(const std::string& id, const UnionDepth& depth, const std::string& certificate) {
+std::string union_line(const UnionAnswer& answer, const Request& request) {
+  const UnionDepth& depth = answer.depth;
+  std::vector<std::string> parts{std::string(name(depth.status)), "depth " + root_text(depth.squared())};
+  if (depth.status == Status::penetrating) {
+    if (request.exact) parts.push_back("depth^2 " + exact_text(depth.squared()));
+    if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
+    parts.push_back("translation " + place_text(depth.optima.front().translation, request.exact));
+    if (!depth.optima.front().clearance) parts.emplace_back("an exact fit");
+    if (depth.optima.size() > 1) parts.push_back(fmt::format("{} ties", depth.optima.size()));
+    parts.push_back("deepest pair " + root_text(depth.bounds->deepest_pair));
+  }
+  if (depth.apart) parts.push_back("distance " + root_text(depth.apart->distance.squared));
+  return case_line(answer.id, parts);
+}
+
+std::string union_json(const UnionAnswer& answer, const Request& request) {
+  const UnionDepth& depth = answer.depth;
   Json optima = Json::array();
   for (const UnionOptimum& o : depth.optima) optima.push_back(optimum_json(o));
   const UnionBounds& bounds = *depth.bounds;
@@ -97,7 +113,7 @@ std::string union_json(const std::string& id, const UnionDepth& depth, const std
   Json result{
       {"schema", "fathom/union/1"},
       {"fathom", FATHOM_VERSION},
-      {"id", id},
+      {"id", answer.id},
       {"status", name(depth.status)},
       {"complete", Json::boolean(depth.complete)},
       {"depth", depth.complete ? length(depth.low, std::nullopt) : Json()},
@@ -109,7 +125,7 @@ std::string union_json(const std::string& id, const UnionDepth& depth, const std
        Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
       {"hulls", length(bounds.hulls, std::nullopt)},
       {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
-  if (!certificate.empty()) result["certificate"] = certificate;
+  if (request.embed_certificate && depth.complete) result["certificate"] = answer.certificate;
   return result.text();
 }
 

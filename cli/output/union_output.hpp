@@ -9,9 +9,18 @@
 
 namespace fathom::cli {
 
+/// What was found about a case.
+struct UnionAnswer {
+  std::string id;
+  UnionDepth depth;
+  std::string certificate;  ///< its text; empty if it was not asked for, or the search was stopped
+};
+
 /// Several lines, without the last newline.
 std::string union_text(const UnionDepth& depth, const Request& request);
-/// One line, pure ASCII. With the certificate, if it is not empty.
-std::string union_json(const std::string& id, const UnionDepth& depth, const std::string& certificate);
+/// One line.
+std::string union_line(const UnionAnswer& answer, const Request& request);
+/// One line, pure ASCII.
+std::string union_json(const UnionAnswer& answer, const Request& request);
 
 }  // namespace fathom::cli

@@ -72,7 +72,10 @@ struct MeshFaces {
   friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };
 
-/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none.
+/// A body that need not be convex: the union of the convex hulls of these point sets.
+using Pieces = std::vector<std::vector<Point>>;
+
+/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none; or a union of pieces.
 struct Body {
   GivenPoints points;                         ///< the polytope is their convex hull
   std::optional<Shape> shape = std::nullopt;  ///< then there are no points
@@ -81,6 +84,8 @@ struct Body {
   std::shared_ptr<const files::NamedBody> words = nullptr;
   /// Of a mesh that has some. No answer depends on them: they tell whether the mesh is the hull that stands for it.
   std::shared_ptr<const MeshFaces> faces = nullptr;
+  /// Then it is the union of these, and there are no points and no shape. Only what takes unions takes it (fathom/union.hpp).
+  std::shared_ptr<const Pieces> pieces = nullptr;
 };
 
 }  // namespace fathom

@@ -12,13 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom {
-
-/// A body: the union of the convex hulls of these point sets. Each has an interior.
-using Pieces = std::vector<std::vector<Point>>;
 
 /// How to compute the depth of unions. The answer does not depend on it.
 struct UnionOptions {
@@ -77,7 +75,7 @@ struct UnionDepth {
   [[nodiscard]] const mpq_class& squared() const;
 };
 
-/// Returns whether two unions penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
+/// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
 /// bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces within the depth of O. Throws
 /// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms;
 /// Interrupted if the work is stopped before the search.

@@ -250,6 +250,13 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
 
 // ---- files ----
 
+/// A case as its id and bodies.
+py::tuple convex_case(Case&& found) {
+  for (const auto& [name, body] : {std::pair("a", &found.a), std::pair("b", &found.b)})
+    if (body->pieces) throw py::value_error(std::string(name) + ": expected a convex body, found a union of pieces");
+  return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
+}
+
 /// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
 class Cases {
  public:
@@ -259,8 +266,7 @@ class Cases {
     std::optional<CaseItem> item = stream_.next();
     if (!item) throw py::stop_iteration();
     if (!item->ok()) throw py::value_error(item->error().what());
-    Case found = std::get<Case>(std::move(item->outcome));
-    return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
+    return convex_case(std::get<Case>(std::move(item->outcome)));
   }
 
  private:
@@ -270,8 +276,7 @@ class Cases {
 py::tuple parsed_case(const std::string& text, const std::string& name, std::size_t line) {
   CaseItem item = parse_case(text, name, line);
   if (!item.ok()) throw py::value_error(item.error().what());
-  Case found = std::get<Case>(std::move(item.outcome));
-  return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
+  return convex_case(std::get<Case>(std::move(item.outcome)));
 }
 
 py::str next_line(golden::ZstdReader& reader) {

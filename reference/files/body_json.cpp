@@ -47,7 +47,9 @@ std::string text_json(const std::string& text) {
 std::string body_json(const Body& body, const std::optional<Pose>& pose) {
   if (body.words && !pose) return body_json(*body.words);
   if (body.shape) throw std::invalid_argument("a shape without words has no text");
-  std::string result = "{\"vertices\":" + array_json(body.points, three);
+  const auto vertices = [](const auto& points) { return "{\"vertices\":" + array_json(points, three); };
+  std::string result = body.pieces ? "{\"pieces\":" + array_json(*body.pieces, [&](const auto& piece) { return vertices(piece) + '}'; })
+                                   : vertices(body.points);
   if (pose) result += ",\"pose\":" + matrix_json(*pose);
   return result + '}';
 }

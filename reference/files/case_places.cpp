@@ -10,7 +10,7 @@ std::string expected_at(CasePlace place) {
     case CasePlace::id: return "text or a number";
     case CasePlace::rounding:
     case CasePlace::body_rounding: return "\"binary64\"";
-    case CasePlace::body: return "an object with 'vertices' or 'shape'";
+    case CasePlace::body: return "an object with 'vertices', 'shape' or 'pieces'";
     case CasePlace::vertices: return "an array of points";
     case CasePlace::vertex: return "three coordinates";
     case CasePlace::faces: return "an array of faces";
@@ -31,7 +31,7 @@ CasePlace field_of_body(std::string_view key) {
   if (key == "vertices") return CasePlace::vertices;
   if (key == "pose") return CasePlace::pose;
   if (key == "faces") return CasePlace::faces;
-  if (key == "shape" || key == "margin") return CasePlace::shape;
+  if (key == "shape" || key == "margin" || key == "pieces") return CasePlace::shape;
   return key == "pose_rounding" ? CasePlace::body_rounding : CasePlace::other;
 }
 

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 using Names = std::vector<std::string_view>;
 
 constexpr std::array<std::string_view, 8> of_cases = {"schema", "id", "a", "b", "pose_rounding", "flags", "source", "comment"};
-constexpr std::array<std::string_view, 6> of_bodies = {"vertices", "faces", "pose", "shape", "margin", "pose_rounding"};
+constexpr std::array<std::string_view, 7> of_bodies = {"vertices", "faces", "pose", "shape", "margin", "pose_rounding", "pieces"};
 constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat", "xyzw", "rpy", "unit"};
 
 void add_fields(const ShapeName& shape, Names& names) {

@@ -37,7 +37,7 @@ std::string found(const Json& value) {
 
 /// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
 bool is_ours(std::string_view key) {
-  return number_field(key) || key == "shape" || key == "axis" || key == "vertices" || key == "terms" || key == "pose" ||
+  return number_field(key) || key == "shape" || key == "axis" || key == "vertices" || key == "terms" || key == "pieces" || key == "pose" ||
          key == "pose_rounding" || key == "unit" || pose_word(key);
 }
 
@@ -84,6 +84,9 @@ class Reader {
   Shape unplaced(const Json& json, const std::string& path, NamedBody& words);
   Shape placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words);
   void round(Shape& shape, const std::string& path);
+  std::vector<Point> piece(const Json& json, const std::string& path);
+  Body union_of(const Json& json, const std::string& path, bool rounded);
+  bool is_rounded(const Json& json, const std::string& path);
 };
 
 // A JSON number means the nearest binary64, an integer too.
@@ -259,14 +262,56 @@ void Reader::round(Shape& shape, const std::string& path) {
     if (!round_to_binary64(atom.center)) refuse(path + ": expected points within binary64 once placed, found a larger one");
 }
 
+// The points of a piece, where its own pose puts it.
+std::vector<Point> Reader::piece(const Json& json, const std::string& path) {
+  NamedBody words;
+  const Shape shape = placed_shape(unplaced(json, path, words), json, path, words);
+  if (!fault.empty()) return {};
+  if (json.contains("pose_rounding")) report(path + ".pose_rounding", "no such field of a piece", "one");
+  std::optional<std::vector<Point>> points = points_of(shape);
+  if (!points) refuse(path + ": expected a hull, a box or a triangle, found another shape");
+  else if (shape.radius != 0) refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
+  return std::move(points).value_or(std::vector<Point>());
+}
+
+// Its pieces, each where its own pose puts it, all of them where the body's does.
+Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
+  for (const char* other : {"shape", "vertices", "faces", "margin"})
+    if (json.contains(other) && !json[other].is_null()) report(path + "." + other, "no such field beside 'pieces'", "one");
+  const Json& pieces = json["pieces"];
+  if (!pieces.is_array() || pieces.empty()) report(path + ".pieces", "an array of convex pieces", found(pieces));
+  rounded = is_rounded(json, path) || rounded;
+  std::optional<GivenPose> placing;
+  if (fault.empty() && json.contains("pose") && !json["pose"].is_null()) placing = pose(json["pose"], path + ".pose");
+  Pieces read;
+  for (std::size_t i = 0; fault.empty() && i < pieces.size(); ++i) {
+    const std::string place = path + ".pieces[" + std::to_string(i) + "]";
+    read.push_back(piece(pieces[i], place));
+    for (Point& p : read.back()) {
+      if (placing) p = placed(p, exact_pose(*placing));
+      if (rounded && !round_to_binary64(p)) report(place, "points within binary64 once placed", "a larger one");
+    }
+  }
+  if (!fault.empty()) return {};
+  if (placing)
+    if (const std::string note = pose_note(*placing, false); !note.empty()) notes.push_back({CaseNote::pose, path + ".pose: " + note});
+  Body body;
+  body.pieces = std::make_shared<const Pieces>(std::move(read));
+  return body;
+}
+
+bool Reader::is_rounded(const Json& json, const std::string& path) {
+  if (!json.contains("pose_rounding") || json["pose_rounding"].is_null()) return false;
+  if (json["pose_rounding"] != "binary64") report(path + ".pose_rounding", "\"binary64\"", found(json["pose_rounding"]));
+  return true;
+}
+
 Body Reader::body(const Json& json, const std::string& path, bool rounded) {
+  if (json.contains("pieces") && !json["pieces"].is_null()) return union_of(json, path, rounded);
   NamedBody words;
   Shape shape = unplaced(json, path, words);
   shape = placed_shape(std::move(shape), json, path, words);
-  if (json.contains("pose_rounding") && !json["pose_rounding"].is_null()) {
-    if (json["pose_rounding"] != "binary64") report(path + ".pose_rounding", "\"binary64\"", found(json["pose_rounding"]));
-    rounded = true;
-  }
+  rounded = is_rounded(json, path) || rounded;
   if (!fault.empty()) return {};
   if (rounded) round(shape, path);
   if (!fault.empty()) return {};

@@ -95,6 +95,11 @@ std::string text_of(const std::optional<Lengths>& lengths) {
 }  // namespace
 
 std::optional<Lengths> extent(const Body& body) {
+  if (body.pieces) {
+    std::vector<Point> all;
+    for (const std::vector<Point>& piece : *body.pieces) all.insert(all.end(), piece.begin(), piece.end());
+    return extent_of(all);
+  }
   if (!body.shape) return body.points.in_binary64() ? extent_of(body.points.binary64()) : extent_of(body.points.exact());
   const auto* const terms = std::get_if<std::vector<Term>>(&body.shape->core);
   return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;
@@ -117,7 +122,7 @@ std::optional<std::string> sizes_note(const BodySizes& sizes) {
 }
 
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
-  if (!body.faces || body.shape) return std::nullopt;
+  if (!body.faces || body.shape || body.pieces) return std::nullopt;
   polytope::MeshConvexity found = polytope::mesh_convexity(body.points, *body.faces);
   return found.tried ? std::optional(std::move(found)) : std::nullopt;
 }

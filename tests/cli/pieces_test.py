@@ -2,6 +2,7 @@
 """fathom depth --pieces: unions of convex pieces, from OBJ files with groups; the same as text and JSON; bad input."""
 import copy
 import json
+import pathlib
 import unittest
 from fractions import Fraction
 
@@ -88,6 +89,66 @@ class Pieces(CliTest):
         self.assertEqual((pair, squared, hulls), (Fraction(1, 4), Fraction(5, 8), Fraction(9, 4)))
         self.assertEqual([each["translation"] for each in found["optima"]], [["-1/4", "3/4", "0"]])
 
+    def cases(self, *cases):
+        return self.file("cases.jsonl", "".join(json.dumps(case) + "\n" for case in cases))
+
+    def test_cases_with_pieces(self):
+        piece = lambda low, high: {"vertices": [list(p) for p in box(low, high)]}
+        slot = {"pieces": [piece([-9, -5, -5], [0, 5, 5]), piece([1, -5, -5], [10, 5, 5])]}
+        plate = piece([0.75, -1, -1], [1.75, 1, 1])
+        moved = {"pieces": [{"shape": "box", "half": [0.5, 1, 1], "pose": "xyz=1.25,0,7"}], "pose": "xyz=0,0,-7"}
+        path = self.cases({"id": "fit", "a": plate, "b": slot}, {"id": "moved", "a": moved, "b": slot}, {"id": "whole", "a": plate, "b": plate},
+                          {"id": "apart", "a": moved, "b": {"pieces": [piece([50, 0, 0], [51, 1, 1]), piece([3.75, 0, 0], [4, 1, 1])]}})
+        folder = str(self.folder / "proofs")
+        lines = [json.loads(line) for line in self.answer("depth", "--json", "--embed-certificate", "--certificate", folder, path).splitlines()]
+        self.assertEqual([(r["schema"], r["id"], r["depth"]["squared"]) for r in lines],
+                         [("fathom/union/1", "fit", "9/16"), ("fathom/union/1", "moved", "9/16"), ("fathom/result/2", "whole", "1"), ("fathom/union/1", "apart", "0")])
+        self.assertEqual(lines[0]["optima"], lines[1]["optima"])
+        for result in (lines[0], lines[1], lines[3]):
+            VALIDATOR.validate(result)
+        for result, line in zip(lines, self.answer("check", *(f"{folder}/{r['id']}.cert" for r in lines)).splitlines()):
+            self.assertIn("VERIFIED " + result["status"], line)
+        text = self.answer("depth", path).splitlines()
+        self.assertEqual(text[0], "fit: penetrating, depth 0.75, translation (-0.75, 0, 0), an exact fit, deepest pair 0.75")
+        self.assertEqual(text[3], "apart: disjoint, depth 0, distance 2")
+        one = self.result("depth", "--case", "fit", path)
+        self.assertEqual(one["optima"], lines[0]["optima"])
+
+    def test_cases_with_pieces_that_are_wrong(self):
+        piece = {"vertices": [list(p) for p in box([0, 0, 0], [1, 1, 1])]}
+        body = lambda *pieces, **more: {"pieces": list(pieces), **more}
+        for a, sentence in ((body(), "a.pieces: expected an array of convex pieces, found an array of 0"),
+                            ({"pieces": 5}, "a.pieces: expected an array of convex pieces, found 5"),
+                            (body(piece, 7), "a.pieces[1]: expected a shape, found 7"),
+                            (body(piece, {"vertices": piece["vertices"][:4]}), "piece 1 of A is flat: the pieces of a union need interiors"),
+                            (body(piece, {"vertices": piece["vertices"], "margin": 0.1}),
+                             "a.pieces[1]: expected a piece without a radius: to add the radii of unions to a depth would be wrong"),
+                            (body({"shape": "cylinder", "radius": 1, "half_length": 1}), "a.pieces[0]: expected a hull, a box or a triangle, found another shape"),
+                            (body({"shape": "sphere", "radius": 1}), "a.pieces[0]: expected a piece without a radius"),
+                            (body(piece, margin=0.5), "a.margin: expected no such field beside 'pieces', found one"),
+                            (body(piece, vertices=piece["vertices"]), "a.vertices: expected no such field beside 'pieces', found one"),
+                            (body({**piece, "pose_rounding": "binary64"}), "a.pieces[0].pose_rounding: expected no such field of a piece, found one"),
+                            (body(piece, piecs=1), "")):
+            with self.subTest(sentence):
+                code, out, err = self.run_cli("depth", self.cases({"a": a, "b": piece}))
+                self.assertEqual(code, 2 if sentence else 0, err)
+                self.assertIn(sentence or "'piecs'", err)
+        round_one = {"shape": "sphere", "radius": 1}
+        self.refused("b: expected pieces or a polytope, found a shape that is none: unions with radii have another depth than their cores",
+                     self.cases({"a": body(piece), "b": round_one}))
+        for command in (["width"], ["study"], ["ray", "--direction", "1,0,0"], ["approx", "--delta", "0.1"], ["stages"]):
+            code, out, err = self.run_cli(*command, self.cases({"a": body(piece), "b": piece}))
+            self.assertEqual((code, out), (2, ""), command)
+            self.assertIn("a: expected a convex body, found a union of pieces, which 'depth' takes", err, command)
+        self.refused("a union of pieces has one method", "--method", "exact", self.cases({"a": body(piece), "b": piece}))
+
+    def test_certificates_of_files(self):
+        proof = str(self.folder / "proof.cert")
+        found = self.result("depth", "--pieces", "--embed-certificate", "--certificate", proof, KEY, COMB)
+        self.assertEqual(found["certificate"], pathlib.Path(proof).read_text())
+        self.assertIn("VERIFIED penetrating depth_squared=5/8 optima=1 pieces=3x5 ", self.answer("check", proof))
+        self.assertIn("VERIFIED", self.answer("check", "--results", self.file("results.jsonl", json.dumps(found) + "\n")))
+
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
         flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
@@ -97,7 +158,7 @@ class Pieces(CliTest):
                      self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
         self.refused("--pieces expects OBJ files, whose groups are the pieces, found 'a.off'", "--pieces", "a.off", good)
         self.refused("found the single mesh", "--pieces", good)
-        self.refused("cannot be combined with --certificate", "--pieces", "--certificate", "x", good, good)
+        self.refused("cannot be combined with --optima", "--pieces", "--optima", "1", good, good)
         self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)
 
 
