@@ -114,7 +114,7 @@ class Certificates(ProgramTest):
                          (2, ["s MALFORMED two%20cubes:21", APART_OK]))
         self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
                          (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
-        self.assertEqual(self.both("-", stdin="fathom-certificate 3\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 4\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
         self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED x:3", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 

@@ -57,7 +57,7 @@ TEST(Check, VerdictStartsFromNo) {
 
 TEST(Check, NamesAreEscapedInTheLine) {
   EXPECT_EQ(verdict_line(verify(""), "a\nb% c"),
-            "s MALFORMED a%0Ab%25%20c:1: expected 'fathom-certificate 1' or 'fathom-certificate 2', found the end of the input");
+            "s MALFORMED a%0Ab%25%20c:1: expected 'fathom-certificate' and a format: 1, 2 or 3, found the end of the input");
 }
 
 TEST(Check, OneTextHoldsOneCertificate) {
@@ -191,7 +191,8 @@ TEST(Check, Grammar) {
   for (const char* id : {"id\n", "id \n", "id a%\n", "id a%4\n", "id a%4g\n", "id \xc3\xa9\n", "id a\tb\n", "id a b\n", "id optima=1 x\n"})
     EXPECT_TRUE(malformed_at(2)(verify(edited(text, "id disjoint%20cubes\n", id)))) << id;
   EXPECT_EQ(verify(edited(text, "id disjoint%20cubes\n", "id a%20b%c3%A9\n")).id, "a%20b%c3%A9");
-  EXPECT_TRUE(malformed_at(1)(verify(edited(text, "certificate 1", "certificate 3"))));
+  EXPECT_TRUE(malformed_at(1)(verify(edited(text, "certificate 1", "certificate 4"))));
+  EXPECT_TRUE(malformed_at(3)(verify(edited(text, "certificate 1", "certificate 3"))));
   EXPECT_TRUE(malformed_at(21)(verify(edited(text, "certificate 1", "certificate 2"))));
   for (const char* word : {"any", "SOME", "", "some some"})
     EXPECT_TRUE(malformed_at(22)(verify(edited(text, "directions 1 some", std::string("directions 1 ") + word)))) << word;

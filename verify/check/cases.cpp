@@ -110,6 +110,10 @@ bool equal(const Rational& r, const mpq_class& q) {
   return mpz_cmp(r.num.get_mpz_t(), q.get_num_mpz_t()) == 0 && mpz_cmp(r.den.get_mpz_t(), q.get_den_mpz_t()) == 0;
 }
 
+void require_convex(const Certificate& certificate, const char* reason) {
+  if (certificate.format == 3) throw refused(certificate.a.line, reason);
+}
+
 void compare_points(const Body& body, const std::vector<ExactPoint>& own, const std::string& name) {
   if (body.core != Body::Core::points) throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
   if (body.radius.num.sign() != 0) throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
@@ -153,12 +157,14 @@ const CaseFile::Bodies& CaseFile::find(const Certificate& certificate, const std
 }
 
 void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
+  require_convex(certificate, "the case has convex bodies: unions cannot be compared with it");
   const Bodies& own = find(certificate, result_id);
   compare_points(certificate.a, own.a, "a");
   if (!width) compare_points(certificate.b, own.b, "b");
 }
 
 void require_width(const Certificate& certificate) {
+  require_convex(certificate, "unions have no width: it is that of a convex body");
   const Body &a = certificate.a, &b = certificate.b;
   const bool equal = a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);
   // A half-space has no width, and two of them are refused.

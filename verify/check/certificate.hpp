@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate as it was read: nothing in it is believed yet.                                              [FORMAT.md, sections 2 and 3]
+// A certificate as it was read: nothing in it is believed yet.                                         [FORMAT.md, sections 2, 3 and 12]
 #pragma once
 
 #include <gmpxx.h>
@@ -56,6 +56,15 @@ struct Part {
   std::size_t line = 0;  ///< that announces the part
 };
 
+/// One of several lists whose items lie one behind another in a Part.
+struct List {
+  std::size_t end;   ///< of its items: they begin where the list before ends
+  std::size_t line;  ///< that announces it
+};
+
+/// Of the list of this number.
+inline std::size_t begin_of(const std::vector<List>& lists, std::size_t number) { return number == 0 ? 0 : lists[number - 1].end; }
+
 /// The center, then the axes.
 using Atom = std::vector<RationalPoint>;
 using Term = std::vector<Atom>;
@@ -68,11 +77,12 @@ struct Place {
 
 /// A core, the radius around it, and what the proof says about the core alone.
 struct Body {
-  enum class Core { points, shape, half_space };
+  enum class Core { points, shape, half_space, pieces };
 
   Core core = Core::points;
-  std::size_t line = 0;  ///< that announces the core
-  Part<std::vector<RationalPoint>> points;
+  std::size_t line = 0;                     ///< that announces the core
+  Part<std::vector<RationalPoint>> points;  ///< of all pieces, one after another, if there are pieces
+  std::vector<List> pieces;
   std::vector<Term> terms;  ///< of a shape
   RationalPoint normal;     ///< of a half-space
   Rational offset;
@@ -83,6 +93,34 @@ struct Body {
 
 /// How the lower side is proved.
 enum class Proof { none, facets, weights };
+
+/// A polytope inside the differences of piece i of A and piece j of B. Its vertices and facets lie among those of the certificate.
+struct InnerPolytope {
+  std::uint32_t i, j;
+  std::size_t line;
+  List vertices, facets;
+};
+
+/// Nodes of a tree, in preorder.
+struct Nodes {
+  std::vector<std::uint32_t> indices;  ///< of a split: its polytope, then the facets; of a leaf: the constraints
+  std::vector<std::size_t> ends;       ///< of node k among the indices: from ends[k - 1] to ends[k]
+  std::vector<bool> splits;            ///< whether the node is a split; else it is a leaf
+
+  [[nodiscard]] std::size_t size() const { return ends.size(); }
+  [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : ends[k - 1]; }
+};
+
+/// What a certificate of format 3 says besides; its polytopes have `vertices` and `facets`, the nearest pieces `weights_a` and `weights_b`.
+struct UnionParts {
+  Part<std::vector<RationalPoint>> optima;
+  Part<std::vector<Vector>> separations;  ///< of all lists, one after another
+  std::vector<List> separation_lists;     ///< one for each optimum; a single one for other claims
+  std::vector<InnerPolytope> polytopes;
+  Part<Nodes> tree;
+  std::uint32_t nearest_a = 0, nearest_b = 0;  ///< the pieces of the weights
+  std::size_t nearest_line = 0;
+};
 
 struct Certificate {
   Arena integers;  ///< where all below lie
@@ -101,6 +139,7 @@ struct Certificate {
   bool has_cone = false;
   Part<std::vector<Vector>> lineality, rays;
   Part<std::vector<Pair>> differences;
+  UnionParts of_unions;
   mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };

@@ -35,10 +35,16 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
     const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
     return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
   }
-  std::string line = "s VERIFIED " + v.status + (v.format == 1 ? " depth_squared" : " signed_depth");
-  line += v.at_least.empty() ? "=" + v.depth_squared + v.signed_depth : "_in=[" + v.at_least + "," + v.at_most + "]";
+  const char* const what = v.format == 2 ? " signed_depth" : v.distance_squared.empty() ? " depth_squared" : " distance_squared";
+  std::string line = "s VERIFIED " + v.status + what;
+  if (v.at_least.empty()) {
+    line += "=" + v.depth_squared + v.distance_squared + v.signed_depth;
+  } else {
+    line += "_in=[" + v.at_least + "," + v.at_most + "]";
+  }
   if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
   if (!v.cone.empty()) line += " cone=" + v.cone;
+  if (!v.pieces.empty()) line += " pieces=" + v.pieces;
   return line + " " + label;
 }
 

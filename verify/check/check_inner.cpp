@@ -15,21 +15,23 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Finds facets by their edges: for each vertex u a list of where the edges from u lead, sorted. Not hashed: no input can make it slow.
 class EdgeTable {
  public:
-  /// Every corner is less than `vertices`.
-  EdgeTable(const Facets& facets, std::size_t vertices) : begins_(vertices + 1), entries_(facets.corners.size()) {
-    for (const std::uint32_t u : facets.corners) ++begins_[u];
+  /// Of the facets from `first` to `last`, every corner of which is less than `vertices`.
+  EdgeTable(const Facets& facets, std::size_t first, std::size_t last, std::size_t vertices)
+      : begins_(vertices + 1), entries_(facets.begin_of(last) - facets.begin_of(first)) {
+    for (std::size_t k = facets.begin_of(first); k < facets.begin_of(last); ++k) ++begins_[facets.corners[k]];
     std::size_t sum = 0;
     for (std::size_t& begin : begins_) {
       sum += begin;
       begin = sum;  // the end of the list, which moves to the begin while the list is filled
     }
-    for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (std::size_t f = first; f < last; ++f) {
       const std::size_t begin = facets.begin_of(f), end = facets.ends[f];
-      for (std::size_t k = begin; k < end; ++k) entries_[--begins_[facets.corners[k]]] = {facets.corners[k + 1 == end ? begin : k + 1], f};
+      for (std::size_t k = begin; k < end; ++k)
+        entries_[--begins_[facets.corners[k]]] = {facets.corners[k + 1 == end ? begin : k + 1], f - first};
     }
     for (std::size_t u = 0; u < vertices; ++u) std::sort(entries_.data() + begins_[u], entries_.data() + begins_[u + 1]);
   }
-  /// The first facet that has the edge from u to v, or `none`.
+  /// The first facet that has the edge from u to v, counted from `first`, or `none`.
   [[nodiscard]] std::size_t facet(std::uint32_t u, std::uint32_t v) const {
     const Entry* const end = entries_.data() + begins_[u + 1];
     const Entry* const found = std::lower_bound(entries_.data() + begins_[u], end, Entry{v, 0});
@@ -44,53 +46,49 @@ class EdgeTable {
 
 class Inner {
  public:
-  Inner(const Certificate& certificate, const Scaled& bodies, const Bound& squared)
-      : c_(&certificate), facets_(&certificate.facets.items), squared_(&squared) {
-    make_vertices(bodies);
-  }
+  Inner(const std::vector<Vector>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest, Arena& integers)
+      : vertices_(&vertices), range_(&range), facets_(&range.part->items), squared_(&squared), nearest_(&nearest), integers_(&integers) {}
 
-  void check() {
-    const Part<Facets>& part = c_->facets;
-    if (part.items.size() == 0) throw refused(part.line, "there is no facet");
-    for (std::size_t f = 0; f < part.items.size(); ++f) check_facet(f);
-    const EdgeTable edges(part.items, vertices_.size());
-    for (std::size_t f = 0; f < part.items.size(); ++f) check_edges(f, edges);
+  std::vector<Plane> check() {
+    if (size() == 0) throw refused(range_->line, "there is no facet");
+    planes_.reserve(size());
+    for (std::size_t f = 0; f < size(); ++f) check_facet(f);
+    const EdgeTable edges(*facets_, range_->first, range_->last, vertices_->size());
+    for (std::size_t f = 0; f < size(); ++f) check_edges(f, edges);
     const auto opposite = [this](const Plane& g) {
       dot(height_, g.normal, planes_.front().normal);
       return height_ < 0;
     };
-    if (std::none_of(planes_.begin(), planes_.end(), opposite)) throw refused(part.line, "no facet faces away from the first");
+    if (std::none_of(planes_.begin(), planes_.end(), opposite)) throw refused(range_->line, "no facet faces away from the first");
+    return std::move(planes_);
   }
 
  private:
-  struct Plane {
-    Vector normal;  ///< outward
-    Integer c;      ///< <normal, corner>
-  };
-
-  void make_vertices(const Scaled& bodies);
+  // Facets are counted from the first of the range.
   void check_facet(std::size_t f);
   void find_plane(std::size_t f);
   void find_fan_normal(std::size_t f, std::size_t k);
   void check_distance(std::size_t f);
   void check_polygon(std::size_t f);
-  void check_listed(std::size_t line);
   void check_edges(std::size_t f, const EdgeTable& edges);
   bool turns_inward(std::size_t f, std::size_t k, const Plane& across);
 
-  [[nodiscard]] std::size_t corners(std::size_t f) const { return facets_->ends[f] - facets_->begin_of(f); }
+  [[nodiscard]] std::size_t size() const { return range_->last - range_->first; }
+  [[nodiscard]] std::size_t begin_of(std::size_t f) const { return facets_->begin_of(range_->first + f); }
+  [[nodiscard]] std::size_t corners(std::size_t f) const { return begin_of(f + 1) - begin_of(f); }
   /// The number of corner k of facet f, cyclically: k is less than twice their number.
   [[nodiscard]] std::uint32_t number(std::size_t f, std::size_t k) const {
-    return facets_->corners[facets_->begin_of(f) + (k < corners(f) ? k : k - corners(f))];
+    return facets_->corners[begin_of(f) + (k < corners(f) ? k : k - corners(f))];
   }
-  [[nodiscard]] const Vector& corner(std::size_t f, std::size_t k) const { return vertices_[number(f, k)]; }
-  [[nodiscard]] std::size_t line(std::size_t f) const { return c_->facets.lines[f]; }
+  [[nodiscard]] const Vector& corner(std::size_t f, std::size_t k) const { return (*vertices_)[number(f, k)]; }
+  [[nodiscard]] std::size_t line(std::size_t f) const { return range_->part->lines[range_->first + f]; }
 
-  const Certificate* c_;
+  const std::vector<Vector>* vertices_;
+  const FacetRange* range_;
   const Facets* facets_;
   const Bound* squared_;
-  Arena integers_;
-  std::vector<Vector> vertices_;
+  const NearestFacet* nearest_;
+  Arena* integers_;
   std::vector<Plane> planes_;
 
   // What is computed about the facet at hand.
@@ -98,28 +96,17 @@ class Inner {
   mpz_class c_of_plane_, height_, reached_, needed_;
 };
 
-void Inner::make_vertices(const Scaled& bodies) {
-  const Part<std::vector<Pair>>& part = c_->vertices;
-  for (std::size_t k = 0; k < part.items.size(); ++k) {
-    const Pair pair = part.items[k];
-    if (pair.j >= bodies.b.points.size()) throw refused(part.lines[k], "b has no point of this number");
-    if (pair.i >= bodies.a.points.size()) throw refused(part.lines[k], "a has no point of this number");
-    subtract(product_, bodies.b.points[pair.j], bodies.a.points[pair.i]);
-    vertices_.push_back(kept(integers_, product_));
-  }
-}
-
 // All that concerns this facet alone.
 void Inner::check_facet(std::size_t f) {
   const std::size_t count = corners(f);
   if (count < 3) throw refused(line(f), "a facet has at least three corners");
   for (std::size_t k = 0; k < count; ++k)
-    if (number(f, k) >= vertices_.size()) throw refused(line(f), "there is no vertex " + std::to_string(number(f, k)));
+    if (number(f, k) >= vertices_->size()) throw refused(line(f), "there is no vertex " + std::to_string(number(f, k)));
   find_plane(f);
   check_distance(f);
   // The plane through a triangle's corners is that of its normal, and its only fan triangle has det(v_0, v_1, v_2) = c > 0.
   if (count > 3) check_polygon(f);
-  planes_.push_back({kept(integers_, normal_), integers_.keep(c_of_plane_)});
+  planes_.push_back({kept(*integers_, normal_), integers_->keep(c_of_plane_)});
 }
 
 /// (v_k - v_0) x (v_(k+1) - v_0), into product_. Its product with v_0 is det(v_0, v_k, v_(k+1)).
@@ -147,19 +134,7 @@ void Inner::check_distance(std::size_t f) {
   dot(needed_, normal_, normal_);
   needed_ *= squared_->num;
   if (reached_ < needed_) throw refused(line(f), "this facet is nearer to O than claimed");
-  if (c_->all && reached_ == needed_) check_listed(line(f));
-}
-
-/// Whether a direction of the list, primitive and ascending as check_directions found, is the normal divided by its greatest divisor.
-void Inner::check_listed(std::size_t line) {
-  find_gcd(height_, normal_);
-  mpz_divexact(product_.x.get_mpz_t(), normal_.x.get_mpz_t(), height_.get_mpz_t());
-  mpz_divexact(product_.y.get_mpz_t(), normal_.y.get_mpz_t(), height_.get_mpz_t());
-  mpz_divexact(product_.z.get_mpz_t(), normal_.z.get_mpz_t(), height_.get_mpz_t());
-  const std::vector<Vector>& listed = c_->directions.items;
-  const auto found = std::lower_bound(listed.begin(), listed.end(), product_, ascending<Vector, MutableVector>);
-  if (found == listed.end() || ascending(product_, *found))
-    throw refused(line, "this facet is as near as the depth, and its direction is not among all directions");
+  if (*nearest_ && reached_ == needed_) (*nearest_)(line(f), normal_);
 }
 
 void Inner::check_polygon(std::size_t f) {
@@ -202,10 +177,44 @@ bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) {
   return false;
 }
 
+/// Throws unless a direction of the list, primitive and ascending as check_directions found, is the normal divided by its greatest divisor.
+void check_listed(const std::vector<Vector>& listed, MutableVector normal, std::size_t line) {
+  mpz_class divisor;
+  find_gcd(divisor, normal);
+  divide(normal, divisor);
+  const auto found = std::lower_bound(listed.begin(), listed.end(), normal, ascending<Vector, MutableVector>);
+  if (found == listed.end() || ascending(normal, *found))
+    throw refused(line, "this facet is as near as the depth, and its direction is not among all directions");
+}
+
 }  // namespace
 
-void check_inner(const Certificate& certificate, const Scaled& bodies, const Bound& squared) {
-  Inner(certificate, bodies, squared).check();
+std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last, const Points& a,
+                                const Points& b, Arena& integers) {
+  std::vector<Vector> result;
+  result.reserve(last - first);
+  MutableVector difference;
+  for (std::size_t k = first; k < last; ++k) {
+    const Pair pair = vertices.items[k];
+    if (pair.j >= b.size()) throw refused(vertices.lines[k], "b has no point of this number");
+    if (pair.i >= a.size()) throw refused(vertices.lines[k], "a has no point of this number");
+    subtract(difference, b[pair.j], a[pair.i]);
+    result.push_back(kept(integers, difference));
+  }
+  return result;
+}
+
+std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
+                                  const NearestFacet& nearest, Arena& integers) {
+  return Inner(vertices, facets, squared, nearest, integers).check();
+}
+
+void check_inner(const Certificate& c, const Scaled& bodies, const Bound& squared) {
+  Arena integers;
+  const auto vertices = differences(c.vertices, 0, c.vertices.items.size(), bodies.a.points, bodies.b.points, integers);
+  NearestFacet nearest;
+  if (c.all) nearest = [&c](std::size_t line, const MutableVector& normal) { check_listed(c.directions.items, normal, line); };
+  check_polytope(vertices, {&c.facets, 0, c.facets.items.size(), c.facets.line}, squared, nearest, integers);
 }
 
 }  // namespace fathom_check

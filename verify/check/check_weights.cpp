@@ -18,7 +18,7 @@ void check_weight(const Weight& w, std::size_t points, std::size_t line) {
   if (w.weight.num.sign() <= 0) throw refused(line, "a weight is positive: this one is not");
 }
 
-Combination combine(const Part<std::vector<Weight>>& part, const std::vector<Vector>& points) {
+Combination combine(const Part<std::vector<Weight>>& part, const Points& points) {
   Combination result;
   for (std::size_t k = 0; k < part.items.size(); ++k) {
     check_weight(part.items[k], points.size(), part.lines[k]);
@@ -41,9 +41,8 @@ Combination combine(const Part<std::vector<Weight>>& part, const std::vector<Vec
 
 }  // namespace
 
-void check_weights(const Certificate& c, const Scaled& bodies, const Bound& low) {
-  const Combination a = combine(c.weights_a, bodies.a.points);
-  const Combination b = combine(c.weights_b, bodies.b.points);
+void check_weights(const Certificate& c, const Points& points_a, const Points& points_b, const Bound& low) {
+  const Combination a = combine(c.weights_a, points_a), b = combine(c.weights_b, points_b);
   const MutableVector z{b.sum.x * a.den - a.sum.x * b.den, b.sum.y * a.den - a.sum.y * b.den, b.sum.z * a.den - a.sum.z * b.den};
   mpz_class squared;  // times (a.den b.den)^2
   dot(squared, z, z);

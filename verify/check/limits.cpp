@@ -56,8 +56,8 @@ Count widest(const Part<std::vector<Vector>>& vectors) {
 }
 
 Count width_of_claim(const Certificate& c) {
-  if (c.format == 1) {
-    if (c.claim != Claim::depth && c.claim != Claim::bounds) return 0;
+  if (c.format != 2) {
+    if (c.claim == Claim::touching || c.claim == Claim::disjoint) return 0;
     return std::max({bits(c.low.num), bits(c.low.den), bits(c.high.num), bits(c.high.den)});
   }
   Count sum = 0;
@@ -88,10 +88,49 @@ void for_each_coordinate(const Body& body, const Take& take) {
       for (const RationalPoint& vector : atom) take_point(vector);
 }
 
+void require_work(Count work, std::size_t line) {
+  if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
+}
+
+Width width_of_weights(const Certificate& c, Count weights, std::size_t line) {
+  Width result(weights, line);
+  for (const auto* part : {&c.weights_a, &c.weights_b})
+    for (const Weight& weight : part->items) result.take(weight.weight);
+  return result;
+}
+
+// The letters are those of section 12.
+void require_limits_of_unions(Certificate& c, std::size_t line) {
+  const UnionParts& parts = c.of_unions;
+  const Count n = c.a.points.items.size() + c.b.points.items.size(), f = c.facets.items.size(), m = parts.optima.items.size();
+  const Count k = parts.separations.items.size(), r = c.weights_a.items.size() + c.weights_b.items.size();
+  const Count vectors = n + c.vertices.items.size() + 3 * f;
+
+  Width of_points(vectors, line), of_optima(m, line);
+  for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
+  for (const RationalPoint& t : parts.optima.items)
+    for (const Rational* x : {&t.x, &t.y, &t.z}) of_optima.take(*x);
+  constexpr Count mean = 32;  // as many digits more have vertices that are moved by their mean
+  const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0, x = width_of_weights(c, r, line).value();
+  const Count u = widest(parts.separations), b = width_of_claim(c);
+  if (vectors * v + k * u + m * e + r * x > largest_size) throw Width::too_large(line);
+
+  const Count one_list = c.b.pieces.size() * c.a.points.items.size() + c.a.pieces.size() * c.b.points.items.size();
+  const Count d = parts.tree.items.size() + parts.tree.items.indices.size();
+  Count work = product(product(one_list, parts.separation_lists.size()), cost(w + e, u));
+  work = sum(work, product(16 * (n + squared_corners(c.facets.items)), cost(v, v)));
+  work = sum(work, product(4 * f, cost(4 * v, b)));
+  work = sum(work, product(4 * r, cost(v + x, v + x)));
+  work = sum(work, product(16 * d, cost(8 * v, 8 * v + b)));
+  require_work(work, line);
+  c.scale = of_points.denominator();
+}
+
 }  // namespace
 
-// The letters are those of the page.
+// The letters are those of section 8.
 void require_limits(Certificate& c, std::size_t line) {
+  if (c.format == 3) return require_limits_of_unions(c, line);
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
   n /= 3;
@@ -101,16 +140,15 @@ void require_limits(Certificate& c, std::size_t line) {
   const Count k = c.directions.items.size() + r + 2 * c.lineality.items.size();
   const Count vectors = n + i + c.vertices.items.size() + 3 * f + e;
 
-  Width of_points(vectors, line), of_parameters(vectors, line), of_weights(weights, line), of_heights(j, line);
+  Width of_points(vectors, line), of_parameters(vectors, line), of_heights(j, line);
   for (const Body* body : {&c.a, &c.b}) {
     for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
     for (const Place& place : body->inner.items)
       for (const Rational* y : {&place.y.x, &place.y.y, &place.y.z}) of_parameters.take(*y);
     for (const Rational& height : body->heights.items) of_heights.take(height);
   }
-  for (const auto* part : {&c.weights_a, &c.weights_b})
-    for (const Weight& weight : part->items) of_weights.take(weight.weight);
-  const Count v = of_points.value() + (i > 0 ? of_parameters.value() : 0), x = of_weights.value(), g = of_heights.value();
+  const Count x = width_of_weights(c, weights, line).value();
+  const Count v = of_points.value() + (i > 0 ? of_parameters.value() : 0), g = of_heights.value();
   if (vectors * v + weights * x + j * g > largest_size) throw Width::too_large(line);
 
   const Count u = std::max({widest(c.directions), widest(c.lineality), widest(c.rays)});
@@ -120,7 +158,7 @@ void require_limits(Certificate& c, std::size_t line) {
   work = sum(work, product(4 * weights, cost(v + x, v + x)));
   if (j > 0) work = sum(work, product(4 * n, cost(v + u + g, v + u + g)));
   work = sum(work, product(product(e, r + e), cost(v + u, v + u)));
-  if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
+  require_work(work, line);
   c.fine = of_parameters.denominator();
   c.scale = of_points.denominator() * c.fine;
 }

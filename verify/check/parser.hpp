@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From lines to a certificate: the grammar of FORMAT.md, section 2, and nothing more lenient.
+// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12, and nothing more lenient.
 #pragma once
 
 #include "budget.hpp"
@@ -44,6 +44,7 @@ class Parser {
 
   void read_id(Certificate& result);
   void read_body(Body& body, const std::string& name, int format);
+  void read_points(Body& body, const std::string& name);
   void read_claim(Certificate& result);
   std::size_t header(const std::string& word, const char* number = "their number", std::size_t fields = 2);
   template <class Items, class Item>
@@ -58,6 +59,14 @@ class Parser {
   void read_facets(Part<Facets>& part);
   void read_weights(Part<std::vector<Weight>>& part, const char* word);
   void read_proof(Certificate& result);
+  void read_convex(Certificate& result);
+  void read_unions(Certificate& result);
+  void read_pieces(Body& body, const std::string& name);
+  void read_separations(UnionParts& parts);
+  void read_optima(UnionParts& parts);
+  void read_polytopes(Certificate& result);
+  void read_tree(Part<Nodes>& part);
+  void read_nearest(Certificate& result);
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;
@@ -67,5 +76,17 @@ class Parser {
   std::vector<std::string_view> fields_;
   bool fresh_ = false;  ///< the line at hand is the first of a certificate that has not been read yet
 };
+
+/// The lines of a part, with this many numbers each; `item` makes one of the line at hand.
+template <class Items, class Item>
+void Parser::read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected, const Item& item) {
+  part.line = lines_->number();
+  for (; lines > 0; --lines) {
+    row(numbers, expected);
+    item(part.items);
+    part.lines.push_back(lines_->number());
+  }
+  advance();
+}
 
 }  // namespace fathom_check

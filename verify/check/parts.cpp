@@ -20,6 +20,10 @@ bool is_id(std::string_view text) {
   return !text.empty();
 }
 
+bool is_header(std::string_view line) {
+  return line == "fathom-certificate 1" || line == "fathom-certificate 2" || line == "fathom-certificate 3";
+}
+
 }  // namespace
 
 void Parser::read(Certificate& result) {
@@ -27,8 +31,8 @@ void Parser::read(Certificate& result) {
   counts_.clear();
   integers_ = &result.integers;
   const bool whole = lines_->kind() == Lines::Kind::whole;
-  if (!whole || (lines_->text() != "fathom-certificate 1" && lines_->text() != "fathom-certificate 2")) {
-    const Fault fault = wrong("'fathom-certificate 1' or 'fathom-certificate 2'");
+  if (!whole || !is_header(lines_->text())) {
+    const Fault fault = wrong("'fathom-certificate' and a format: 1, 2 or 3");
     if (at_header()) lines_->advance();  // it is this certificate's own
     throw fault;
   }
@@ -36,6 +40,12 @@ void Parser::read(Certificate& result) {
   bytes_ += lines_->text().size();
   advance();
   if (at("id")) read_id(result);
+  result.format == 3 ? read_unions(result) : read_convex(result);
+  read_footer(result);
+  require_limits(result, lines_->number());
+}
+
+void Parser::read_convex(Certificate& result) {
   read_body(result.a, "a", result.format);
   read_body(result.b, "b", result.format);
   read_claim(result);
@@ -46,8 +56,6 @@ void Parser::read(Certificate& result) {
   if (shape_a) read_inner(result.a, "a");
   if (shape_b) read_inner(result.b, "b");
   read_proof(result);
-  read_footer(result);
-  require_limits(result, lines_->number());
 }
 
 void Parser::read_id(Certificate& result) {
@@ -70,18 +78,6 @@ std::size_t Parser::header(const std::string& word, const char* number, std::siz
   return counts_.back();
 }
 
-/// The lines of a part, with this many numbers each; `item` makes one of the line at hand.
-template <class Items, class Item>
-void Parser::read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected, const Item& item) {
-  part.line = lines_->number();
-  for (; lines > 0; --lines) {
-    row(numbers, expected);
-    item(part.items);
-    part.lines.push_back(lines_->number());
-  }
-  advance();
-}
-
 RationalPoint Parser::point(std::size_t first) const {
   return {rational(fields_[first]), rational(fields_[first + 1]), rational(fields_[first + 2])};
 }
@@ -101,8 +97,7 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
     body.offset = rational(fields_[4]);
     advance();
   } else {
-    read_rows(body.points, header(name, "the number of its points"), 3, "a point: three rational numbers",
-              [this](auto& points) { points.push_back(point(0)); });
+    read_points(body, name);
   }
   if (format == 2 && at("radius_" + name)) {
     constexpr const char* expected = "a radius: one rational number";
@@ -111,6 +106,11 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
     body.radius = rational(fields_[1]);
     advance();
   }
+}
+
+void Parser::read_points(Body& body, const std::string& name) {
+  read_rows(body.points, header(name, "the number of its points"), 3, "a point: three rational numbers",
+            [this](auto& points) { points.push_back(point(0)); });
 }
 
 /// On the line behind the one at hand; the last of its atoms is at hand afterwards.
@@ -138,24 +138,25 @@ void Parser::read_claim(Certificate& result) {
   const char* expected = "'claim depth Q', 'claim touching', 'claim apart Q' or 'claim signed_bounds LO HI'";
   if (result.format == 1) expected = "'claim depth Q', 'claim bounds LO HI', 'claim touching' or 'claim disjoint'";
   if (shapes) expected = "'claim signed_bounds LO HI'";
+  if (result.format == 3) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
   require_line(expected);
   result.claim_line = lines_->number();
   if (fields_.size() < 2 || fields_[0] != "claim") throw wrong(expected);
   const auto is = [&](std::string_view word, std::size_t numbers, bool there) {
     return there && fields_[1] == word && fields_.size() == 2 + numbers;
   };
-  const bool first = result.format == 1, second = !first && !shapes;
-  if (is("depth", 1, first || second)) {
+  const bool first = result.format == 1, second = result.format == 2;
+  if (is("depth", 1, !shapes)) {
     result.claim = Claim::depth;
-  } else if (is("touching", 0, first || second)) {
+  } else if (is("touching", 0, !shapes)) {
     result.claim = Claim::touching;
   } else if (is("bounds", 2, first)) {
     result.claim = Claim::bounds;
   } else if (is("disjoint", 0, first)) {
     result.claim = Claim::disjoint;
-  } else if (is("apart", 1, second)) {
+  } else if (is("apart", 1, !first && !shapes)) {
     result.claim = Claim::apart;
-  } else if (is("signed_bounds", 2, !first)) {
+  } else if (is("signed_bounds", 2, second)) {
     result.claim = Claim::signed_bounds;
   } else {
     throw wrong(expected);

@@ -28,7 +28,12 @@ Verdict verified(const Certificate& c) {
   Verdict verdict;
   verdict.status = status(c);
   verdict.format = c.format;
-  if (c.claim == Claim::bounds || c.claim == Claim::signed_bounds) {
+  if (c.format == 3) {
+    const auto pieces = [](const Body& body) { return std::to_string(body.pieces.size()); };
+    verdict.pieces = pieces(c.a) + "x" + pieces(c.b);
+    (c.claim == Claim::apart ? verdict.distance_squared : verdict.depth_squared) = text(c.low);
+    verdict.optima = c.of_unions.optima.items.size();
+  } else if (c.claim == Claim::bounds || c.claim == Claim::signed_bounds) {
     verdict.at_least = text(c.low);
     verdict.at_most = text(c.high);
   } else if (c.format == 1) {

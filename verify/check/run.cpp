@@ -6,9 +6,9 @@
 #include <istream>
 #include <memory>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
+#include "echo.hpp"
 #include "limits.hpp"
 #include "reader.hpp"
 #include "result.hpp"
@@ -157,44 +157,6 @@ class Run {
     if (options_->second) options_->second->hand_over(certificate);
     if (options_->width) require_width(certificate);
     if (cases_) cases_->compare(certificate, options_->width, result_id);
-  }
-
-  static std::string echo(const Certificate& c) {
-    std::ostringstream out;
-    const auto text = [](const Rational& r) { return ratio_text(r.num.value(), r.den.value()); };
-    if (!c.id.empty()) out << "c id " << c.id << '\n';
-    const auto point = [&text](const RationalPoint& p) { return " " + text(p.x) + " " + text(p.y) + " " + text(p.z); };
-    for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
-      switch (body->core) {
-        case Body::Core::points:
-          out << "c " << name << ' ' << body->points.items.size() << '\n';
-          for (const RationalPoint& p : body->points.items) out << 'c' << point(p) << '\n';
-          break;
-        case Body::Core::shape:
-          out << "c shape_" << name << ' ' << body->terms.size() << '\n';
-          for (const Term& term : body->terms) {
-            out << "c term " << term.size() << '\n';
-            for (const Atom& atom : term) {
-              out << "c " << (atom.size() == 1 ? "point" : atom.size() == 3 ? "disc" : "ball");
-              for (const RationalPoint& vector : atom) out << point(vector);
-              out << '\n';
-            }
-          }
-          break;
-        case Body::Core::half_space: out << "c halfspace_" << name << point(body->normal) << ' ' << text(body->offset) << '\n'; break;
-      }
-      if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
-    }
-    out << "c claim ";
-    switch (c.claim) {
-      case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
-      case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
-      case Claim::touching: out << "touching\n"; break;
-      case Claim::disjoint: out << "disjoint\n"; break;
-      case Claim::apart: out << "apart " << text(c.low) << '\n'; break;
-      case Claim::signed_bounds: out << "signed_bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
-    }
-    return out.str();
   }
 
   const Options* options_;

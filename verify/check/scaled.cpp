@@ -17,8 +17,11 @@ class Scaling {
     switch (body.core) {
       case Body::Core::points:
         if (body.points.items.empty()) throw refused(body.line, "a body without points");
-        result.points.reserve(body.points.items.size());
-        for (const RationalPoint& p : body.points.items) result.points.push_back(times(p, c_->scale));
+        make_points(body, result);
+        break;
+      case Body::Core::pieces:
+        if (body.pieces.empty()) throw refused(body.line, "a body without pieces");
+        make_points(body, result);
         break;
       case Body::Core::shape: make_shape(body, result); break;
       case Body::Core::half_space: make_half_space(body, result); break;
@@ -34,6 +37,11 @@ class Scaling {
     return integers_->keep(product_);
   }
   Vector times(const RationalPoint& p, const mpz_class& scale) { return {times(p.x, scale), times(p.y, scale), times(p.z, scale)}; }
+
+  void make_points(const Body& body, ScaledBody& result) {
+    result.points.reserve(body.points.items.size());
+    for (const RationalPoint& p : body.points.items) result.points.push_back(times(p, c_->scale));
+  }
 
   void make_shape(const Body& body, ScaledBody& result) {
     if (body.terms.empty()) throw refused(body.line, "a shape without terms");

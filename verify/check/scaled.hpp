@@ -12,7 +12,7 @@ namespace fathom_check {
 
 /// In units of 1 / certificate.scale.
 struct ScaledBody {
-  std::vector<Vector> points;                           ///< the core points: none of a half-space
+  std::vector<Vector> points;                           ///< the core points: none of a half-space; of all pieces
   std::vector<std::vector<std::vector<Vector>>> terms;  ///< of a shape: their atoms, each the center, then the axes
   Vector normal;                                        ///< of a half-space: a positive multiple of the one that was read
   mpq_class offset;                                     ///< for this normal
@@ -24,7 +24,7 @@ struct Scaled {
   ScaledBody a, b;
 };
 
-/// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points included.
+/// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points included; of pieces, if there is none.
 Scaled scaled(const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -49,10 +49,24 @@ inline void add(MutableVector& sum, const MutableVector& v) {
   sum.z += v.z;
 }
 
+/// Some points that lie one behind another.
+class Points {
+ public:
+  Points(const std::vector<Vector>& all) : Points(all, 0, all.size()) {}
+  Points(const std::vector<Vector>& all, std::size_t first, std::size_t last) : begin_(all.data() + first), end_(all.data() + last) {}
+  [[nodiscard]] const Vector* begin() const { return begin_; }
+  [[nodiscard]] const Vector* end() const { return end_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+  [[nodiscard]] const Vector& operator[](std::size_t k) const { return begin_[k]; }
+
+ private:
+  const Vector *begin_, *end_;
+};
+
 /// The largest <s,p> of these points, of which there is at least one.
 template <class S>
-void find_largest(mpz_class& largest, mpz_class& scratch, const S& s, const std::vector<Vector>& points) {
-  dot(largest, s, points.front());
+void find_largest(mpz_class& largest, mpz_class& scratch, const S& s, const Points& points) {
+  dot(largest, s, points[0]);
   for (const Vector& p : points) {
     dot(scratch, s, p);
     if (scratch > largest) swap(scratch, largest);
@@ -69,6 +83,11 @@ template <class V>
 void find_gcd(mpz_class& result, const V& v) {
   mpz_gcd(result.get_mpz_t(), v.x.get_mpz_t(), v.y.get_mpz_t());
   mpz_gcd(result.get_mpz_t(), result.get_mpz_t(), v.z.get_mpz_t());
+}
+
+/// By a divisor of all three entries.
+inline void divide(MutableVector& v, const mpz_class& divisor) {
+  for (mpz_class* const entry : {&v.x, &v.y, &v.z}) mpz_divexact(entry->get_mpz_t(), entry->get_mpz_t(), divisor.get_mpz_t());
 }
 
 /// In lexicographic order, strictly.

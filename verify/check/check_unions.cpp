@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which checks belong to which claim about unions; separations, of which all of them have some.
+#include <algorithm>
+
+#include "budget.hpp"
+#include "unions.hpp"
+
+namespace fathom_check {
+namespace {
+
+/// Whether some four of these points do not lie in one plane.
+bool has_interior(const Points& points) {
+  MutableVector edge, other, normal;
+  mpz_class height;
+  for (const Vector& p : points) {
+    subtract(other, p, points[0]);
+    if (is_zero(edge)) {
+      std::swap(edge, other);
+    } else if (is_zero(normal)) {
+      cross(normal, edge, other);
+    } else {
+      dot(height, normal, other);
+      if (height != 0) return true;
+    }
+  }
+  return false;
+}
+
+void check_pieces(const Body& body, const ScaledBody& scaled) {
+  for (std::size_t k = 0; k < body.pieces.size(); ++k)
+    if (!has_interior(piece(body, scaled, k))) throw refused(body.pieces[k].line, "the points of this piece lie in one plane");
+}
+
+class Separations {
+ public:
+  Separations(const Certificate& certificate, const Scaled& bodies, const Bound& low) : c_(&certificate), bodies_(&bodies), low_(&low) {}
+
+  /// The list of this number, for the place t / den.
+  void check(std::size_t list, const MutableVector& t, const mpz_class& den) {
+    const UnionParts& parts = c_->of_unions;
+    const std::size_t first = begin_of(parts.separation_lists, list), count = parts.separation_lists[list].end - first;
+    const std::size_t m = c_->a.pieces.size(), n = c_->b.pieces.size();
+    if (count != m * n) throw refused(parts.separation_lists[list].line, "there is not one separation for each pair of pieces");
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t line = parts.separations.lines[first + k];
+      const Vector& u = parts.separations.items[first + k];
+      if (is_zero(u)) throw refused(line, "a direction that is zero proves nothing");
+      find_height(u, k / n, k % n);
+      c_->claim == Claim::apart ? check_gap(u, line) : check_side(u, t, den, line);
+    }
+  }
+
+ private:
+  /// h_ij(u), in units of 1 / scale.
+  void find_height(const Vector& u, std::size_t i, std::size_t j) {
+    find_largest(height_, scratch_, u, piece(c_->b, bodies_->b, j));
+    find_largest(of_a_, scratch_, negated(u), piece(c_->a, bodies_->a, i));
+    height_ += of_a_;
+  }
+
+  void check_side(const Vector& u, const MutableVector& t, const mpz_class& den, std::size_t line) {
+    dot(reached_, u, t);
+    reached_ *= c_->scale;
+    height_ *= den;
+    if (reached_ < height_) throw refused(line, "this direction does not separate the two pieces");
+  }
+
+  void check_gap(const Vector& u, std::size_t line) {
+    if (height_ >= 0) throw refused(line, "this direction does not separate the two pieces");
+    dot(reached_, u, u);
+    reached_ *= low_->num;  // which is negative
+    height_ *= height_;
+    height_ *= low_->den;
+    if (height_ < -reached_) throw refused(line, "the two pieces may be nearer to each other than claimed");
+  }
+
+  const Certificate* c_;
+  const Scaled* bodies_;
+  const Bound* low_;
+  mpz_class height_, of_a_, reached_, scratch_;
+};
+
+bool below(const Rational& r, const Rational& s) { return r.num.value() * s.den.value() < s.num.value() * r.den.value(); }
+bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
+
+bool below(const RationalPoint& p, const RationalPoint& q) {
+  if (!same(p.x, q.x)) return below(p.x, q.x);
+  if (!same(p.y, q.y)) return below(p.y, q.y);
+  return below(p.z, q.z);
+}
+
+}  // namespace
+
+Points piece(const Body& body, const ScaledBody& scaled, std::size_t number) {
+  return {scaled.points, begin_of(body.pieces, number), body.pieces[number].end};
+}
+
+void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squared) {
+  const Part<std::vector<RationalPoint>>& optima = c.of_unions.optima;
+  if (optima.items.empty()) throw refused(optima.line, "there is no optimum");
+  Separations separations(c, bodies, squared);
+  mpz_class reached;
+  for (std::size_t k = 0; k < optima.items.size(); ++k) {
+    const RationalPoint& p = optima.items[k];
+    if (k > 0 && !below(optima.items[k - 1], p)) throw refused(optima.lines[k], "an optimum must be above the one before it");
+    const mpz_class den = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
+    const auto over = [&den](const Rational& r) { return mpz_class(den / r.den.value() * r.num.value()); };
+    const MutableVector t{over(p.x), over(p.y), over(p.z)};
+    dot(reached, t, t);
+    if (reached * c.low.den.value() != c.low.num.value() * den * den)
+      throw refused(optima.lines[k], "the length of this translation is not the depth");
+    separations.check(k, t, den);
+  }
+}
+
+void check_unions(const Certificate& c, const Scaled& bodies, const Bound& low) {
+  check_pieces(c.a, bodies.a);
+  check_pieces(c.b, bodies.b);
+  const UnionParts& parts = c.of_unions;
+  if (c.claim == Claim::depth) {
+    check_optima(c, bodies, low);
+    Arena integers;
+    check_tree(c, check_polytopes(c, bodies, integers), low);
+    return;
+  }
+  Separations(c, bodies, low).check(0, {}, 1);
+  if (parts.nearest_a >= c.a.pieces.size()) throw refused(parts.nearest_line, "a has no piece of this number");
+  if (parts.nearest_b >= c.b.pieces.size()) throw refused(parts.nearest_line, "b has no piece of this number");
+  check_weights(c, piece(c.a, bodies.a, parts.nearest_a), piece(c.b, bodies.b, parts.nearest_b), low);
+}
+
+}  // namespace fathom_check

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "echo.hpp"
+
+#include <sstream>
+#include <utility>
+
+#include "text.hpp"
+
+namespace fathom_check {
+namespace {
+
+std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.value()); }
+std::string text(const RationalPoint& p) { return " " + text(p.x) + " " + text(p.y) + " " + text(p.z); }
+
+void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last) {
+  out << "c " << name << ' ' << last - first << '\n';
+  for (std::size_t k = first; k < last; ++k) out << 'c' << text(body.points.items[k]) << '\n';
+}
+
+void shape(std::ostream& out, const char* name, const Body& body) {
+  out << "c shape_" << name << ' ' << body.terms.size() << '\n';
+  for (const Term& term : body.terms) {
+    out << "c term " << term.size() << '\n';
+    for (const Atom& atom : term) {
+      out << "c " << (atom.size() == 1 ? "point" : atom.size() == 3 ? "disc" : "ball");
+      for (const RationalPoint& vector : atom) out << text(vector);
+      out << '\n';
+    }
+  }
+}
+
+void core(std::ostream& out, const char* name, const Body& body) {
+  switch (body.core) {
+    case Body::Core::points: return points(out, name, body, 0, body.points.items.size());
+    case Body::Core::shape: return shape(out, name, body);
+    case Body::Core::half_space: out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n'; return;
+    case Body::Core::pieces:
+      out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
+      for (std::size_t k = 0; k < body.pieces.size(); ++k) points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end);
+      return;
+  }
+}
+
+}  // namespace
+
+std::string echo(const Certificate& c) {
+  std::ostringstream out;
+  if (!c.id.empty()) out << "c id " << c.id << '\n';
+  for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
+    core(out, name, *body);
+    if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
+  }
+  out << "c claim ";
+  switch (c.claim) {
+    case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
+    case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+    case Claim::touching: out << "touching\n"; break;
+    case Claim::disjoint: out << "disjoint\n"; break;
+    case Claim::apart: out << "apart " << text(c.low) << '\n'; break;
+    case Claim::signed_bounds: out << "signed_bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+  }
+  return out.str();
+}
+
+}  // namespace fathom_check
