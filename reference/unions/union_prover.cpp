@@ -168,7 +168,8 @@ std::vector<Vector> separations(const UnionSearch& search, const RationalPoint& 
 UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, const std::vector<UnionOptimum>& optima) {
   UnionSearch search(pieces);
   for (const UnionOptimum& o : optima) search.offer(pieces.point(o.translation));
-  if (search.starts_free() || search.optima().size() != optima.size()) throw std::logic_error("translations that are not the optima of a union");
+  if (search.starts_free() || search.optima().size() != optima.size())
+    throw std::logic_error("translations that are not the optima of a union");
   return Prover(context, pieces, search).run();
 }
 

@@ -5,9 +5,9 @@
 
 #include "fathom/union.hpp"
 #include "kernels/context.hpp"
+#include "reference/unions/placed_pieces.hpp"
 #include "reference/unions/union_proof.hpp"
 #include "reference/unions/union_search.hpp"
-#include "reference/unions/placed_pieces.hpp"
 
 namespace fathom::unions {
 

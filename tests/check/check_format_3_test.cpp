@@ -32,34 +32,36 @@ TEST(CheckFormat3, SaysWhatIsProved) {
   EXPECT_EQ(verdict.format, 3);
   EXPECT_EQ(verdict.depth_squared + verdict.signed_depth, "") << "what is apart has no depth";
   EXPECT_EQ(verdict.distance_squared, "25");
-  EXPECT_EQ(line(edited(seam, "claim depth 1\n", "claim depth 7/7\n")).substr(0, 38), "s VERIFIED penetrating depth_squared=1") << "lowest terms";
+  EXPECT_EQ(line(edited(seam, "claim depth 1\n", "claim depth 7/7\n")).substr(0, 38), "s VERIFIED penetrating depth_squared=1")
+      << "lowest terms";
 }
 
 TEST(CheckFormat3, FaultsOfPieces) {
   const std::size_t first = line_of(seam, "a 8"), second = line_of(seam, "a 8", 2), of_b = line_of(seam, "b 8");
   const std::string flat = "a 8\n1 0 0\n2 0 0\n1 2 0\n2 2 0\n1 0 0\n2 0 0\n1 2 0\n2 2 0\n";
-  expect_found(seam, {
-                         {"1 0 0\n2 0 0\n1 2 0\n2 2 0\n1 0 2\n2 0 2\n1 2 2\n2 2 2\n", flat.substr(4), Outcome::refused, second, "one plane"},
-                         {"0 0 0\n1 0 0\n0 2 0\n1 2 0\n0 0 2\n1 0 2\n0 2 2\n1 2 2\n",
-                          "0 0 0\n1 1 1\n2 2 2\n1 1 1\n3 3 3\n1 1 1\n5 5 5\n7 7 7\n", Outcome::refused, first, "one plane"},
-                         {"1 0 0\n3 0 0\n1 2 0\n3 2 0\n1 0 2\n3 0 2\n1 2 2\n3 2 2\n",
-                          "3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n", Outcome::refused, of_b, "one plane"},
-                         {"a 8\n1 0 0\n", "a 9\n1 0 0\n1 0 0\n", Outcome::malformed, 79, "counts"},
-                         {"a 8\n1 0 0\n", "a 7\n", Outcome::malformed, 77, "counts"},
-                         {"a 8\n1 0 0\n", "b 8\n1 0 0\n", Outcome::malformed, second, "'a'"},
-                         {"pieces_a 2\n", "pieces_a 1\n", Outcome::malformed, second, "'pieces_b'"},
-                         {"pieces_a 2\n", "pieces_a 3\n", Outcome::malformed, 23, "'a'"},
-                         {"pieces_b 1\n", "radius_a 1\npieces_b 1\n", Outcome::malformed, 23, "'pieces_b'"},
-                         {"pieces_b 1\n", "b 8\n", Outcome::malformed, 23, "'pieces_b'"},
-                         {"a 8\n1 0 0\n", "a 8\n1 0\n", Outcome::malformed, second + 1, "a point"},
-                         {"a 8\n1 0 0\n", "a 8\n1 0 0/0\n", Outcome::malformed, second + 1, "zero"},
-                     });
+  expect_found(seam,
+               {
+                   {"1 0 0\n2 0 0\n1 2 0\n2 2 0\n1 0 2\n2 0 2\n1 2 2\n2 2 2\n", flat.substr(4), Outcome::refused, second, "one plane"},
+                   {"0 0 0\n1 0 0\n0 2 0\n1 2 0\n0 0 2\n1 0 2\n0 2 2\n1 2 2\n", "0 0 0\n1 1 1\n2 2 2\n1 1 1\n3 3 3\n1 1 1\n5 5 5\n7 7 7\n",
+                    Outcome::refused, first, "one plane"},
+                   {"1 0 0\n3 0 0\n1 2 0\n3 2 0\n1 0 2\n3 0 2\n1 2 2\n3 2 2\n", "3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n3 3 3\n",
+                    Outcome::refused, of_b, "one plane"},
+                   {"a 8\n1 0 0\n", "a 9\n1 0 0\n1 0 0\n", Outcome::malformed, 79, "counts"},
+                   {"a 8\n1 0 0\n", "a 7\n", Outcome::malformed, 77, "counts"},
+                   {"a 8\n1 0 0\n", "b 8\n1 0 0\n", Outcome::malformed, second, "'a'"},
+                   {"pieces_a 2\n", "pieces_a 1\n", Outcome::malformed, second, "'pieces_b'"},
+                   {"pieces_a 2\n", "pieces_a 3\n", Outcome::malformed, 23, "'a'"},
+                   {"pieces_b 1\n", "radius_a 1\npieces_b 1\n", Outcome::malformed, 23, "'pieces_b'"},
+                   {"pieces_b 1\n", "b 8\n", Outcome::malformed, 23, "'pieces_b'"},
+                   {"a 8\n1 0 0\n", "a 8\n1 0\n", Outcome::malformed, second + 1, "a point"},
+                   {"a 8\n1 0 0\n", "a 8\n1 0 0/0\n", Outcome::malformed, second + 1, "zero"},
+               });
 }
 
 TEST(CheckFormat3, BodiesWithoutPieces) {
   const auto reason = [](const std::string& a, const std::string& b, const std::string& counts) {
-    return verdict_line(verify("fathom-certificate 3\n" + a + b + "claim touching\nseparations 0\nnearest 0 0\nweights_a 0\nweights_b 0\nend " +
-                               counts + " 0 0 0\n"),
+    return verdict_line(verify("fathom-certificate 3\n" + a + b +
+                               "claim touching\nseparations 0\nnearest 0 0\nweights_a 0\nweights_b 0\nend " + counts + " 0 0 0\n"),
                         "x");
   };
   const std::string simplex = " 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -78,29 +80,30 @@ TEST(CheckFormat3, PiecesWithManyPoints) {
 
 TEST(CheckFormat3, FaultsOfOptima) {
   const std::size_t t = line_of(seam, "optimum"), claim = line_of(seam, "claim"), u = t + 2;
-  expect_found(seam, {
-                         {"claim depth 1\n", "claim depth 0\n", Outcome::refused, claim, "positive"},
-                         {"claim depth 1\n", "claim depth -1\n", Outcome::refused, claim, "positive"},
-                         {"claim depth 1\n", "claim depth 2\n", Outcome::refused, t, "not the depth"},
-                         {"claim depth 1\n", "claim depth 1/2\n", Outcome::refused, t, "not the depth"},
-                         {"optimum -1 0 0\n", "optimum 1 0 0\n", Outcome::refused, u, "does not separate"},
-                         {"optimum -1 0 0\n", "optimum -1 0 1/1000\n", Outcome::refused, t, "not the depth"},
-                         {"optimum -1 0 0\n", "optimum -3/5 0 4/5\n", Outcome::refused, u + 1, "does not separate"},
-                         {"optimum -1 0 0\n", "optimum -1 0\n", Outcome::malformed, t, "'optimum'"},
-                         {"optimum -1 0 0\n", "optimum -1 0 0 0\n", Outcome::malformed, t, "'optimum'"},
-                         {"optimum -1 0 0\n", "optima -1 0 0\n", Outcome::malformed, t, "'optimum'"},
-                         {"optimum -1 0 0\n", "-1 0 0\n", Outcome::malformed, t, "'optimum'"},
-                         {"optima 1\n", "optima 0\n", Outcome::malformed, t, "'polytopes'"},
-                         {"optima 1\n", "optima 2\n", Outcome::malformed, line_of(seam, "polytopes"), "'optimum'"},
-                         {"separations 2\n-1 0 0\n", "separations 2\n0 0 0\n", Outcome::refused, u, "zero"},
-                         {"separations 2\n-1 0 0\n", "separations 2\n1 0 0\n", Outcome::refused, u, "does not separate"},
-                         {"separations 2\n-1 0 0\n-1 0 0\n", "separations 2\n-1 0 0\n-1 0 1\n", Outcome::refused, u + 1, "does not separate"},
-                         {"separations 2\n-1 0 0\n-1 0 0\n", "separations 2\n-9 1 0\n-7 0 0\n", Outcome::verified, 0, ""},
-                         {"separations 2\n-1 0 0\n", "separations 2\n-1/1 0 0\n", Outcome::malformed, u, "three integers"},
-                         {"separations 2\n-1 0 0\n", "separations 1\n", Outcome::malformed, 77, "counts"},
-                         {"separations 2\n-1 0 0\n", "separations 3\n-1 0 0\n-1 0 0\n", Outcome::malformed, 79, "counts"},
-                         {"separations 2\n", "separations 2 some\n", Outcome::malformed, t + 1, "'separations'"},
-                     });
+  expect_found(seam,
+               {
+                   {"claim depth 1\n", "claim depth 0\n", Outcome::refused, claim, "positive"},
+                   {"claim depth 1\n", "claim depth -1\n", Outcome::refused, claim, "positive"},
+                   {"claim depth 1\n", "claim depth 2\n", Outcome::refused, t, "not the depth"},
+                   {"claim depth 1\n", "claim depth 1/2\n", Outcome::refused, t, "not the depth"},
+                   {"optimum -1 0 0\n", "optimum 1 0 0\n", Outcome::refused, u, "does not separate"},
+                   {"optimum -1 0 0\n", "optimum -1 0 1/1000\n", Outcome::refused, t, "not the depth"},
+                   {"optimum -1 0 0\n", "optimum -3/5 0 4/5\n", Outcome::refused, u + 1, "does not separate"},
+                   {"optimum -1 0 0\n", "optimum -1 0\n", Outcome::malformed, t, "'optimum'"},
+                   {"optimum -1 0 0\n", "optimum -1 0 0 0\n", Outcome::malformed, t, "'optimum'"},
+                   {"optimum -1 0 0\n", "optima -1 0 0\n", Outcome::malformed, t, "'optimum'"},
+                   {"optimum -1 0 0\n", "-1 0 0\n", Outcome::malformed, t, "'optimum'"},
+                   {"optima 1\n", "optima 0\n", Outcome::malformed, t, "'polytopes'"},
+                   {"optima 1\n", "optima 2\n", Outcome::malformed, line_of(seam, "polytopes"), "'optimum'"},
+                   {"separations 2\n-1 0 0\n", "separations 2\n0 0 0\n", Outcome::refused, u, "zero"},
+                   {"separations 2\n-1 0 0\n", "separations 2\n1 0 0\n", Outcome::refused, u, "does not separate"},
+                   {"separations 2\n-1 0 0\n-1 0 0\n", "separations 2\n-1 0 0\n-1 0 1\n", Outcome::refused, u + 1, "does not separate"},
+                   {"separations 2\n-1 0 0\n-1 0 0\n", "separations 2\n-9 1 0\n-7 0 0\n", Outcome::verified, 0, ""},
+                   {"separations 2\n-1 0 0\n", "separations 2\n-1/1 0 0\n", Outcome::malformed, u, "three integers"},
+                   {"separations 2\n-1 0 0\n", "separations 1\n", Outcome::malformed, 77, "counts"},
+                   {"separations 2\n-1 0 0\n", "separations 3\n-1 0 0\n-1 0 0\n", Outcome::malformed, 79, "counts"},
+                   {"separations 2\n", "separations 2 some\n", Outcome::malformed, t + 1, "'separations'"},
+               });
   const auto reason = [](const std::string& text) { return verify(text).reason; };
   const std::string fewer = edited(edited(seam, "separations 2\n-1 0 0\n", "separations 1\n"), "1 8 1 2 2 8", "1 8 1 1 2 8");
   const std::string more = edited(edited(seam, "separations 2\n", "separations 3\n-1 0 0\n"), "1 8 1 2 2 8", "1 8 1 3 2 8");
@@ -157,7 +160,8 @@ TEST(CheckFormat3, PolytopesThatAreNone) {
   EXPECT_EQ(reason("vertices 1\n0 7\n", "facets 1\n3 0 0 0\n", "1 1"), "O does not lie below this facet");
   // A tetrahedron at one corner of the box, from outside and from inside.
   const std::string tetrahedron = "vertices 4\n0 7\n1 7\n2 7\n4 7\n";
-  EXPECT_EQ(reason(tetrahedron, "facets 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "4 4"), "a facet that is not done is not among the children");
+  EXPECT_EQ(reason(tetrahedron, "facets 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "4 4"),
+            "a facet that is not done is not among the children");
   EXPECT_EQ(reason(tetrahedron, "facets 4\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n", "4 4"), "O does not lie below this facet");
   // Many vertices that no facet has draw the mean out of the polytope.
   std::string many = "vertices 104\n0 7\n1 7\n2 7\n4 7\n";
@@ -167,27 +171,28 @@ TEST(CheckFormat3, PolytopesThatAreNone) {
 
 TEST(CheckFormat3, FaultsOfTouchingUnions) {
   const std::size_t u = line_of(touching, "separations") + 1, nearest = line_of(touching, "nearest");
-  expect_found(touching, {
-                             {"separations 4\n-1 0 0\n-1 0 0\n-1 0 0\n", "separations 4\n-1 0 0\n-1 0 0\n0 0 0\n", Outcome::refused, u + 2, "zero"},
-                             {"separations 4\n-1 0 0\n-1 0 0\n-1 0 0\n", "separations 4\n-1 0 0\n-1 0 0\n-1 1 0\n", Outcome::refused, u + 2,
-                              "does not separate"},
-                             {"separations 4\n-1 0 0\n", "separations 4\n0 1 0\n", Outcome::refused, u, "does not separate"},
-                             {"separations 4\n-1 0 0\n", "separations 4\n-1 -1 0\n", Outcome::refused, u, "does not separate"},
-                             {"separations 4\n-1 0 0\n", "separations 4\n-9 -4 0\n", Outcome::verified, 0, ""},
-                             {"nearest 1 0\n", "nearest 2 0\n", Outcome::refused, nearest, "a has no piece"},
-                             {"nearest 1 0\n", "nearest 1 2\n", Outcome::refused, nearest, "b has no piece"},
-                             {"nearest 1 0\n", "nearest 0 0\n", Outcome::refused, nearest + 4, "different points"},
-                             {"nearest 1 0\n", "nearest 1 1\n", Outcome::refused, nearest + 4, "different points"},
-                             {"nearest 1 0\n", "nearest 1\n", Outcome::malformed, nearest, "'nearest'"},
-                             {"nearest 1 0\n", "nearby 1 0\n", Outcome::malformed, nearest, "'nearest'"},
-                             {"1 1/2\n3 1/2\n", "1 1/2\n3 1/3\n", Outcome::refused, nearest + 1, "sum to 1"},
-                             {"1 1/2\n3 1/2\n", "1 3/2\n3 -1/2\n", Outcome::refused, nearest + 3, "positive"},
-                             {"1 1/2\n3 1/2\n", "1 1/2\n8 1/2\n", Outcome::refused, nearest + 3, "no point"},
-                             {"1 1/2\n3 1/2\n", "1 1/3\n3 2/3\n", Outcome::refused, nearest + 4, "different points"},
-                             {"claim touching\n", "claim apart 1\n", Outcome::refused, u + 2, "does not separate"},
-                             {"claim touching\n", "claim apart 0\n", Outcome::refused, u - 2, "positive"},
-                             {"claim touching\n", "claim depth 1\n", Outcome::malformed, u - 1, "'optima'"},
-                         });
+  expect_found(touching,
+               {
+                   {"separations 4\n-1 0 0\n-1 0 0\n-1 0 0\n", "separations 4\n-1 0 0\n-1 0 0\n0 0 0\n", Outcome::refused, u + 2, "zero"},
+                   {"separations 4\n-1 0 0\n-1 0 0\n-1 0 0\n", "separations 4\n-1 0 0\n-1 0 0\n-1 1 0\n", Outcome::refused, u + 2,
+                    "does not separate"},
+                   {"separations 4\n-1 0 0\n", "separations 4\n0 1 0\n", Outcome::refused, u, "does not separate"},
+                   {"separations 4\n-1 0 0\n", "separations 4\n-1 -1 0\n", Outcome::refused, u, "does not separate"},
+                   {"separations 4\n-1 0 0\n", "separations 4\n-9 -4 0\n", Outcome::verified, 0, ""},
+                   {"nearest 1 0\n", "nearest 2 0\n", Outcome::refused, nearest, "a has no piece"},
+                   {"nearest 1 0\n", "nearest 1 2\n", Outcome::refused, nearest, "b has no piece"},
+                   {"nearest 1 0\n", "nearest 0 0\n", Outcome::refused, nearest + 4, "different points"},
+                   {"nearest 1 0\n", "nearest 1 1\n", Outcome::refused, nearest + 4, "different points"},
+                   {"nearest 1 0\n", "nearest 1\n", Outcome::malformed, nearest, "'nearest'"},
+                   {"nearest 1 0\n", "nearby 1 0\n", Outcome::malformed, nearest, "'nearest'"},
+                   {"1 1/2\n3 1/2\n", "1 1/2\n3 1/3\n", Outcome::refused, nearest + 1, "sum to 1"},
+                   {"1 1/2\n3 1/2\n", "1 3/2\n3 -1/2\n", Outcome::refused, nearest + 3, "positive"},
+                   {"1 1/2\n3 1/2\n", "1 1/2\n8 1/2\n", Outcome::refused, nearest + 3, "no point"},
+                   {"1 1/2\n3 1/2\n", "1 1/3\n3 2/3\n", Outcome::refused, nearest + 4, "different points"},
+                   {"claim touching\n", "claim apart 1\n", Outcome::refused, u + 2, "does not separate"},
+                   {"claim touching\n", "claim apart 0\n", Outcome::refused, u - 2, "positive"},
+                   {"claim touching\n", "claim depth 1\n", Outcome::malformed, u - 1, "'optima'"},
+               });
   // Only the piece that is named has the points: the weights' indices are its own.
   const std::string other = edited(touching, "nearest 1 0\nweights_a 2\n1 1/2\n3 1/2\n", "nearest 1 0\nweights_a 2\n9 1/2\n11 1/2\n");
   EXPECT_EQ(verify(other).reason, "there is no point of this number");

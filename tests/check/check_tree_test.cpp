@@ -35,9 +35,11 @@ std::string of_slabs(const Nodes& tree, const std::vector<Place>& optima = {corn
   return said(boxes(q, slabs, optima, tree));
 }
 
-const std::string not_listed = "a facet that is not done is not among the children", nearer = "these constraints leave a place that is nearer, or not listed",
+const std::string not_listed = "a facet that is not done is not among the children",
+                  nearer = "these constraints leave a place that is nearer, or not listed",
                   no_multipliers = "these constraints have no multipliers that are not negative", ends = "the tree ends before this node",
-                  goes_on = "behind this node the tree goes on: a child is missing", no_constraint = "the path has no constraint of this number";
+                  goes_on = "behind this node the tree goes on: a child is missing",
+                  no_constraint = "the path has no constraint of this number";
 
 TEST(CheckTree, Accepts) {
   EXPECT_EQ(of_cube({"split 0"}), "accepted");
@@ -79,8 +81,9 @@ TEST(CheckTree, AFacetBehindOIsNotDone) {
 // A child twice is one facet; it does not stand for another.
 TEST(CheckTree, AChildTwiceDoesNotCountTwice) {
   const std::vector<DifferenceBox> two{{{-1, -1, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}};
-  EXPECT_EQ(said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}}, {"split 0 0 2", "split 1", "split 1"})),
-            "accepted");
+  EXPECT_EQ(
+      said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}}, {"split 0 0 2", "split 1", "split 1"})),
+      "accepted");
   for (const char* split : {"split 0 0 0", "split 0 2 2", "split 0 0", "split 0 0 1"}) {
     Nodes tree(std::string(split).size() > 9 ? 3 : 2, "split 1");
     tree[0] = split;
@@ -108,7 +111,8 @@ TEST(CheckTree, IndicesAreInRange) {
   EXPECT_EQ(of_cube({"split 4294967295"}), "there is no polytope of this number");
   EXPECT_EQ(of_cube({"split 99999999999999999999"}), "there is no polytope of this number");
   EXPECT_EQ(of_cube({"split 0 6", "leaf 0"}), "the polytope has no facet of this number");
-  EXPECT_EQ(of_slabs({"split 0 6", "split 1 2", "split 2 4", "leaf 0 1 2"}), "the polytope has no facet of this number") << "that of the next";
+  EXPECT_EQ(of_slabs({"split 0 6", "split 1 2", "split 2 4", "leaf 0 1 2"}), "the polytope has no facet of this number")
+      << "that of the next";
   EXPECT_EQ(of_cube({all, "leaf 1", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
   EXPECT_EQ(of_cube({all, "leaf 0", "leaf 2", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 3"}), no_constraint);
@@ -126,7 +130,8 @@ TEST(CheckTree, LeavesOfTooFewOrTooManyConstraints) {
 // The path: below all children listed before, in their order, and beyond the facet of the child.
 TEST(CheckTree, ThePathIsThatOfTheChild) {
   // Of the child beyond facet 2, constraint 0 is -<N_0,x> >= -d_0: it holds O, and more.
-  EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 0 0"}), no_multipliers) << "one constraint three times: the adjugate is zero";
+  EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 0 0"}), no_multipliers)
+      << "one constraint three times: the adjugate is zero";
   EXPECT_EQ(of_cube({"split 0 0 1", "leaf 0", "leaf 0"}), no_multipliers) << "l = c_0 = -1";
   EXPECT_EQ(of_cube({"split 0 0 1", "leaf 0", "leaf 1"}), "accepted");
   // The path of a child does not keep what is below the child before: there it has 0, 1, 2, here 0 and 1.

@@ -59,7 +59,8 @@ inline std::string row(const Place& p) { return std::to_string(p[0]) + " " + std
 /// Corner s has its coordinates in the bits of s, x lowest.
 inline std::string corners(const char* word, const Place& low, const Place& high) {
   std::string result = std::string(word) + " 8\n";
-  for (unsigned s = 0; s < 8; ++s) result += row({(s & 1U) != 0 ? high[0] : low[0], (s & 2U) != 0 ? high[1] : low[1], (s & 4U) != 0 ? high[2] : low[2]});
+  for (unsigned s = 0; s < 8; ++s)
+    result += row({(s & 1U) != 0 ? high[0] : low[0], (s & 2U) != 0 ? high[1] : low[1], (s & 4U) != 0 ? high[2] : low[2]});
   return result;
 }
 

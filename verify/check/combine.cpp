@@ -59,16 +59,10 @@ mpz_class level(const std::vector<Constraint>& constraints, const Row& multiplie
   return result;
 }
 
-/// The first column that is not zero, with the sign that makes the level of the sum >= 0.
-std::optional<Row> kernel(const std::vector<Constraint>& constraints, const Matrix& adjugate) {
-  const auto is_zero = [](const mpz_class& x) { return x == 0; };
-  for (std::size_t k = 0; k < constraints.size(); ++k) {
-    Row column = adjugate[k];
-    if (std::all_of(column.begin(), column.end(), is_zero)) continue;
-    if (level(constraints, column) < 0)
-      for (mpz_class& x : column) x = -x;
-    return column;
-  }
+/// The first column that is not zero.
+std::optional<Row> kernel(const Matrix& adjugate, std::size_t size) {
+  for (std::size_t k = 0; k < size; ++k)
+    if (std::any_of(adjugate[k].begin(), adjugate[k].end(), [](const mpz_class& x) { return x != 0; })) return adjugate[k];
   return std::nullopt;
 }
 
@@ -82,7 +76,7 @@ std::optional<Constraint> combined(const std::vector<Constraint>& constraints) {
   for (std::size_t k = 0; k < size; ++k) determinant += gram[0][k] * adjugate[0][k];
   std::optional<Row> l;
   if (determinant == 0) {
-    l = kernel(constraints, adjugate);
+    l = kernel(adjugate, size);
   } else {
     l.emplace();
     for (std::size_t i = 0; i < size; ++i) (*l)[i] = level(constraints, adjugate[i]);
