@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction
 from math import lcm
 
+getattr(sys, "set_int_max_str_digits", int)(0)
 LINE, DIGITS, BYTES, NUMBERS, SIZE, WORK = 2**24, 10**5, 10**9, 10**7, 4 * 10**9, 10**14
 
 
@@ -264,15 +265,13 @@ def judged(command, lines):
     return match[1] if match[1] == "REFUSED" else f"MALFORMED on line {match[2]}"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(quick, heavy):
+    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--checker", action="append", required=True)
     parser.add_argument("--heavy", action="store_true")
     options = parser.parse_args()
-    getattr(sys, "set_int_max_str_digits", int)(0)
     texts, wrong = 0, 0
-    quick = (digits, long_lines, sizes, works, sizes_of_format_2, works_of_format_2)
-    for group in (numbers, bytes_of_lines) if options.heavy else quick:
+    for group in heavy if options.heavy else quick:
         for name, lines, line in group():
             texts += 1
             expected = "REFUSED" if line is None else f"MALFORMED on line {line}"
@@ -286,4 +285,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main((digits, long_lines, sizes, works, sizes_of_format_2, works_of_format_2), (numbers, bytes_of_lines)))
