@@ -2,11 +2,15 @@
 // Input that wants the checker's memory, its time or its life. Nothing is accepted, and the test ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "tests/check/edits.hpp"
+#include "tests/check/union_texts.hpp"
 #include "verify/check/budget.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/json.hpp"
@@ -30,6 +34,64 @@ TEST(CheckHostile, AnnouncedCountsReserveNothing) {
     EXPECT_EQ(verify(body + "vertices 1\n0 0\nfacets 1\n" + count + " 0 0 0\n").outcome, Outcome::malformed);
     EXPECT_EQ(verify(body + "vertices 1\n0 " + count + "\nfacets 1\n3 0 0 0\nend 1 1 1 1 1\n").outcome, Outcome::refused);
   }
+}
+
+TEST(CheckHostile, AnnouncedCountsOfUnionsReserveNothing) {
+  const std::string pieces = "fathom-certificate 3\npieces_a 1\na 1\n0 0 0\npieces_b 1\nb 1\n0 0 0\n", depth = pieces + "claim depth 1\n";
+  const std::string optima = depth + "optima 1\noptimum 0 0 0\nseparations 1\n1 0 0\n", polytopes = optima + "polytopes 1\npolytope 0 0\n";
+  for (const std::string count : {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
+    for (const std::string& text :
+         {"fathom-certificate 3\npieces_a " + count + "\na 1\n0 0 0\n", "fathom-certificate 3\npieces_a 1\na " + count + "\n0 0 0\n",
+          depth + "optima " + count + "\noptimum 0 0 0\nseparations 0\n",
+          depth + "optima 1\noptimum 0 0 0\nseparations " + count + "\n1 0 0\n",
+          optima + "polytopes " + count + "\npolytope 0 0\nvertices 0\nfacets 0\n", polytopes + "vertices " + count + "\n0 0\n",
+          polytopes + "vertices 0\nfacets " + count + "\n", polytopes + "vertices 0\nfacets 0\ntree " + count + "\nleaf\n",
+          pieces + "claim touching\nseparations " + count + "\n1 0 0\n"}) {
+      const Verdict verdict = verify(text);
+      EXPECT_EQ(verdict.outcome, Outcome::malformed) << text;
+      EXPECT_EQ(verdict.line, static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1) << text;
+    }
+  }
+}
+
+const DifferenceBox cube{{-1, -1, -1}, {1, 1, 1}};
+const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+
+// Each level is a split whose only child is the next one.
+TEST(CheckHostile, ATreeMayBeAsDeepAsItIsLong) {
+  constexpr std::size_t levels = 1'000'000;
+  std::vector<std::string> tree(levels, "split 0 0");
+  tree.emplace_back("leaf " + std::to_string(levels - 1));
+  const std::string text = boxes("1", {cube}, six, tree).text();
+  EXPECT_TRUE(verify(text).accepted()) << verify(text).reason;
+  const std::string without = boxes("1", {cube}, six, std::vector<std::string>(levels, "split 0 0")).text();
+  EXPECT_EQ(verify(without).reason, "behind this node the tree goes on: a child is missing");
+}
+
+// A split with very many children, each of them beyond the same facet: the path grows, and shrinks again.
+TEST(CheckHostile, ASplitMayHaveManyChildren) {
+  constexpr std::size_t children = 200'000;
+  std::string root = "split 0";
+  std::vector<std::string> tree;
+  for (std::size_t child = 0; child < children; ++child) {
+    root += child % 2 == 0 ? " 0" : " 3";
+    tree.push_back(child % 3 == 0 ? "split 0" : "leaf " + std::to_string(child));
+  }
+  tree.insert(tree.begin(), root);
+  EXPECT_TRUE(verify(boxes("1", {cube}, six, tree).text()).accepted());
+  tree.back() = "leaf " + std::to_string(children);
+  EXPECT_EQ(verify(boxes("1", {cube}, six, tree).text()).reason, "the path has no constraint of this number");
+}
+
+// A polytope of very many facets, and as many splits by it that list none of them.
+TEST(CheckHostile, ManyFacetsCostASplitNothing) {
+  UnionText text = boxes("1", {cube}, six, std::vector<std::string>(100'000, "split 0 0"));
+  text.tree.emplace_back("split 0\n");
+  constexpr std::size_t facets = 100'000;
+  std::string& polytope = text.polytopes.front();
+  polytope = edited(polytope, "facets 6\n", "facets " + std::to_string(6 + facets) + "\n");
+  for (std::size_t k = 0; k < facets; ++k) polytope += "4 0 4 6 2\n";
+  EXPECT_TRUE(verify(text.text()).accepted()) << verify(text.text()).reason;
 }
 
 TEST(CheckHostile, NumbersAreLimited) {

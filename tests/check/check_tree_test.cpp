@@ -15,23 +15,23 @@ namespace {
 using Nodes = std::vector<std::string>;
 
 const DifferenceBox cube{{-1, -1, -1}, {1, 1, 1}};
-const std::vector<Place> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
 const std::string all = "split 0 0 1 2 3 4 5";
 const Nodes six_leaves{all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"};
 
 // What is in none of the three is x <= -1, y <= -2, z <= -2, or far away: the nearest place is the corner, 3 away.
 const std::vector<DifferenceBox> slabs{{{-1, -9, -9}, {9, 9, 9}}, {{-9, -2, -9}, {9, 9, 9}}, {{-9, -9, -2}, {9, 9, 9}}};
-const Place corner{-1, -2, -2};
+const Triple corner{-1, -2, -2};
 const Nodes to_the_corner{"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 2"};
 
 std::string said(const UnionText& text) {
   const Verdict verdict = verify(text.text());
   return verdict.accepted() ? "accepted" : verdict.outcome == Outcome::malformed ? "malformed: " + verdict.reason : verdict.reason;
 }
-std::string of_cube(const Nodes& tree, const std::vector<Place>& optima = six, const std::string& q = "1") {
+std::string of_cube(const Nodes& tree, const std::vector<Triple>& optima = six, const std::string& q = "1") {
   return said(boxes(q, {cube}, optima, tree));
 }
-std::string of_slabs(const Nodes& tree, const std::vector<Place>& optima = {corner}, const std::string& q = "9") {
+std::string of_slabs(const Nodes& tree, const std::vector<Triple>& optima = {corner}, const std::string& q = "9") {
   return said(boxes(q, slabs, optima, tree));
 }
 
@@ -58,7 +58,7 @@ TEST(CheckTree, FacetsThatAreNotDone) {
   EXPECT_EQ(of_slabs({"split 0 1", "split 1 2", "split 2 4", "leaf 0 1 2"}), not_listed) << "another facet";
   // Done is what is beyond the depth, or at the depth and listed.
   for (std::size_t k = 0; k < six.size(); ++k) {
-    std::vector<Place> five = six;
+    std::vector<Triple> five = six;
     five.erase(five.begin() + static_cast<std::ptrdiff_t>(k));
     EXPECT_EQ(of_cube({"split 0"}, five), not_listed) << k;
     EXPECT_EQ(of_cube(six_leaves, five), nearer) << k;

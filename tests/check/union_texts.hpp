@@ -8,11 +8,11 @@
 
 namespace fathom_check {
 
-using Place = std::array<int, 3>;
+using Triple = std::array<int, 3>;
 
 /// Its sides are longer than 1.
 struct DifferenceBox {
-  Place low, high;
+  Triple low, high;
 };
 
 /// The text, part by part: so that a test may change one.
@@ -54,10 +54,10 @@ struct UnionText {
   }
 };
 
-inline std::string row(const Place& p) { return std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n"; }
+inline std::string row(const Triple& p) { return std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n"; }
 
 /// Corner s has its coordinates in the bits of s, x lowest.
-inline std::string corners(const char* word, const Place& low, const Place& high) {
+inline std::string corners(const char* word, const Triple& low, const Triple& high) {
   std::string result = std::string(word) + " 8\n";
   for (unsigned s = 0; s < 8; ++s)
     result += row({(s & 1U) != 0 ? high[0] : low[0], (s & 2U) != 0 ? high[1] : low[1], (s & 4U) != 0 ? high[2] : low[2]});
@@ -67,21 +67,21 @@ inline std::string corners(const char* word, const Place& low, const Place& high
 inline constexpr const char* all_facets = "4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\n";
 
 /// Facet 2 k of the polytope in a box is where coordinate k is low, facet 2 k + 1 where it is high.
-inline UnionText boxes(const std::string& q, const std::vector<DifferenceBox>& boxes, const std::vector<Place>& optima,
+inline UnionText boxes(const std::string& q, const std::vector<DifferenceBox>& boxes, const std::vector<Triple>& optima,
                        const std::vector<std::string>& tree) {
   UnionText result;
   result.pieces = "pieces_a 1\n" + corners("a", {0, 0, 0}, {1, 1, 1}) + "pieces_b " + std::to_string(boxes.size()) + "\n";
   for (std::size_t j = 0; j < boxes.size(); ++j) {
-    const Place& low = boxes[j].low;
+    const Triple& low = boxes[j].low;
     result.pieces += corners("b", {low[0] + 1, low[1] + 1, low[2] + 1}, boxes[j].high);
     std::string polytope = "polytope 0 " + std::to_string(j) + "\nvertices 8\n";
     for (unsigned s = 0; s < 8; ++s) polytope += std::to_string(s) + " " + std::to_string(7 - s) + "\n";
     result.polytopes.push_back(polytope + "facets 6\n" + all_facets);
   }
-  for (const Place& t : optima) {
+  for (const Triple& t : optima) {
     std::string optimum = "optimum " + row(t) + "separations " + std::to_string(boxes.size()) + "\n";
     for (const DifferenceBox& box : boxes) {
-      Place u{1, 0, 0};
+      Triple u{1, 0, 0};
       for (std::size_t k = 0; k < 3; ++k)
         if (t[k] <= box.low[k] || t[k] >= box.high[k]) {
           u = {};
