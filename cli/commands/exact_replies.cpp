@@ -107,7 +107,8 @@ UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Moni
     throw InputError(single.id, 0, error.what());
   }
   if (!answer.depth.complete) throw Interrupted();
-  if (!request.certificate.empty() || request.embed_certificate) answer.certificate = certificate_text(a, b, answer.depth, single.id, &monitor);
+  if (!request.certificate.empty() || request.embed_certificate)
+    answer.certificate = certificate_text(a, b, answer.depth, single.id, &monitor);
   return answer;
 }
 

@@ -126,8 +126,7 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = asked_case(request);
-  if (const std::string fault = wrong_bodies(single, has_one_body(request), replies.refuses_shapes, replies.takes_unions);
-      !fault.empty())
+  if (const std::string fault = wrong_bodies(single, has_one_body(request), replies.refuses_shapes, replies.takes_unions); !fault.empty())
     throw InputError(single.id, 0, fault);
   const Working working;
   Progress progress;

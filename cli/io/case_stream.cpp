@@ -295,7 +295,8 @@ std::string wrong_bodies(const Case& single, bool one_body, const std::string& r
   if (!of_pieces.empty() && !takes_unions) return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
   if (!of_pieces.empty() && !of_shape.empty())
     return of_shape + ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than their cores";
-  if (!of_shape.empty() && !refuses_shapes.empty()) return of_shape + ": expected a polytope, found a shape that is none: " + refuses_shapes;
+  if (!of_shape.empty() && !refuses_shapes.empty())
+    return of_shape + ": expected a polytope, found a shape that is none: " + refuses_shapes;
   return "";
 }
 

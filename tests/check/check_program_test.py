@@ -197,13 +197,46 @@ class Options(ProgramTest):
         code, lines, _ = self.run_program(CHECK, "--echo", DATA / "format_3" / "pieces_apart.cert")
         self.assertEqual((code, lines[-2]), (0, "c claim apart 25"))
 
-    def test_neither_case_nor_width_of_format_3(self):
+    def test_width_of_format_3(self):
         certificate = DATA / "format_3" / "cube_in_two_pieces.cert"
-        case = self.file("case.json", json.dumps({"a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[1, 0, 0]]}}))
-        for words, reason in ((["--case", case], "the case has convex bodies: unions cannot be compared with it"),
-                              (["--width"], "unions have no width: it is that of a convex body")):
-            code, lines, _ = self.run_program(CHECK, *words, certificate)
-            self.assertEqual((code, lines), (1, [f"s REFUSED a%20cube%20in%20two%20pieces:4: {reason}"]))
+        code, lines, _ = self.run_program(CHECK, "--width", certificate)
+        self.assertEqual((code, lines), (1, ["s REFUSED a%20cube%20in%20two%20pieces:4: unions have no width here: it is that of a convex body"]))
+
+    def test_case_of_format_3(self):
+        def box(low, high):
+            return {"vertices": [[(low, high)[s >> k & 1][k] for k in range(3)] for s in range(8)]}
+
+        def checked(a, b, name="cube_in_two_pieces", **more):
+            case = self.file("case.json", json.dumps({"a": a, "b": b, **more}))
+            code, lines, _ = self.run_program(CHECK, "--case", case, DATA / f"{name}.cert" if "/" in name else DATA / "format_3" / f"{name}.cert")
+            return code, lines[0].split(": ", 1)[1] if code == 1 else ""
+
+        left, right, b = box((0, 0, 0), (1, 2, 2)), box((1, 0, 0), (2, 2, 2)), box((1, 0, 0), (3, 2, 2))
+        whole = {"pieces": [left, right]}
+        self.assertEqual(checked(whole, b), (0, ""))
+        self.assertEqual(checked(whole, {"pieces": [b]}), (0, ""))
+        self.assertEqual(checked({**whole, "pieces": [right, left]}, b), (1, "point 0 of piece 0 of a is not that of the case"))
+        self.assertEqual(checked({"pieces": [left]}, b), (1, "the case has 1 pieces in a, the certificate 2"))
+        self.assertEqual(checked(left, b), (1, "the case has 1 pieces in a, the certificate 2"))
+        self.assertEqual(checked({"pieces": [left, {"vertices": right["vertices"][:7]}]}, b),
+                         (1, "the case has 7 points in piece 1 of a, the certificate 8"))
+        self.assertEqual(checked(whole, left), (1, "point 0 of piece 0 of b is not that of the case"))
+        right["vertices"][7] = [2, 2, "2000000001/1000000000"]
+        self.assertEqual(checked(whole, b), (1, "point 7 of piece 1 of a is not that of the case"))
+        self.assertEqual(checked(whole, b, pose_rounding="binary64")[0], 1)
+        right["vertices"][7] = [2, 2, "20000000000000000001/10000000000000000000"]
+        self.assertEqual(checked(whole, b)[0], 1)
+        self.assertEqual(checked(whole, b, pose_rounding="binary64")[0], 0)
+        # A piece's own pose comes first: the turn by a right angle around z, then the body's, a translation.
+        turned = {"vertices": [[y, -x, z] for x, y, z in box((0, -2, 0), (1, 0, 2))["vertices"]], "pose": [[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]}
+        moved = {"vertices": [[x, y - 2, z] for x, y, z in box((1, 0, 0), (2, 2, 2))["vertices"]]}
+        self.assertEqual(checked({"pieces": [turned, moved], "pose": [[1, 0, 0, 0], [0, 1, 0, 2], [0, 0, 1, 0]]}, b), (0, ""))
+        self.assertEqual(checked({"pieces": [turned, moved]}, b)[0], 1)
+        for wrong in ({"pieces": []}, {"pieces": 2}, {"pieces": [7]}, {"pieces": [{}]}, {"pieces": [left], "vertices": []},
+                      {"pieces": [{**left, "pose_rounding": "binary64"}]}, {"pieces": [left], "pose": 1}, {"pieces": None}):
+            self.assertEqual(checked(wrong, b)[0], 2, wrong)
+        self.assertEqual(checked({"pieces": [box((0, 0, 0), (2, 2, 2))]}, b, "../certificates/depth_cubes"),
+                         (1, "the case has pieces in a, the certificate is about a convex body"))
 
     def test_case_of_format_2(self):
         folder = DATA / "format_2"

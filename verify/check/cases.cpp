@@ -28,18 +28,42 @@ class CaseReader {
     return id->text;
   }
 
-  [[nodiscard]] std::vector<ExactPoint> body(const char* name) const {
+  [[nodiscard]] OwnBody body(const char* name) const {
     const Json* const body = case_->field(name, line_);
-    if (!body || body->kind != Kind::object) throw wrong("an object " + shown(name) + " with 'vertices'");
-    const Json* const vertices = body->field("vertices", line_);
-    if (!vertices || vertices->kind != Kind::array) throw wrong("an array 'vertices' of points in " + shown(name));
-    const std::optional<Pose> placing = pose(*body);
+    if (!body || body->kind != Kind::object) throw wrong("an object " + shown(name) + " with 'vertices' or 'pieces'");
+    const Json* const pieces = body->field("pieces", line_);
     const bool rounding = rounded_ || is_rounded(*body);
+    const std::optional<Pose> placing = pose(*body);
+    OwnBody result;
+    result.has_pieces = pieces && pieces->kind != Kind::null;
+    if (!result.has_pieces) {
+      result.pieces.push_back(points(*body, name, {placing, std::nullopt}, rounding));
+      return result;
+    }
+    if (pieces->kind != Kind::array || pieces->items.empty()) throw wrong("an array 'pieces' of bodies in " + shown(name));
+    if (body->field("vertices", line_)) throw wrong("no 'vertices' beside the 'pieces' of " + shown(name));
+    for (const Json& piece : pieces->items) {
+      if (piece.kind != Kind::object || piece.field("pose_rounding", line_)) throw wrong("pieces with 'vertices' in " + shown(name));
+      budget_->store(sizeof(result.pieces.front()), line_);
+      result.pieces.push_back(points(piece, name, {pose(piece), placing}, rounding));
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Fault wrong(const std::string& expected) const { return malformed(line_, "expected " + expected); }
+
+  /// The vertices of an object, placed by one pose after the other, and then rounded.
+  [[nodiscard]] std::vector<ExactPoint> points(const Json& object, const char* name, const std::array<std::optional<Pose>, 2>& poses,
+                                               bool rounding) const {
+    const Json* const vertices = object.field("vertices", line_);
+    if (!vertices || vertices->kind != Kind::array) throw wrong("an array 'vertices' of points in " + shown(name));
     std::vector<ExactPoint> points;
     for (const Json& vertex : vertices->items) {
       std::vector<mpq_class> row = numbers(vertex, 3);
       ExactPoint point{row[0], row[1], row[2]};
-      if (placing) point = placed(point, *placing);
+      for (const std::optional<Pose>& pose : poses)
+        if (pose) point = placed(point, *pose);
       for (mpq_class& x : point) {
         if (rounding && !round_to_binary64(x)) throw wrong("placed points within the range of binary64");
         constexpr std::uint64_t mpz_bytes = 48;  // that a small mpz_class occupies, its block on the heap included
@@ -49,9 +73,6 @@ class CaseReader {
     }
     return points;
   }
-
- private:
-  [[nodiscard]] Fault wrong(const std::string& expected) const { return malformed(line_, "expected " + expected); }
 
   [[nodiscard]] bool is_rounded(const Json& object) const {
     const Json* const rounding = object.field("pose_rounding", line_);
@@ -110,22 +131,36 @@ bool equal(const Rational& r, const mpq_class& q) {
   return mpz_cmp(r.num.get_mpz_t(), q.get_num_mpz_t()) == 0 && mpz_cmp(r.den.get_mpz_t(), q.get_den_mpz_t()) == 0;
 }
 
-void require_convex(const Certificate& certificate, const char* reason) {
-  if (certificate.format == 3) throw refused(certificate.a.line, reason);
+/// The points of the certificate from number `first` on are these.
+void compare_points(const Part<std::vector<RationalPoint>>& part, std::size_t first, const std::vector<ExactPoint>& own,
+                    const std::string& name) {
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const RationalPoint& p = part.items[first + k];
+    if (!equal(p.x, own[k][0]) || !equal(p.y, own[k][1]) || !equal(p.z, own[k][2]))
+      throw refused(part.lines[first + k], "point " + std::to_string(k) + " of " + name + " is not that of the case");
+  }
 }
 
-void compare_points(const Body& body, const std::vector<ExactPoint>& own, const std::string& name) {
+void compare_count(std::size_t line, std::size_t own, const std::string& what, std::size_t found) {
+  if (found == own) return;
+  throw refused(line, "the case has " + std::to_string(own) + " " + what + ", the certificate " + std::to_string(found));
+}
+
+void compare_body(const Body& body, const OwnBody& own, const std::string& name) {
+  if (body.core == Body::Core::pieces) {
+    compare_count(body.line, own.pieces.size(), "pieces in " + name, body.pieces.size());
+    for (std::size_t i = 0; i < own.pieces.size(); ++i) {
+      const std::string piece = "piece " + std::to_string(i) + " of " + name;
+      compare_count(body.pieces[i].line, own.pieces[i].size(), "points in " + piece, body.pieces[i].end - begin_of(body.pieces, i));
+      compare_points(body.points, begin_of(body.pieces, i), own.pieces[i], piece);
+    }
+    return;
+  }
+  if (own.has_pieces) throw refused(body.line, "the case has pieces in " + name + ", the certificate is about a convex body");
   if (body.core != Body::Core::points) throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
   if (body.radius.num.sign() != 0) throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
-  const Part<std::vector<RationalPoint>>& part = body.points;
-  if (part.items.size() != own.size())
-    throw refused(part.line, "the case has " + std::to_string(own.size()) + " points in " + name + ", the certificate " +
-                                 std::to_string(part.items.size()));
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    const RationalPoint& p = part.items[k];
-    if (!equal(p.x, own[k][0]) || !equal(p.y, own[k][1]) || !equal(p.z, own[k][2]))
-      throw refused(part.lines[k], "point " + std::to_string(k) + " of " + name + " is not that of the case");
-  }
+  compare_count(body.points.line, own.pieces.front().size(), "points in " + name, body.points.items.size());
+  compare_points(body.points, 0, own.pieces.front(), name);
 }
 
 }  // namespace
@@ -157,15 +192,14 @@ const CaseFile::Bodies& CaseFile::find(const Certificate& certificate, const std
 }
 
 void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
-  require_convex(certificate, "the case has convex bodies: unions cannot be compared with it");
   const Bodies& own = find(certificate, result_id);
-  compare_points(certificate.a, own.a, "a");
-  if (!width) compare_points(certificate.b, own.b, "b");
+  compare_body(certificate.a, own.a, "a");
+  if (!width) compare_body(certificate.b, own.b, "b");
 }
 
 void require_width(const Certificate& certificate) {
-  require_convex(certificate, "unions have no width: it is that of a convex body");
   const Body &a = certificate.a, &b = certificate.b;
+  if (a.core == Body::Core::pieces) throw refused(a.line, "unions have no width here: it is that of a convex body");
   const bool equal = a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);
   // A half-space has no width, and two of them are refused.
   if (!equal) throw refused(b.line, "b does not repeat what a is: this is not the width of a body");

@@ -2,7 +2,8 @@
 // The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one value after another.
 //
 // A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float. "pose" (3 rows of 4 numbers, M | t)
-// places each vertex p at M p + t, exactly; "pose_rounding": "binary64", in the case or a body, then rounds it once.
+// places each vertex p at M p + t, exactly; "pose_rounding": "binary64", in the case or a body, then rounds it once. A body has "vertices",
+// or "pieces" that have some, each with a pose of its own if it likes, which places it before the body's does.
 #pragma once
 
 #include <gmpxx.h>
@@ -22,7 +23,13 @@ namespace fathom_check {
 
 using ExactPoint = std::array<mpq_class, 3>;
 
-/// Returns if the points of b are those of a again, so that the depth is the width of a; throws Fault (refused) otherwise.
+/// A body of the user's. One that is convex is a single piece.
+struct OwnBody {
+  std::vector<std::vector<ExactPoint>> pieces;
+  bool has_pieces = false;  ///< said so itself
+};
+
+/// Returns if the points of b are those of a again, so that the depth is the width of a; throws Fault (refused) otherwise, and for unions.
 void require_width(const Certificate& certificate);
 
 class CaseFile {
@@ -38,7 +45,7 @@ class CaseFile {
 
  private:
   struct Bodies {
-    std::vector<ExactPoint> a, b;
+    OwnBody a, b;
   };
   void read(const Json& value, std::size_t line);
   [[nodiscard]] const Bodies& find(const Certificate& certificate, const std::optional<std::string>& result_id) const;
