@@ -37,9 +37,10 @@ class Text {
     }
     result_ += '\n';
   }
-  void facets(const fathom_check::Facets& facets) {
-    announce("facets", facets.size(), "");
-    for (std::size_t f = 0; f < facets.size(); ++f) {
+  void facets(const fathom_check::Facets& facets) { this->facets(facets, 0, facets.size()); }
+  void facets(const fathom_check::Facets& facets, std::size_t first, std::size_t last) {
+    announce("facets", last - first, "");
+    for (std::size_t f = first; f < last; ++f) {
       add(facets.ends[f] - facets.begin_of(f));
       for (std::size_t k = facets.begin_of(f); k < facets.ends[f]; ++k) {
         result_ += ' ';
@@ -47,6 +48,20 @@ class Text {
       }
       result_ += '\n';
     }
+  }
+  void tree(const fathom_check::Nodes& nodes) {
+    announce("tree", nodes.size(), "");
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      result_ += nodes.splits[k] ? "split" : "leaf";
+      for (std::size_t i = nodes.begin_of(k); i < nodes.ends[k]; ++i) result_ += ' ' + std::to_string(nodes.indices[i]);
+      result_ += '\n';
+    }
+  }
+  /// Those of the items from number `first` to `last`.
+  template <class Items, class Line>
+  void range(const std::string& name, const Items& items, std::size_t first, std::size_t last, const Line& row) {
+    announce(name, last - first, "");
+    for (std::size_t k = first; k < last; ++k) row(items[k]);
   }
   /// With the footer, which repeats all counts.
   std::string ended(int format) && {
@@ -105,6 +120,14 @@ void write_body(Text& text, const Body& body, const char* name) {
       text.part(std::string("shape_") + name, body.terms, [&](const auto& term) { text.part("term", term, atom); });
       break;
     case Body::Core::half_space: text.line(std::string("halfspace_") + name, body.normal, body.offset); break;
+    case Body::Core::pieces: {
+      std::size_t first = 0;
+      text.part(std::string("pieces_") + name, body.pieces, [&](const fathom_check::List& piece) {
+        text.range(name, body.points.items, first, piece.end, point);
+        first = piece.end;
+      });
+      break;
+    }
   }
   if (body.radius.num.sign() != 0) text.line(std::string("radius_") + name, body.radius);
 }
@@ -120,6 +143,38 @@ void write_proof_of_body(Text& text, const Body& body, const char* name, bool he
   text.part(std::string("inner_") + name, points, [&](const auto& places) { text.row(places); });
 }
 
+/// What stands behind the claim.
+void write_proof_of_unions(Text& text, const Certificate& c) {
+  const fathom_check::UnionParts& parts = c.of_unions;
+  const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
+  const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
+  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  const auto separations = [&](std::size_t list) {
+    const std::size_t first = fathom_check::begin_of(parts.separation_lists, list);
+    text.range("separations", parts.separations.items, first, parts.separation_lists[list].end, vector);
+  };
+  if (c.claim != Claim::depth) {
+    separations(0);
+    text.line("nearest", std::size_t{parts.nearest_a}, std::size_t{parts.nearest_b});
+    text.part("weights_a", c.weights_a.items, weight);
+    text.part("weights_b", c.weights_b.items, weight);
+    return;
+  }
+  std::size_t list = 0, vertex = 0, facet = 0;
+  text.part("optima", parts.optima.items, [&](const RationalPoint& t) {
+    text.line("optimum", t);
+    separations(list++);
+  });
+  text.part("polytopes", parts.polytopes, [&](const fathom_check::InnerPolytope& polytope) {
+    text.line("polytope", std::size_t{polytope.i}, std::size_t{polytope.j});
+    text.range("vertices", c.vertices.items, vertex, polytope.vertices.end, pair);
+    text.facets(c.facets.items, facet, polytope.facets.end);
+    vertex = polytope.vertices.end;
+    facet = polytope.facets.end;
+  });
+  text.tree(parts.tree.items);
+}
+
 /// All but the first line and the id.
 std::string text_of(const Certificate& c) {
   Text text;
@@ -129,6 +184,10 @@ std::string text_of(const Certificate& c) {
   write_body(text, c.a, "a");
   write_body(text, c.b, "b");
   write_claim(text, c);
+  if (c.format == 3) {
+    write_proof_of_unions(text, c);
+    return std::move(text).ended(c.format);
+  }
   text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
   for (const bool heights : {true, false}) {
     write_proof_of_body(text, c.a, "a", heights);

@@ -109,6 +109,16 @@ class Check(CliTest):
         self.assertEqual((code, out), (3, ""))
         self.assertIn("fathom-check-proved killed by signal 9", err)
 
+    def test_unions_reach_the_proved_checker_whole(self):
+        """What is handed over is the certificate again, fractions aside."""
+        for file in sorted((DATA / "certificates" / "format_3").glob("*.cert")):
+            log = self.folder / file.name
+            name = file.read_text().split("\nid ")[1].split("\n")[0]
+            self.stand_in(f'while read -r line; do echo "$line" >>{log}; case $line in end*) echo "s VERIFIED this {name}";; esac; done\n')
+            self.assertEqual(self.run_cli("check", "--proved", "--echo", file)[0], 0)
+            text = "".join(line + "\n" for line in file.read_text().splitlines() if not line.startswith("#"))
+            self.assertEqual(log.read_text().replace("/1 ", " ").replace("/1\n", "\n"), text)
+
     @unittest.skipUnless(os.path.exists(PROVED), "the proved checker is not built")
     def test_proved_compares(self):
         """Cases, results and widths with the real program, by the exit codes of FORMAT.md."""

@@ -39,6 +39,7 @@ struct WrittenBody {
       case fathom_check::Body::Core::points: return points && golden::same(*points, body.points.items);
       case fathom_check::Body::Core::half_space:
         return half_space() && golden::same(half_space()->normal, body.normal) && half_space()->offset == value_of(body.offset);
+      case fathom_check::Body::Core::pieces: return false;
       case fathom_check::Body::Core::shape: break;
     }
     const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
