@@ -74,6 +74,7 @@ class Listener : public nlohmann::json_sax<Json> {
   }
   bool skip(CasePlace place, const std::string& found) {
     if (place == CasePlace::faces) body().has_faces = true;
+    if (place == CasePlace::shape) body().is_shape = true;
     const bool ours = place != CasePlace::other && place != CasePlace::shape && place != CasePlace::faces &&
                       (place != CasePlace::pose || !body().is_shape);
     if (ours) fault(path(), expected_at(place), found);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/unions/union_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -159,11 +162,27 @@ void UnionSearch::split(const Cell& cell) {
   }
 }
 
+// Which bounds the search has come to, rounded, for people to read.
+std::string UnionSearch::stage() const {
+  const auto length = [&](double image_square) {
+    mpq_class x = std::sqrt(image_square);
+    const auto shift = static_cast<mp_bitcnt_t>(std::abs(pieces_.exponent()));
+    if (pieces_.exponent() < 0) mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), shift);
+    else mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), shift);
+    return mpq_class(x / pieces_.whole.denominator).get_d();
+  };
+  if (!best_) return "union";
+  return fmt::format("union: depth between {:.4g} and {:.4g}", length(open_.front().nearest.image_square), length(best_->image));
+}
+
 bool UnionSearch::run(kernels::Context& context) {
+  constexpr std::uint64_t told_every = 32;  // cells: the text takes time
+  std::string now = stage();
   try {
     while (!open_.empty()) {
       const double high = best_ ? best_->image : 0;
-      context.report("union", high > 0 ? std::min(1.0, open_.front().nearest.image_square / high) : 0);
+      if (counts_.nodes % told_every == 0) now = stage();
+      context.report(now, high > 0 ? std::min(1.0, open_.front().nearest.image_square / high) : 0);
       const Cell cell = pop();
       if (!best_ || kernels::compare(cell.nearest, *best_) <= 0) split(cell);
     }

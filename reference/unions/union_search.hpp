@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "kernels/context.hpp"
@@ -73,6 +74,7 @@ class UnionSearch {
   Cell pop();
   void split(const Cell& cell);
   void collect(std::uint32_t link);
+  [[nodiscard]] std::string stage() const;
   bool is_free(const kernels::RationalPoint& p);
   void accept(const kernels::RationalPoint& p);
 

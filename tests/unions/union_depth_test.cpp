@@ -2,7 +2,11 @@
 // The depth of unions: against the naive twin, against convex bodies that were cut, and by the laws that any depth obeys.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
@@ -224,18 +228,37 @@ class StopAfter final : public Monitor {
  public:
   explicit StopAfter(int calls) : left_(calls) {}
   void report(std::string_view stage, double share) override {
-    if (stage != "union") return;
+    if (!stage.starts_with("union")) return;
+    told_.emplace(stage);
     EXPECT_GE(share, last_);
     EXPECT_LE(share, 1);
     last_ = share;
     --left_;
   }
   bool stopped() override { return left_ <= 0; }
+  [[nodiscard]] const std::set<std::string>& told() const { return told_; }
 
  private:
   int left_;
   double last_ = 0;
+  std::set<std::string> told_;
 };
+
+TEST(UnionDepth, TellsBetweenWhichBoundsItIsInTheUnitOfTheInput) {
+  std::mt19937_64 random(5);
+  const Pieces a = random_pieces(random, 6, 10, 100, 30), b = random_pieces(random, 6, 10, 100, 30);
+  for (const mpq_class& unit : {mpq_class(1), mpq_class(1, 3), mpq_class(1L << 40)}) {
+    StopAfter monitor(10000);
+    const double depth = std::sqrt(union_depth(scaled(a, unit), scaled(b, unit), {&monitor, false}).squared().get_d());
+    ASSERT_GT(monitor.told().size(), 1U) << "bounds close in";
+    for (const std::string& text : monitor.told()) {
+      double low = 0, high = 0;
+      ASSERT_EQ(std::sscanf(text.c_str(), "union: depth between %lf and %lf", &low, &high), 2) << text;
+      EXPECT_LE(low, depth * 1.001) << "rounded to four digits";
+      EXPECT_GE(high, depth * 0.999);
+    }
+  }
+}
 
 TEST(UnionDepth, StoppedItEnclosesTheDepth) {
   std::mt19937_64 random(5);
