@@ -40,17 +40,19 @@ Matrix products(const std::vector<Constraint>& constraints) {
   return result;
 }
 
-/// Of a symmetric matrix.
-Matrix adjugate(const Matrix& m, std::size_t size) {
-  Matrix result;
+/// Row `i` of the adjugate of a symmetric matrix, which is its column too.
+Row adjugate_row(const Matrix& m, std::size_t size, std::size_t i) {
+  Row result;
   const Indices all{0, 1, 2, 3};
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t k = 0; k <= i; ++k) {
-      result[i][k] = determinant(m, without(all, i), without(all, k), size - 1);
-      if ((i + k) % 2 == 1) result[i][k] = -result[i][k];
-      result[k][i] = result[i][k];
-    }
+  for (std::size_t k = 0; k < size; ++k) {
+    result[k] = determinant(m, without(all, i), without(all, k), size - 1);
+    if ((i + k) % 2 == 1) result[k] = -result[k];
+  }
   return result;
+}
+
+bool is_zero(const Row& row) {
+  return std::all_of(row.begin(), row.end(), [](const mpz_class& x) { return x == 0; });
 }
 
 mpz_class level(const std::vector<Constraint>& constraints, const Row& multipliers) {
@@ -59,11 +61,21 @@ mpz_class level(const std::vector<Constraint>& constraints, const Row& multiplie
   return result;
 }
 
-/// The first column that is not zero.
-std::optional<Row> kernel(const Matrix& adjugate, std::size_t size) {
-  for (std::size_t k = 0; k < size; ++k)
-    if (std::any_of(adjugate[k].begin(), adjugate[k].end(), [](const mpz_class& x) { return x != 0; })) return adjugate[k];
-  return std::nullopt;
+/// By the adjugate of the Gram matrix. Of four normals in space the first row is mostly all that is asked for.
+std::optional<Row> multipliers(const std::vector<Constraint>& constraints) {
+  const std::size_t size = constraints.size();
+  const Matrix gram = products(constraints);
+  Row row = adjugate_row(gram, size, 0);
+  mpz_class determinant = 0;
+  for (std::size_t k = 0; k < size; ++k) determinant += gram[0][k] * row[k];
+  if (determinant == 0) {
+    for (std::size_t i = 1; is_zero(row) && i < size; ++i) row = adjugate_row(gram, size, i);
+    return is_zero(row) ? std::nullopt : std::optional(row);
+  }
+  Row result;
+  result[0] = level(constraints, row);
+  for (std::size_t i = 1; i < size; ++i) result[i] = level(constraints, adjugate_row(gram, size, i));
+  return result;
 }
 
 }  // namespace
@@ -71,16 +83,7 @@ std::optional<Row> kernel(const Matrix& adjugate, std::size_t size) {
 std::optional<Constraint> combined(const std::vector<Constraint>& constraints) {
   const std::size_t size = constraints.size();
   if (size == 0 || size > most_constraints) return std::nullopt;
-  const Matrix gram = products(constraints), adjugate = fathom_check::adjugate(gram, size);
-  mpz_class determinant = 0;
-  for (std::size_t k = 0; k < size; ++k) determinant += gram[0][k] * adjugate[0][k];
-  std::optional<Row> l;
-  if (determinant == 0) {
-    l = kernel(adjugate, size);
-  } else {
-    l.emplace();
-    for (std::size_t i = 0; i < size; ++i) (*l)[i] = level(constraints, adjugate[i]);
-  }
+  const std::optional<Row> l = multipliers(constraints);
   if (!l || std::any_of(l->begin(), l->end(), [](const mpz_class& x) { return x < 0; })) return std::nullopt;
   Constraint result{{}, level(constraints, *l)};
   for (std::size_t i = 0; i < size; ++i) {
