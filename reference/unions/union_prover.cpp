@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search once more, depth first, with the answer as its limit. The polytopes grow on the way; so the tree is built again, until they do
-// not: else the proof would hold each of them in many sizes.
+// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
+// every facet that is not far away costs a leaf.
 #include "reference/unions/union_prover.hpp"
 
 #include <algorithm>
-#include <map>
+#include <deque>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,21 +19,15 @@ namespace {
 
 using kernels::RationalPoint;
 
-constexpr int most_passes = 4;
+constexpr std::size_t most_tried = 4;  // polytopes of a pair, the newest first
 
 class Prover {
  public:
   Prover(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search)
-      : context_(context), pieces_(pieces), search_(search) {}
+      : context_(context), pieces_(pieces), search_(search), polytopes_(search.pairs().size()) {}
 
   UnionProof run() {
-    std::size_t corners = 0;
-    for (int pass = 0; pass < most_passes && corners != count_corners(); ++pass) {
-      corners = count_corners();
-      proof_ = {};
-      versions_.clear();
-      prove_cell(RationalPoint{});
-    }
+    prove_cell(RationalPoint{});
     proof_.squared = *search_.squared_best();
     for (const RationalPoint& p : search_.optima()) add_optimum(p);
     std::sort(proof_.optima.begin(), proof_.optima.end(),
@@ -40,16 +36,19 @@ class Prover {
   }
 
  private:
-  struct Version {
-    std::uint32_t index;
-    std::vector<std::uint32_t> facet_of;
+  struct Facet {
+    kernels::OrientedPlane plane, reversed;
+    bool supports = false;  // whether it is known to be one of P_ij
   };
-
-  [[nodiscard]] std::size_t count_corners() const {
-    std::size_t count = 1;
-    for (const auto& pair : search_.pairs()) count += pair->surface().vertices().size();
-    return count;
-  }
+  struct Polytope {
+    std::uint32_t index;  // in the proof
+    std::vector<Facet> facets;
+  };
+  // A polytope that splits the cell of the path, and the facets with a child, in their order.
+  struct Opened {
+    const Polytope* polytope;
+    std::vector<std::uint32_t> order;
+  };
 
   // Adds what proves the cell of the path, whose nearest point is p, not farther than the depth.
   void prove_cell(const RationalPoint& p) {
@@ -59,38 +58,77 @@ class Prover {
     if (known) return close_at(p);
     PiecePair* pair = search_.deepest(p);
     if (pair == nullptr) throw std::logic_error("a translation out of a union is shorter than its depth");
-    split(*pair);
+    split(static_cast<std::size_t>(std::find_if(search_.pairs().begin(), search_.pairs().end(),
+                                                [&](const auto& other) { return other.get() == pair; }) -
+                                   search_.pairs().begin()),
+          p);
   }
 
-  void split(PiecePair& pair) {
-    const std::vector<UnionSearch::OpenFacet> open = search_.open_facets(pair, path_);
-    const Version& version = version_of(pair);
-    const std::vector<std::uint32_t> facet_of = version.facet_of;
-    const std::size_t node = proof_.nodes.size(), before = path_.size();
-    proof_.nodes.push_back({true, version.index, {}});
-    std::vector<bool> listed(*std::max_element(facet_of.begin(), facet_of.end()) + 1, false);
-    const std::vector<PieceFacet*> facets = pair.facets();
-    const auto merged = [&](const PieceFacet* f) {
-      return facet_of[static_cast<std::size_t>(std::find(facets.begin(), facets.end(), f) - facets.begin())];
-    };
-    const auto child = [&](PieceFacet* f) {
-      listed[merged(f)] = true;
-      proof_.nodes[node].numbers.push_back(merged(f));
-      prove_beyond(f);
-      path_.push_back(&f->reversed);
-    };
-    for (const UnionSearch::OpenFacet& o : open) child(o.facet);
-    for (PieceFacet* f : facets)
-      if (!listed[merged(f)] && !kernels::farther(f->plane, *search_.best())) child(f);
+  // Splits the cell of the path, whose nearest point p lies in the interior of P_ij number k. The facets that open a cell with points near
+  // enough come first: what lies beyond the others is shown with the fewest constraints so.
+  void split(std::size_t k, const RationalPoint& p) {
+    const Opened opened = open(k, p);
+    const std::size_t before = path_.size();
+    proof_.nodes.push_back({true, opened.polytope->index, opened.order});
+    for (const std::uint32_t f : opened.order) {
+      const Facet& facet = opened.polytope->facets[f];
+      prove_beyond(facet.plane);
+      path_.push_back(&facet.reversed);
+    }
     path_.resize(before);
   }
 
+  // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that of the search has more facets, which other
+  // cells asked for.
+  Opened open(std::size_t k, const RationalPoint& p) {
+    std::deque<Polytope>& known = polytopes_[k];
+    for (std::size_t i = 0; i < known.size() && i < most_tried; ++i)
+      if (std::optional<Opened> opened = opened_by(known[known.size() - 1 - i], p)) return *std::move(opened);
+    PiecePair pair(pieces_.a[k / pieces_.b.size()], pieces_.b[k % pieces_.b.size()]);
+    pair.contains(p);
+    search_.open_facets(pair, path_);
+    return opened_by(known.emplace_back(add_polytope(k, pair)), p).value();
+  }
+
+  // Returns nullopt if p does not lie inside, or a facet that opens a cell is none of P_ij.
+  std::optional<Opened> opened_by(const Polytope& polytope, const RationalPoint& p) {
+    const auto is_above = [&](const Facet& f) { return kernels::side(f.plane, p) >= 0; };
+    if (std::any_of(polytope.facets.begin(), polytope.facets.end(), is_above)) return std::nullopt;
+    std::vector<std::pair<double, std::uint32_t>> open;
+    for (std::uint32_t f = 0; f < polytope.facets.size(); ++f) {
+      const Facet& facet = polytope.facets[f];
+      if (kernels::farther(facet.plane, *search_.best())) continue;
+      RationalPoint nearest;
+      const bool opens = search_.cut(path_, &facet.plane, nearest) == CellEnd::found;
+      if (opens && !facet.supports) return std::nullopt;
+      open.emplace_back(opens ? nearest.image_square : std::numeric_limits<double>::infinity(), f);
+    }
+    std::sort(open.begin(), open.end());
+    Opened opened{&polytope, {}};
+    for (const auto& [distance, f] : open) opened.order.push_back(f);
+    return opened;
+  }
+
+  Polytope add_polytope(std::size_t k, PiecePair& pair) {
+    std::vector<std::uint32_t> facet_of;
+    Polytope polytope{static_cast<std::uint32_t>(proof_.polytopes.size()), {}};
+    proof_.polytopes.push_back({static_cast<std::uint32_t>(k / pieces_.b.size()), static_cast<std::uint32_t>(k % pieces_.b.size()),
+                                pair.inner(facet_of)});
+    polytope.facets.resize(proof_.polytopes.back().inner.facets.size());
+    for (std::size_t i = 0; i < facet_of.size(); ++i) {
+      const PieceFacet& part = *pair.facets()[i];
+      Facet& facet = polytope.facets[facet_of[i]];
+      facet = {part.plane, part.reversed, facet.supports || part.supports};
+    }
+    return polytope;
+  }
+
   // The same for the cell of the path and the facet.
-  void prove_beyond(PieceFacet* f) {
+  void prove_beyond(const kernels::OrientedPlane& plane) {
     RationalPoint nearest;
     std::vector<Barrier> conflict;
-    CellEnd end = nearest_on_wall(&f->plane, path_, nullptr, pieces_.exponent(), nearest, &conflict);
-    path_.push_back(&f->plane);
+    const CellEnd end = nearest_on_wall(&plane, path_, nullptr, pieces_.exponent(), nearest, &conflict);
+    path_.push_back(&plane);
     if (end == CellEnd::infeasible) {
       close(without_spare(conflict));
     } else if (kernels::compare(nearest, *search_.best()) > 0) {
@@ -126,20 +164,6 @@ class Prover {
     close(deciding(tight, p.v));
   }
 
-  const Version& version_of(PiecePair& pair) {
-    const auto [place, fresh] = versions_.try_emplace({&pair, pair.surface().vertices().size()});
-    if (!fresh) return place->second;
-    place->second.index = static_cast<std::uint32_t>(proof_.polytopes.size());
-    PiecePolytope& polytope = proof_.polytopes.emplace_back();
-    const auto k = static_cast<std::size_t>(
-        std::find_if(search_.pairs().begin(), search_.pairs().end(), [&](const auto& other) { return other.get() == &pair; }) -
-        search_.pairs().begin());
-    polytope.a = static_cast<std::uint32_t>(k / pieces_.b.size());
-    polytope.b = static_cast<std::uint32_t>(k % pieces_.b.size());
-    polytope.inner = pair.inner(place->second.facet_of);
-    return place->second;
-  }
-
   void add_optimum(const RationalPoint& p) {
     ProofOptimum& optimum = proof_.optima.emplace_back();
     optimum.translation = pieces_.translation(p);
@@ -151,7 +175,7 @@ class Prover {
   UnionSearch& search_;
   UnionProof proof_;
   std::vector<Barrier> path_;
-  std::map<std::pair<PiecePair*, std::size_t>, Version> versions_;
+  std::vector<std::deque<Polytope>> polytopes_;  // of each pair; the path holds their planes
 };
 
 }  // namespace
