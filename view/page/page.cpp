@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "fathom/numbers.hpp"
 #include "view/atlas/atlas.hpp"
 #include "view/page/embedded.hpp"
 #include "view/page/fill.hpp"
@@ -41,6 +42,14 @@ std::string notes_text(const std::vector<std::string>& notes) {
   return result;
 }
 
+/// The exact squares that the stages leave out, of canonical pairs with one crossing: an array beside `pairs`.
+std::string squares(const stages::Stages& stages) {
+  Data result = Data::array();
+  for (const stages::StagedPair& pair : stages.pairs)
+    result.push_back(pair.closest && pair.crossings() == 1 ? Data(exact_text(pair.closest->squared)) : Data());
+  return result.dump();
+}
+
 std::string figure(const std::string& svg, std::string_view caption) {
   return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
 }
@@ -57,6 +66,7 @@ std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
   const std::string answer = picture::markup(answer_sentence(depth));
+  const atlas::SumPicture sum = atlas::sum_picture(stages, "still-sum");
   const std::array scripts{script()};
   const std::array<std::string_view, 1> styles{whole_style()};
   return filled(
@@ -71,6 +81,7 @@ std::string html_page(const Sheet& sheet) {
        {"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
        {"facts", facts(depth)},
        {"lead_why", lead_why(stages)},
+       {"picture_sum", figure(sum.svg, picture::markup(sum.note))},
        {"ranked", ranked(stages)},
        {"lead_where", lead_where(stages)},
        {"picture_sphere", figure(atlas::sphere_picture(stages, "still-sphere"), "The diagrams of -A and of B on the sphere.")},
@@ -85,6 +96,7 @@ std::string html_page(const Sheet& sheet) {
        {"left_out", left_out(stages)},
        {"depth", block(sheet.depth)},
        {"stages", block(stages::to_json(stages))},
+       {"squares", squares(stages)},
        {"case", block(sheet.pair)},
        {"script", std::string(script())}});
 }
