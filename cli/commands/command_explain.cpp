@@ -60,6 +60,7 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
 }  // namespace
 
 ExitCode run_explain(const Request& request) {
+  if (request.pieces) return run_explain_pieces(request);
   CertificateFile file(request.page, "page");  // an unwritable path fails early
   const Case single = asked_case(request);
   std::string page;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "view/stages/stages.hpp"
+#include "view/stages/union_stages.hpp"
 
 namespace fathom::atlas {
 
@@ -31,6 +32,8 @@ struct SumPicture {
   std::string note;  ///< what is drawn and what is left out, in a sentence or two, without markup
 };
 SumPicture sum_picture(const stages::Stages& stages, const std::string& prefix);
+/// Of unions the differences of the pieces that are in contact after the first way out.
+SumPicture sum_picture(const stages::UnionStages& stages, const std::string& prefix);
 
 /// Both charts side by side, as a file of its own. Throws std::invalid_argument if the stages have no charts.
 std::string charts_file(const stages::Stages& stages);

@@ -14,10 +14,13 @@
 //   data.order                  the pairs' indices by |A_i| |B_i|, greatest first: the order in which they are listed and stepped through
 //   data.coincidence("i.j")     {kind, count, a: [[vertex]..], b: [[vertex]..], decided_by}, or null
 
+import { makeUnionData } from "./uniondata.js";
+
 /** Reads the blocks of the page. */
 export function readData(page = document) {
   const text = (id) => page.getElementById(id)?.textContent ?? "";
   const stages = JSON.parse(text("stages")), squares = JSON.parse(text("squares") || "[]");
+  if (stages.schema?.startsWith("fathom/union_stages/")) return makeUnionData(JSON.parse(text("depth")), stages);
   squares.forEach((square, i) => { if (square !== null) stages.pairs[i].closest.distance_squared ??= square; });
   return makeData(JSON.parse(text("depth")), stages, text("case"));
 }
