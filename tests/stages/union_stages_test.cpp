@@ -44,8 +44,9 @@ std::set<std::pair<Index, Index>> naive_sums(const Staged& it) {
   for (Index i = 0; i < it.a.size(); ++i)
     for (Index j = 0; j < it.b.size(); ++j) {
       const Depth pair = penetration_depth(it.a[i], it.b[j], {.method = Method::naive});
-      const bool touches = std::ranges::any_of(
-          it.depth.optima, [&](const UnionOptimum& o) { return std::ranges::any_of(o.contacts, [&](const PieceContact& c) { return c.a == i && c.b == j; }); });
+      const bool touches = std::ranges::any_of(it.depth.optima, [&](const UnionOptimum& o) {
+        return std::ranges::any_of(o.contacts, [&](const PieceContact& c) { return c.a == i && c.b == j; });
+      });
       const bool near = pair.distance() == nullptr || pair.distance()->squared < it.depth.low;
       if (touches || near) result.emplace(i, j);
     }
@@ -78,7 +79,8 @@ void check(const Staged& it) {
     std::set<Index> ends;
     for (const auto& [facet, way] : sum.through) {
       ends.insert(way);
-      EXPECT_NEAR(dot(sum.normals[facet], it.stages.ways[way].translation), dot(sum.normals[facet], sum.vertices[sum.facets[facet].front()]), 1e-9)
+      EXPECT_NEAR(dot(sum.normals[facet], it.stages.ways[way].translation),
+                  dot(sum.normals[facet], sum.vertices[sum.facets[facet].front()]), 1e-9)
           << "law: the way ends in the plane of the facet";
     }
     EXPECT_EQ(ends, std::set<Index>(sum.touches.begin(), sum.touches.end())) << "law: where pieces touch, the way ends on the boundary";

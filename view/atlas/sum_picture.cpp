@@ -56,7 +56,8 @@ picture::Mesh mesh_of(const stages::PieceSum& sum, const stages::StagedScale& sc
 std::optional<Point> second_of(const stages::StagedUnionWay& way) {
   const auto cosine = [&](const stages::StagedTouch& touch) {
     double product = 0, square = 0;
-    for (std::size_t i = 0; i < 3; ++i) product += touch.direction[i] * way.translation[i], square += way.translation[i] * way.translation[i];
+    for (std::size_t i = 0; i < 3; ++i)
+      product += touch.direction[i] * way.translation[i], square += way.translation[i] * way.translation[i];
     return product * product / square;
   };
   const auto least = std::ranges::min_element(way.touching, {}, cosine);
@@ -119,13 +120,16 @@ SumPicture sum_picture(const stages::UnionStages& stages, const std::string& pre
   }
   if (scene.sums.empty()) return {};
   std::string note = fmt::format(
-      "The differences of {} of pieces that touch after the way out, around O. The circle is the ball whose radius is the depth; the arrow ends "
+      "The differences of {} of pieces that touch after the way out, around O. The circle is the ball whose radius is the depth; the arrow "
+      "ends "
       "where the facets meet that are marked.",
       touching == 1 ? "the one pair" : fmt::format("the {} pairs", touching));
   if (scene.sums.size() < touching) note += fmt::format(" {} of them are not drawn.", touching - scene.sums.size());
   if (const std::size_t others = stages.sums.size() - touching; others > 0)
-    note += fmt::format(" {} reach into the ball, and are left out of this picture.", others == 1 ? "One more pair's differences" : fmt::format("Those of {} more pairs", others));
-  return {picture::sum_panels(scene, picture::markup(prefix), "Differences of pieces around O, with the ball", picture::markup(note)), note};
+    note += fmt::format(" {} reach into the ball, and are left out of this picture.",
+                        others == 1 ? "One more pair's differences" : fmt::format("Those of {} more pairs", others));
+  return {picture::sum_panels(scene, picture::markup(prefix), "Differences of pieces around O, with the ball", picture::markup(note)),
+          note};
 }
 
 }  // namespace fathom::atlas

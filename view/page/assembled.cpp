@@ -34,24 +34,24 @@ const std::string& whole_style() {
 
 }  // namespace
 
-std::string assembled(const Frame& frame) {
+std::string assembled(const PageParts& parts) {
   std::string notes, nav, data;
-  for (const std::string& note : frame.notes) notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
-  for (const auto& [id, name] : frame.sections) nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
-  for (const auto& [id, json] : frame.data) data += block(id, json);
+  for (const std::string& note : parts.notes) notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
+  for (const auto& [id, name] : parts.sections) nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
+  for (const auto& [id, json] : parts.data) data += block(id, json);
   const std::array scripts{script()};
   const std::array<std::string_view, 1> styles{whole_style()};
-  return filled(shell(), {{"version", picture::markup(frame.version)},
-                          {"command", picture::markup(frame.command)},
+  return filled(shell(), {{"version", picture::markup(parts.version)},
+                          {"command", picture::markup(parts.command)},
                           {"policy", picture::security_policy(scripts, styles)},
-                          {"title", frame.answer},
+                          {"title", parts.answer},
                           {"style", whole_style()},
-                          {"answer", frame.answer},
-                          {"subtitle", frame.subtitle},
+                          {"answer", parts.answer},
+                          {"subtitle", parts.subtitle},
                           {"notes", notes},
                           {"nav", nav},
-                          {"main", frame.main},
-                          {"left_out", frame.left_out},
+                          {"main", parts.main},
+                          {"left_out", parts.left_out},
                           {"data", data},
                           {"script", std::string(script())}});
 }

@@ -55,22 +55,20 @@ std::string sections(const Data& depth, const Sheet& sheet) {
 
 std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
-  return assembled({sheet.version,
-                    "fathom depth --json",
-                    picture::markup(answer_sentence(depth)),
-                    subtitle(depth),
-                    sheet.notes,
-                    {{"what", "What happens"},
-                     {"why", "Why no shorter way"},
-                     {"where", "Where it comes from"},
-                     {"coincided", "What coincided"},
-                     {"cost", "Cost"}},
-                    sections(depth, sheet),
-                    left_out_section(sheet.stages.left_out),
-                    {{"depth", sheet.depth},
-                     {"stages", stages::to_json(sheet.stages)},
-                     {"squares", squares(sheet.stages)},
-                     {"case", sheet.pair}}});
+  return assembled(
+      {sheet.version,
+       "fathom depth --json",
+       picture::markup(answer_sentence(depth)),
+       subtitle(depth),
+       sheet.notes,
+       {{"what", "What happens"},
+        {"why", "Why no shorter way"},
+        {"where", "Where it comes from"},
+        {"coincided", "What coincided"},
+        {"cost", "Cost"}},
+       sections(depth, sheet),
+       left_out_section(sheet.stages.left_out),
+       {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"squares", squares(sheet.stages)}, {"case", sheet.pair}}});
 }
 
 }  // namespace fathom::page

@@ -175,7 +175,8 @@ UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth,
   if (depth.apart) stages.ways.push_back(way_of(*depth.apart, placing));
   for (std::size_t k = 0; k < std::min(depth.optima.size(), most_ways); ++k) stages.ways.push_back(way_of(depth.optima[k], placing));
   stages.left_out.emplace_back(
-      "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what coincided and what it cost are "
+      "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what coincided and what it cost "
+      "are "
       "those of convex pairs. The depth of unions is found by a search among the differences of their pieces.");
   if (depth.optima.size() > most_ways)
     stages.left_out.push_back(fmt::format("Of {} optima the first {} are here.", depth.optima.size(), most_ways));

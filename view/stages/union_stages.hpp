@@ -37,14 +37,14 @@ struct StagedUnionWay {
 
 /// P_ij, the differences b - a of points of a piece of A and one of B.
 struct PieceSum {
-  Index a, b;                   ///< the pieces
-  bool inside = false;          ///< whether O lies in its interior: the pieces overlap
-  mpq_class squared;            ///< of the distance of O from its boundary
-  double distance = 0;          ///< the same, in the unit of places
-  Indices touches;              ///< ways at whose ends the pieces are in contact
-  std::vector<Place> vertices;  ///< none if it is not drawn; O is at 0
-  std::vector<Indices> facets;  ///< counter-clockwise from outside
-  std::vector<Place> normals;   ///< of the facets: unit vectors
+  Index a, b;                                 ///< the pieces
+  bool inside = false;                        ///< whether O lies in its interior: the pieces overlap
+  mpq_class squared;                          ///< of the distance of O from its boundary
+  double distance = 0;                        ///< the same, in the unit of places
+  Indices touches;                            ///< ways at whose ends the pieces are in contact
+  std::vector<Place> vertices;                ///< none if it is not drawn; O is at 0
+  std::vector<Indices> facets;                ///< counter-clockwise from outside
+  std::vector<Place> normals;                 ///< of the facets: unit vectors
   std::vector<std::array<Index, 2>> through;  ///< a facet, and a way whose end lies in its plane; of those at whose ends the pieces touch
 };
 

@@ -87,9 +87,9 @@ function outlinesOf(data, pairs, placed) {
 }
 
 function sumsLegend(data, drawn, frame) {
-  const others = drawn.filter((i) => data.pairs[i].sum.touches.length === 0).length;
+  const others = drawn.some((i) => !data.pairs[i].sum.touches.includes(0));
   const words = "Ball: its radius is the depth; the arrow ends where the striped facets of those that touch meet. ";
-  const legendText = element("p", { class: "soft legend" }, words, others ? `Dashed: ${others === 1 ? "one more" : `${others} more`} that reach into the ball.` : "");
+  const legendText = element("p", { class: "soft legend" }, words, others ? "Dashed: the others that reach into the ball." : "");
   if (frame.apart) legendText.append(element("strong", {}, " Axes scaled apart: the ball is drawn as an ellipsoid."));
   return legendText;
 }
