@@ -99,6 +99,7 @@ inline constexpr Example stages_examples[] = {
 inline constexpr Example explain_examples[] = {
     {"fathom explain a.off b.stl -o page.html", "why is the depth what it is? one page with pictures to turn, for any browser"},
     {"fathom explain cases.jsonl --case deep -o page.html", "of one case of a file"},
+    {"fathom explain --pieces a.obj b.obj -o page.html", "of bodies that are not convex, as unions of the groups in their files"},
     {"fathom explain --times a.off b.stl -o page.html", "with the seconds that each stage took"},
 };
 

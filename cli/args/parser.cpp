@@ -125,6 +125,7 @@ void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
   add_inputs(app, request, texts);
   add_poses(app, request, false);
   add_require_convex(app, request);
+  add_pieces_option(app, request);
   add_case(app, request);
   app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network")->type_name("FILE");
   app.add_flag("--times", request.times, "add how long each stage took: then the page differs from run to run");
@@ -236,7 +237,7 @@ Parser::Parser() {
   add_options(depth, request, texts, false);
   add_optima(depth, request);
   add_along_options(depth, request);
-  add_pieces_option(depth, request);
+  add_pieces_option(depth, request, ". With --json one object, schema fathom/union/1");
   add_case(depth, request);
   add_options(width, request, texts, true);
   add_delta(width, request, "approximate within a factor of 1 + DELTA, by rays");

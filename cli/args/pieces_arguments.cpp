@@ -10,21 +10,24 @@ namespace fathom::cli {
 namespace {
 
 /// What unions have no place for.
-constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--seed",   "--bits",  "--pose-a",
-                                            "--pose-b", "--require-convex", "--optima", "--along", "--steps",
-                                            "--svg",    "--schema",         "--csv",    "--case",  "--threads"};
+constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--seed",   "--bits",  "--pose-a", "--pose-b",
+                                            "--require-convex", "--optima", "--along", "--steps", "--times",  "--schema",
+                                            "--csv",    "--case",           "--threads"};
 
 }  // namespace
 
-void add_pieces_option(CLI::App& app, Request& request) {
+void add_pieces_option(CLI::App& app, Request& request, const std::string& more) {
   app.add_flag("--pieces", request.pieces,
-               "each body is the union of convex pieces: the groups of an OBJ file, each of which stands for its hull. With --json one "
-               "object, schema fathom/union/1");
+               "each body is the union of convex pieces: the groups of an OBJ file, each of which stands for its hull" + more);
 }
 
-std::string wrong_pieces(const CLI::App& depth, const Request& request) {
+std::string wrong_pieces(const CLI::App& asked, const Request& request) {
+  const auto given = [&](const char* option) {
+    const CLI::Option* known = asked.get_option_no_throw(option);
+    return known != nullptr && known->count() > 0;
+  };
   for (const char* option : of_convex_bodies)
-    if (depth.count(option) > 0) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
+    if (given(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
   if (request.inputs.size() != 2) return "--pieces expects two OBJ files, found one input";
   for (const std::string& input : request.inputs)
     if (files::extension(input) != "obj") return "--pieces expects OBJ files, whose groups are the pieces, found " + kernels::shown(input);

@@ -54,7 +54,7 @@ struct Request {
   std::optional<std::string> case_id;         ///< depth, study, stages, explain: one case of a stream
   std::string page;                           ///< explain: the file for the page
   AlongRequest along;                         ///< depth
-  bool pieces = false;                        ///< depth: the bodies are unions of the pieces in their files
+  bool pieces = false;                        ///< depth, explain: the bodies are unions of the pieces in their files
   SweepRequest sweep;                         ///< study
 
   CasesRequest cases;

@@ -20,7 +20,6 @@ ExitCode run_command(std::string_view name, const std::vector<std::string>& word
 ExitCode run_depth(const Request& request);
 /// depth --along
 ExitCode run_along(const Request& request);
-ExitCode run_union(const Request& request);
 ExitCode run_width(const Request& request);
 ExitCode run_approx(const Request& request);
 ExitCode run_ray(const Request& request);
@@ -30,6 +29,7 @@ ExitCode run_stages(const Request& request);
 /// study --sweep
 ExitCode run_sweep(const Request& request);
 ExitCode run_explain(const Request& request);
+/// explain --pieces
 ExitCode run_cases(const Request& request);
 ExitCode run_certify(const Request& request);
 

@@ -6,7 +6,6 @@
 namespace fathom::cli {
 
 ExitCode run_depth(const Request& request) {
-  if (request.pieces) return run_union(request);
   return request.along.translation ? run_along(request) : reply_to_inputs(request, exact_replies(request));
 }
 

@@ -7,10 +7,12 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "cli/output/union_output.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/body_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "view/page/page.hpp"
+#include "view/page/union_page.hpp"
 #include "view/picture/scene_picture.hpp"
 #include "view/stages/stages.hpp"
 
@@ -57,16 +59,32 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
   return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), picture_of(single, monitor)});
 }
 
+std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
+  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
+  UnionAnswer answer{single.id, {}, ""};
+  try {
+    answer.depth = union_depth(a, b, {&monitor});
+  } catch (const std::invalid_argument& error) {
+    throw InputError(single.id, 0, error.what());
+  }
+  if (!answer.depth.complete) throw Interrupted();
+  stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
+  stages.id = single.id;
+  const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");
+  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, picture});
+}
+
 }  // namespace
 
 ExitCode run_explain(const Request& request) {
   CertificateFile file(request.page, "page");  // an unwritable path fails early
   const Case single = asked_case(request);
+  if (const std::string fault = wrong_bodies(single, false, "", true); !fault.empty()) throw InputError(single.id, 0, fault);
   std::string page;
   {
     const Working working;
     Progress progress;
-    page = page_of(single, request, progress);
+    page = has_union(single) ? page_of_unions(single, request, progress) : page_of(single, request, progress);
   }
   file.write(page);
   return fine;

@@ -91,14 +91,12 @@ ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Moni
   return answer;
 }
 
-/// A body as a union: a polytope is one piece.
-Pieces pieces_of(const Body& body) { return body.pieces ? *body.pieces : Pieces{body.points.exact()}; }
-
-/// Throws InputError for pieces without an interior, and if the request asks for what unions do not have.
+/// Throws InputError for pieces without an interior, and if the request asks for what unions do not have. A search that is interrupted answers
+/// between which bounds the depth lies, unless it is one of a stream.
 UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor) {
   const Case& single = asked;
-  if (request.shallow || request.closest_lines || request.method != Method::automatic || !request.svg.empty() || request.optima)
-    throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines, --optima and --svg");
+  if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)
+    throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
   const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
   UnionAnswer answer{single.id, {}, ""};
   try {
@@ -106,7 +104,7 @@ UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Moni
   } catch (const std::invalid_argument& error) {
     throw InputError(single.id, 0, error.what());
   }
-  if (!answer.depth.complete) throw Interrupted();
+  if (!answer.depth.complete) return is_stream(request) ? throw Interrupted() : answer;
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(a, b, answer.depth, single.id, &monitor);
   return answer;
@@ -117,7 +115,14 @@ std::string text_of(const UnionAnswer& answer, const Request& request) {
   return is_stream(request) ? union_line(answer, request) : union_text(answer.depth, request);
 }
 
-std::string picture_text(const Case&, const UnionAnswer&, const Request&) { return ""; }
+std::string picture_text(const Case& single, const UnionAnswer& answer, const Request& request) {
+  if (!answer.depth.complete) return "";
+  return union_picture(answer.id, pieces_of(single.a), pieces_of(single.b), answer.depth, request);
+}
+
+ExitCode code_of(const UnionAnswer& answer) { return answer.depth.complete ? fine : interrupted; }
+ExitCode code_of(const Answer&) { return fine; }
+ExitCode code_of(const ShapeAnswer&) { return fine; }
 
 std::string text_of(const Answer& answer, const Request& request) {
   if (request.json) return json_result(answer, request);
@@ -141,8 +146,9 @@ Replies exact_replies(const Request& request) {
     const std::unique_ptr<CertificateFile> drawing = files->pictures.single();
     const Case& single = asked;
     const auto reply_with = [&](const auto& answer) {
-      CaseReply reply{text_of(answer, request)};
+      CaseReply reply{text_of(answer, request), {}, code_of(answer)};
       const std::string picture = files->pictures.wanted() ? picture_text(single, answer, request) : "";
+      if (reply.code != fine) return reply;
       if (proof) proof->write(answer.certificate);
       if (drawing) drawing->write(picture);
       if (!proof && !drawing && (files->certificates.wanted() || files->pictures.wanted()))

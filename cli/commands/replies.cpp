@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
+#include "fathom/union.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
@@ -26,6 +28,7 @@ namespace {
 Case single_case(const Request& request) {
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
+    if (request.pieces) return Body{.points = {}, .pieces = std::make_shared<const Pieces>(read_pieces(input, request.decimals))};
     Body result = files::is_shape_text(input) ? files::parse_shape(input, request.decimals) : read_mesh(input, request.decimals);
     const std::string option = i == 0 ? "--pose-a" : "--pose-b";
     if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
@@ -143,7 +146,7 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);
-  return fine;
+  return reply.code;
 }
 
 }  // namespace fathom::cli

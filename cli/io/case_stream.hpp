@@ -17,6 +17,7 @@ namespace fathom::cli {
 struct CaseReply {
   std::string text;                 ///< to be printed, without the last newline
   std::function<void()> keep = {};  ///< if set: called first, in the order of the cases; may throw InputError and OutputError
+  ExitCode code = fine;             ///< of a single case that was interrupted and has part of an answer
 };
 
 /// What a command does with the cases of a stream.

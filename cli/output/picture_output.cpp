@@ -16,7 +16,7 @@ namespace {
 
 /// What the parts of a picture are.
 std::string legend(const picture::PairScene& scene) {
-  std::string result = scene.approximate() ? "A toned, B hatched" : "A toned, B hatched, hidden edges dashed";
+  std::string result = scene.has_edges() ? "A toned, B hatched, hidden edges dashed" : "A toned, B hatched";
   if (!scene.moves()) return result + "; the dot: where they touch.";
   if (scene.status == Status::disjoint) return result + "; arrow: the way of A until it touches B, and its outline there, dashed.";
   return result + "; arrow: the shortest way of A out of B, and its outline there, dashed; thick: the faces in contact.";

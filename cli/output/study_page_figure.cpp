@@ -15,7 +15,7 @@ namespace {
 
 std::string figure(const picture::PairScene& scene, const std::string& svg) {
   std::string caption = "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched";
-  if (!scene.approximate()) caption += ", hidden edges dashed";
+  if (scene.has_edges()) caption += ", hidden edges dashed";
   if (!scene.moves()) caption += "; <span class=\"key true\">dot</span>: where they touch";
   else if (scene.status == Status::disjoint)
     caption += "; <span class=\"key true\">arrow</span>: the way of A until it touches B, and A there, dashed";

@@ -23,4 +23,7 @@ std::string union_line(const UnionAnswer& answer, const Request& request);
 /// One line, pure ASCII.
 std::string union_json(const UnionAnswer& answer, const Request& request);
 
+/// An SVG file of two unions, whose depth is complete: the way out, the pieces in contact, and the answer below.
+std::string union_picture(const std::string& id, const Pieces& a, const Pieces& b, const UnionDepth& depth, const Request& request);
+
 }  // namespace fathom::cli

@@ -1,19 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the gallery again: docs/gallery/make.sh. The pages of cases.jsonl go into build/gallery, pictures of them stand here. Needs Chromium,
-# Node and npm, as the tests do, and pngquant, which makes the pictures small.
-set -eu
+# Makes the gallery again: docs/gallery/make.sh. The pages of cases.jsonl, and of the comb and the key, go into build/gallery, pictures of
+# them stand here. As the launchers do, it installs the Debian packages that it needs: Chromium, Node and npm, as for the tests, and
+# pngquant, which makes the pictures small. FATHOM is the program, if it is not to be that of the launcher.
+#
+# Exit codes: those of the launchers; 1 if a picture could not be made.
+set -u
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-root=$here/../.. pages=$here/../../build/gallery
+root=$(readlink -f -- "$here/../..") me=make.sh pages=$(readlink -f -- "$here/../..")/build/gallery
+. "$root/cmake/launcher.sh"
+demand_packages web browser gallery
+lock
+start_log
+install_packages web browser gallery
+exec 9>&- # ./fathom takes the lock itself
+set -e
 fathom=${FATHOM-$root/fathom}
-command -v pngquant >/dev/null || {
-  echo 'make.sh: pngquant is missing; as root, run: apt-get install -y pngquant' >&2
-  exit 2
-}
 mkdir -p "$pages"
 grep -o '"id":"[^"]*"' "$here/cases.jsonl" | cut -d '"' -f 4 | while read -r id; do
   "$fathom" explain "$here/cases.jsonl" --case "$id" -o "$pages/$id.html"
 done
+"$fathom" explain --pieces "$root/tests/data/key.obj" "$root/tests/data/comb.obj" -o "$pages/comb-and-key.html"
 "$fathom" depth "$here/cases.jsonl" --case sliding-cylinders --along 1,0,0 --steps 96 --svg "$pages/sliding-path.svg" >/dev/null
 FATHOM_WORK=$pages FATHOM_DEMAND_BROWSER=1 "$root/tests/browser/node.sh" "$here/shoot.mjs" "$pages" "$here"
 pngquant --force --strip --speed 1 --ext .png 64 "$here"/*.png

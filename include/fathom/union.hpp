@@ -81,6 +81,9 @@ struct UnionDepth {
 /// Interrupted if the work is stopped before the search.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
+/// Returns the pieces of a body: those that it has, or a polytope as the only one. Throws std::invalid_argument for a shape.
+Pieces pieces_of(const Body& body);
+
 // ---- pieces from files ----
 
 /// Returns the convex pieces of a body in an OBJ file: for each object and group with faces (lines "o" and "g") the corners of its faces,

@@ -147,6 +147,11 @@ const mpq_class& UnionDepth::squared() const {
   return low;
 }
 
+Pieces pieces_of(const Body& body) {
+  if (body.shape) throw std::invalid_argument("a shape that is no polytope is no union of pieces");
+  return body.pieces ? *body.pieces : Pieces{body.points.exact()};
+}
+
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options) {
   const kernels::DefaultFloatEnvironment environment;
   kernels::Context context(options.monitor);

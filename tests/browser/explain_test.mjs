@@ -56,6 +56,18 @@ onPage('explain: where A has moved out, contact features coincide', plain, {}, a
   assert.ok(Math.abs(after) < 1e-4 * value, `law: at 1 those of A lie on those of B (${after})`);
 });
 
+onPage('explain: all facets of P can be listed', plain, {}, async (page) => {
+  const { length } = await page.evaluate(() => globalThis.fathom.data.facets);
+  const rows = page.locator('#ranked tr[data-facet]');
+  assert.ok(await rows.count() < length, 'at first the nearest ones');
+  await page.getByRole('button', { name: 'list all' }).click();
+  assert.equal(await rows.count(), length, 'law: then all of them');
+  await page.evaluate((facet) => globalThis.fathom.select({ facet }), length - 1);
+  assert.equal(await rows.last().locator('button').getAttribute('aria-pressed'), 'true', 'law: the farthest can be chosen');
+  await rows.first().click();
+  assert.equal(await rows.first().locator('button').getAttribute('aria-pressed'), 'true', 'law: and so can the one under the pointer');
+});
+
 onPage('explain: keys', ties, {}, async (page) => {
   const { order, count } = await page.evaluate(() => ({ order: globalThis.fathom.data.order, count: globalThis.fathom.data.optima.length }));
   await page.keyboard.press('j');
@@ -100,9 +112,12 @@ onPage('explain: dark, and print in light', plain, { colorScheme: 'dark' }, asyn
 for (const [what, options] of Object.entries({ WebGL: { flags: withoutWebGl }, scripts: { javaScriptEnabled: false } }))
   for (const width of [390, 1280])
     onPage(`explain without ${what} at ${width} pixels`, fans, { width, ...options }, async (page) => {
-      for (const place of ['#what .scene', '#where .chart'])
+      for (const place of ['#what .scene', '#why .scene', '#where .sphere', '#where .chart'])
         assert.ok(await page.locator(`${place} svg`).first().isVisible(), `law: without ${what} a picture remains in ${place}`);
       assert.ok(await page.locator('#facts').innerText().then((text) => text.length > 100), `law: without ${what} the facts remain`);
+      const ball = await page.locator('#why .scene svg .ball').first().boundingBox();
+      const near = await page.locator('#why .scene svg .near').first().boundingBox();
+      assert.ok(Math.abs(near.x - ball.x - ball.width) < 4, `law: without ${what} the ball round O touches the nearest facet (${ball.x + ball.width}, ${near.x})`);
       assert.equal(await page.locator('.scene canvas, .sphere canvas').count(), 0, 'law: no empty canvas is left');
       await fits(page);
     });

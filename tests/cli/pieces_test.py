@@ -4,6 +4,7 @@ import copy
 import json
 import pathlib
 import unittest
+import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
@@ -11,6 +12,7 @@ from harness import DATA, ROOT, CliTest, box
 
 SCHEMA = json.loads((ROOT / "schemas" / "union.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+SVG = "{http://www.w3.org/2000/svg}"
 COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
 FACES = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
 
@@ -146,6 +148,33 @@ class Pieces(CliTest):
         self.assertEqual(found["certificate"], pathlib.Path(proof).read_text())
         self.assertIn("VERIFIED penetrating depth_squared=5/8 optima=1 pieces=3x5 ", self.answer("check", proof))
         self.assertIn("VERIFIED", self.answer("check", "--results", self.file("results.jsonl", json.dumps(found) + "\n")))
+
+    def test_the_picture_of_the_page_on_unions(self):
+        out = self.folder / "comb_and_key.svg"
+        code, _, err = self.run_cli("depth", "--pieces", "--svg", out, "tests/data/key.obj", "tests/data/comb.obj", cwd=ROOT)
+        self.assertEqual(code, 0, err)
+        self.assertEqual(out.read_bytes(), (ROOT / "docs" / "pictures" / "comb_and_key.svg").read_bytes(),
+                         "make it again: ./fathom depth --pieces --svg docs/pictures/comb_and_key.svg tests/data/key.obj tests/data/comb.obj")
+
+    def test_what_is_drawn(self):
+        out = self.folder / "out.svg"
+        found = self.result("depth", "--pieces", "--svg", out, KEY, COMB)
+        root = ElementTree.fromstring(out.read_text())
+        text = " ".join(element.text for element in root.iter(SVG + "text"))
+        for words in (f"penetrating: depth {found['depth']['value']}", "translation of A: (-0.25, 0.75, 0)",
+                      "piece 1 of A touches piece 1 of B: facet-facet", "deepest pair: 0.5, piece 0 of A and piece 1 of B; hulls: 1.5"):
+            self.assertIn(words, text)
+        kinds = [element.get("class") for element in root.iter() if element.get("class")]
+        for kind in ("ghost", "true shaft", "body-a seam", "body-b seam", "body-a in-contact toned", "body-b in-contact toned"):
+            self.assertIn(kind, kinds)
+
+    def test_pictures_of_touching_and_disjoint_bodies(self):
+        out = self.folder / "out.svg"
+        for b, words in ((obj([[1.75, 1, 1], [10, 10, 10]]), "touching: depth 0"), (obj([[3.75, 0, 0], [4, 1, 1]]), "disjoint: distance 2"),
+                         (SLOT, "an exact fit, without clearance")):
+            self.pieces(PLATE, b, "--svg", out)
+            self.assertIn(words, " ".join(element.text for element in ElementTree.fromstring(out.read_text()).iter(SVG + "text")))
+        self.refused("cannot write a picture", "--pieces", "--svg", self.folder, KEY, COMB)
 
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)

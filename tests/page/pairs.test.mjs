@@ -4,7 +4,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   closestSentence,
-  lengthText,
   pairCells,
   pairHeadings,
   pairRows,
@@ -35,18 +34,9 @@ test("the cells of a row", () => {
   const closest = { a: 0, b: 2, distance: 0.25, distance_squared: "1/16" };
   const data = cubes({ pairs: [pair({ a: [0, 1], b: [2, 3, 4], closest, evaluated: 6, engine: null })] });
   assert.deepEqual(pairCells(data, 0), ["0", "upper", "\u2212A", "2 \u00d7 3", "0.25", "6", "\u2013"]);
-  const rough = cubes({ pairs: [pair({ closest: { a: 0, b: 2, distance: 0.5 } })], scale: { exponent: -1 } });
-  assert.equal(pairCells(rough, 0)[4], "\u2248 1", "without its exact square: to six digits, in the unit of the input");
+  const scaled = cubes({ pairs: [pair({ closest: { a: 0, b: 2, distance: 0.70711, distance_squared: "2" } })], scale: { exponent: -1 } });
+  assert.equal(pairCells(scaled, 0)[4], "1.4142135623730951", "of one crossing too: rounded once, in the unit of the input");
   assert.equal(pairHeadings.length, pairCells(data, 0).length);
-});
-
-test("lengths are those of the input: places are input * 2^exponent", () => {
-  assert.equal(lengthText(0.1234567890123, 0), "0.1234567890123");
-  assert.equal(lengthText(0.5, -3), "4");
-  assert.equal(lengthText(0.5, 2), "0.125");
-  assert.equal(lengthText(0.75, 996), `${Number((0.75 * 2 ** -996).toPrecision(6))}`);
-  assert.equal(lengthText(0.5, 1100), "0.5 \u00b7 2^-1100", "where binary64 has no such number");
-  assert.equal(lengthText(0, 1100), "0");
 });
 
 test("sentences say hemisphere, sizes, sense and the closest lines by points of the input", () => {

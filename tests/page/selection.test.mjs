@@ -82,3 +82,12 @@ test("the pointer shows without choosing", () => {
   selection.preview(null);
   assert.equal(selection.get().facet, 1);
 });
+
+test("listeners hear of a choice under the pointer, though nothing else is shown", () => {
+  const selection = createSelection(data), heard = [];
+  selection.preview({ facet: 2 });
+  selection.subscribe((state, changed) => heard.push([...changed]));
+  selection.set({ facet: 2 });
+  selection.preview(null);
+  assert.deepEqual(heard.slice(1), [["facet"]]);
+});

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page's script, style and shell, as one C++ file: cmake -D FOLDER=view/page -D OUT=embedded.cpp -P assemble.cmake
+# The pages' script, style, shell and sections, as one C++ file: cmake -D FOLDER=view/page -D OUT=embedded.cpp -P assemble.cmake
 # The script is three.js, then the modules of web/ in one function, in the order below; tests import the same files as ES modules. So a
 # module may `import` by name from others, which is left out here, and `export` declarations, whose names are unique over all modules.
 cmake_minimum_required(VERSION 3.25)
-set(first data look selection keys scene facts what why ranked sphere chart pairs cutting coincided cost)
+set(first data look selection keys scene facts what why ranked sphere chart pairs cutting coincided cost uniondata unionfacts unionwhy unionsums)
 
 file(GLOB modules RELATIVE ${FOLDER}/web ${FOLDER}/web/*.js)
 list(TRANSFORM modules REPLACE "\\.js$" "")
@@ -67,6 +67,11 @@ foreach(sheet IN LISTS ITEMS ${FOLDER}/page.css LISTS sheets)
   file(READ ${sheet} text)
   string(APPEND STYLE "${text}")
 endforeach()
-file(READ ${FOLDER}/shell.html SHELL)
+foreach(part IN ITEMS shell pair union)
+  file(READ ${FOLDER}/${part}.html text)
+  string(REGEX REPLACE "^<!-- SPDX[^\n]*\n" "" text "${text}")
+  string(TOUPPER ${part} name)
+  set(${name} "${text}")
+endforeach()
 
 configure_file(${FOLDER}/embedded.cpp.in ${OUT} @ONLY)

@@ -8,6 +8,9 @@ namespace fathom::page {
 
 /// The HTML, with {{names}} where a page puts its own.
 std::string_view shell();
+/// What <main> holds: of two convex bodies, and of two unions.
+std::string_view pair_sections();
+std::string_view union_sections();
 /// The style sheet.
 std::string_view style();
 /// three.js and the page's own modules, as one script.

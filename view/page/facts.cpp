@@ -15,12 +15,20 @@ bool is(const Data& depth, std::string_view status) { return at(depth, "status")
 /// The object with the length that the answer is about.
 const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint") ? "distance" : "depth"); }
 
-/// The length as a decimal, or what is known of it in its place.
-std::string length_text(const Data& depth) {
-  const Data& length = length_of(depth);
+}  // namespace
+
+std::string decimal_length(const Data& length) {
   if (at(length, "value").is_number()) return at(length, "value").dump();
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     return at(rounded, "rn") == "inf" ? "more than the largest binary64" : "less than the least positive binary64";
+  return "";
+}
+
+namespace {
+
+/// The length as a decimal, or what is known of it in its place.
+std::string length_text(const Data& depth) {
+  if (const std::string text = decimal_length(length_of(depth)); !text.empty()) return text;
   const Data& bounds = at(depth, "signed_depth");
   const bool apart = is(depth, "disjoint");
   const auto bound = [&](std::string_view key) {
@@ -31,6 +39,8 @@ std::string length_text(const Data& depth) {
   return apart ? fmt::format("{} to {}", bound("high"), bound("low")) : fmt::format("{} to {}", bound("low"), bound("high"));
 }
 
+}  // namespace
+
 std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
@@ -40,6 +50,8 @@ std::string exact_length(const Data& length) {
                         shown(at(rounded, "ru")));
   return text.empty() ? "" : on_demand("exact", text);
 }
+
+namespace {
 
 /// Exact numbers of shapes are objects.
 std::string exact_place(const Data& value) {

@@ -12,6 +12,11 @@ namespace fathom::page {
 
 using Data = nlohmann::ordered_json;
 
+/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds only.
+std::string decimal_length(const Data& length);
+/// Its exact number and roundings, on demand.
+std::string exact_length(const Data& length);
+
 /// "A overlaps B by 0.25", without markup.
 std::string answer_sentence(const Data& depth);
 /// Below the answer: ties, the kind of contact.
@@ -29,8 +34,6 @@ std::string cutting(const stages::Stages& stages);
 std::string coincided(const stages::Stages& stages);
 /// Each stage's count beside the bound of the paper.
 std::string costs(const stages::Stages& stages);
-/// What the data leave out, as a section of its own; empty if nothing.
-std::string left_out(const stages::Stages& stages);
 
 /// What a section shows, in a sentence or two.
 std::string lead_why(const stages::Stages& stages);

@@ -85,14 +85,6 @@ std::string costs(const stages::Stages& stages) {
   return table.text();
 }
 
-std::string left_out(const stages::Stages& stages) {
-  if (stages.left_out.empty()) return "";
-  std::string items;
-  for (const std::string& sentence : stages.left_out) items += fmt::format("<li>{}</li>\n", picture::markup(sentence));
-  return "<section id=\"left-out\" aria-labelledby=\"left-out-h\">\n<h2 id=\"left-out-h\">What is left out</h2>\n<ul>\n" + items +
-         "</ul>\n</section>\n";
-}
-
 std::string lead_coincided(const stages::Stages& stages) {
   const auto counts = [](const auto& found) { return found.count > 0; };
   if (stages.charts.empty()) return "What is in special position about these bodies, by name.";

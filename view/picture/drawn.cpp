@@ -10,12 +10,10 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 #include "view/picture/curved.hpp"
+#include "view/picture/rims.hpp"
 
 namespace fathom::picture {
 namespace {
-
-constexpr std::size_t most_hidden = 200;  // edges of a body that shows those behind it too
-constexpr std::size_t most_edges = 600;   // of one that shows more than its outline
 
 /// A point of the boundary.
 Point foot(const HalfSpace& half) { return scaled(half.normal, mpq_class(half.offset / product(half.normal, half.normal))); }
@@ -26,6 +24,12 @@ std::vector<Dot> half_plane(const HalfSpace& half, const Window& window, const P
   const double end = window.shift(half.normal).x > 0 ? -width : 2 * width;
   if (at == end) return {};
   return {{at, -height}, {at, 2 * height}, {end, 2 * height}, {end, -height}};
+}
+
+Bounds2 box_of(const Wires& wires, const View& view) {
+  Bounds2 result = Bounds2::of(view.place(wires.corners.front()));
+  for (const Point& corner : wires.corners) result.add(view.place(corner));
+  return result;
 }
 
 }  // namespace
@@ -60,22 +64,43 @@ Drawn drawn_shape(const Shape& shape, const View& view) {
   const Shape simple = shapes::simplified(shape);
   if (simple.radius == 0)
     if (const auto points = shapes::polytope_points(simple, most_expanded_points)) return wires_of(*points, view);
-  return Curved{std::get<std::vector<Term>>(simple.core), simple.radius};
+  const auto& terms = std::get<std::vector<Term>>(simple.core);
+  return Curved{terms, simple.radius, simple.radius == 0 ? rims_of(terms, view) : std::vector<Rim>{}};
+}
+
+Compound compound_of(const std::vector<std::vector<Point>>& pieces, const View& view) {
+  Compound result;
+  std::size_t hidden = 0, all = 0;
+  for (const std::vector<Point>& piece : pieces) {
+    const Wires& made = result.pieces.emplace_back(wires_of(piece, view));
+    all += made.wires.size();
+    hidden += static_cast<std::size_t>(std::ranges::count(made.wires, true, &Wires::Wire::hidden));
+  }
+  for (Wires& piece : result.pieces) {
+    if (all > most_hidden) std::erase_if(piece.wires, [](const Wires::Wire& wire) { return wire.hidden; });
+    if (all - hidden > most_edges) piece.wires.clear();
+  }
+  return result;
 }
 
 std::optional<Bounds2> box_of(const Drawn& body, const View& view) {
   if (const auto* curved = std::get_if<Curved>(&body)) return curved_box(*curved, view);
-  const auto* wires = std::get_if<Wires>(&body);
-  if (!wires) return std::nullopt;
-  Bounds2 result = Bounds2::of(view.place(wires->corners.front()));
-  for (const Point& corner : wires->corners) result.add(view.place(corner));
-  return result;
+  if (const auto* compound = std::get_if<Compound>(&body)) {
+    Bounds2 result = box_of(compound->pieces.front(), view);
+    for (const Wires& piece : compound->pieces) result.add(box_of(piece, view));
+    return result;
+  }
+  if (const auto* wires = std::get_if<Wires>(&body)) return box_of(*wires, view);
+  return std::nullopt;
 }
 
-std::vector<Dot> silhouette(const Drawn& body, const Window& window, const Point& by) {
-  if (const auto* wires = std::get_if<Wires>(&body)) return window.hull(wires->corners, by);
-  if (const auto* curved = std::get_if<Curved>(&body)) return curved_outline(*curved, window, by);
-  return half_plane(std::get<HalfSpace>(body), window, by);
+std::vector<std::vector<Dot>> silhouettes(const Drawn& body, const Window& window, const Point& by) {
+  if (const auto* wires = std::get_if<Wires>(&body)) return {window.hull(wires->corners, by)};
+  if (const auto* curved = std::get_if<Curved>(&body)) return {curved_outline(*curved, window, by)};
+  if (const auto* half = std::get_if<HalfSpace>(&body)) return {half_plane(*half, window, by)};
+  std::vector<std::vector<Dot>> result;
+  for (const Wires& piece : std::get<Compound>(body).pieces) result.push_back(window.hull(piece.corners, by));
+  return result;
 }
 
 }  // namespace fathom::picture

@@ -8,92 +8,106 @@
 #include <utility>
 
 #include "view/picture/polygon.hpp"
-#include "view/picture/scale_bar.hpp"
+#include "view/picture/strokes.hpp"
 
 namespace fathom::picture {
 namespace {
 
-constexpr double short_way = 60;     // pixels: a shorter way gets a close-up
-constexpr double close_way = 70;     // how long it is there, in each coordinate at most
-constexpr double longest_bar = 110;  // pixels
-constexpr double bar_inset = 12;     // pixels from the window
+constexpr double short_way = 60;  // pixels: a shorter way gets a close-up
+constexpr double close_way = 70;  // how long it is there, in each coordinate at most
 
-std::string path_element(const std::string& style, const std::string& d) {
-  return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", style, d);
+std::string edges_data(const std::vector<Wires::Wire>& wires, const Window& window, bool hidden) {
+  std::string result;
+  for (const Wires::Wire& wire : wires)
+    if (wire.hidden == hidden) result += path_data(window.segment(wire.from, wire.to), false);
+  return result;
 }
 
-std::string circle_element(const std::string& style, const Dot& at, double radius, const std::string& more = "") {
-  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "";
-  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", style, at.x, at.y, radius, more);
-}
-
-/// The corners of a box around dots, of which there is at least one.
-std::pair<Dot, Dot> box_around(const std::vector<Dot>& dots) {
-  Dot low = dots.front(), high = dots.front();
-  for (const Dot& d : dots) {
-    low = {std::min(low.x, d.x), std::min(low.y, d.y)};
-    high = {std::max(high.x, d.x), std::max(high.y, d.y)};
+std::string rims_data(const std::vector<Rim>& rims, const Window& window, bool hidden) {
+  std::string result;
+  for (const Rim& rim : rims) {
+    if (rim.hidden != hidden) continue;
+    std::vector<Dot> run;  // of segments that follow one another; what is far outside is cut
+    for (std::size_t i = 1; i < rim.path.size(); ++i) {
+      const std::vector<Dot> segment = window.segment(rim.path[i - 1], rim.path[i]);
+      if (segment.size() < 2) continue;
+      if (!run.empty() && (run.back().x != segment[0].x || run.back().y != segment[0].y))
+        result += path_data(std::exchange(run, {}), false);
+      if (run.empty()) run.push_back(segment[0]);
+      run.push_back(segment[1]);
+    }
+    result += path_data(run, false);
   }
-  return {low, high};
+  return result;
 }
 
-/// The area of a body: A's is toned, B's hatched; a dot for what would be too small to be seen.
-std::string area_element(const std::vector<Dot>& around, const std::string& style, const std::string& hatch) {
-  constexpr double too_small = 3;
-  if (around.empty()) return "";
-  const auto [low, high] = box_around(around);
-  if (high.x - low.x < too_small && high.y - low.y < too_small)
-    return circle_element(style + " dot", {(low.x + high.x) / 2, (low.y + high.y) / 2}, 4);
-  const std::string d = path_data(around, true);
-  return hatch.empty() ? path_element(style + " toned", d)
-                       : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
+/// The outline of all areas together.
+std::string outline_data(const std::vector<std::vector<Dot>>& areas) {
+  if (areas.size() == 1) return path_data(areas.front(), true);
+  std::string result;
+  for (const auto& [from, to] : united_outline(areas)) result += path_data({from, to}, false);
+  return result;
 }
 
-/// A body's area, then its edges: hidden ones first. Of a body without edges its outline.
+/// A union: its area, deeper where pieces are in contact; thin seams, which are the edges of pieces; the outline.
+std::string union_elements(const Compound& body, const Window& window, const std::string& style, const std::string& hatch) {
+  const std::vector<std::vector<Dot>> areas = silhouettes(body, window);
+  std::vector<std::vector<Dot>> in_contact;
+  std::string hidden, seen;
+  for (std::size_t i = 0; i < body.pieces.size(); ++i) {
+    if (i < body.in_contact.size() && body.in_contact[i]) in_contact.push_back(areas[i]);
+    const std::vector<Wires::Wire>& wires = body.pieces[i].wires;
+    hidden += edges_data(wires, window, true);
+    seen += wires.empty() ? path_data(areas[i], true) : edges_data(wires, window, false);
+  }
+  return area_element(areas, style, hatch) + area_element(in_contact, style + " in-contact", "") + path_element(style + " hidden", hidden) +
+         path_element(style + " seam", seen) + path_element(style + " wire", outline_data(areas));
+}
+
+/// A body's area, then its edges: hidden ones first. Of a body without edges its outline, and its rims.
 std::string body_elements(const Drawn& body, const Window& window, const std::string& style, const std::string& hatch) {
-  const std::vector<Dot> around = silhouette(body, window);
+  if (const auto* compound = std::get_if<Compound>(&body)) return union_elements(*compound, window, style, hatch);
+  const std::vector<std::vector<Dot>> areas = silhouettes(body, window);
   std::string hidden, seen;
   const auto* wires = std::get_if<Wires>(&body);
-  if (wires)
-    for (const Wires::Wire& wire : wires->wires) (wire.hidden ? hidden : seen) += path_data(window.segment(wire.from, wire.to), false);
-  if (!wires || wires->wires.empty()) seen = path_data(around, true);
-  return area_element(around, style, hatch) + path_element(style + " hidden", hidden) + path_element(style + " wire", seen);
+  if (wires && !wires->wires.empty()) {
+    hidden = edges_data(wires->wires, window, true);
+    seen = edges_data(wires->wires, window, false);
+  } else {
+    seen = outline_data(areas);
+  }
+  if (const auto* curved = std::get_if<Curved>(&body)) {
+    hidden = rims_data(curved->rims, window, true);
+    seen += rims_data(curved->rims, window, false);
+  }
+  return area_element(areas, style, hatch) + path_element(style + " hidden", hidden) + path_element(style + " wire", seen);
 }
 
 /// The outline of A after a way.
 std::string ghost_element(const PairScene& scene, const Window& window) {
-  return path_element("ghost", path_data(silhouette(scene.a, window, scene.way), true));
+  return path_element("ghost", outline_data(silhouettes(scene.a, window, scene.way)));
 }
 
-/// A face: a dot, a line, or the outline of a facet.
-std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style, double radius,
-                            const std::string& more = "") {
-  if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius, more);
-  const std::vector<Dot> dots = points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
-  const std::string d = path_data(dots, dots.size() > 2);
-  return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"{}/>", style, d, more);
-}
-
-/// The faces in contact. One point is none: the arrow begins or ends there.
+/// The faces in contact.
 std::string contact_elements(const PairScene& scene, const Window& window) {
   std::string result;
-  const auto add = [&](const std::vector<Point>& points, const std::string& style) {
-    const std::string shown = points.size() == 1 ? style + " dot" : style + " feature";
-    result += feature_element(points, window, shown, 4.5);
+  const auto add = [&](const std::vector<std::vector<Point>>& faces, const std::string& style) {
+    for (const std::vector<Point>& points : faces)
+      result += feature_element(points, window, points.size() == 1 ? style + " dot" : style + " feature", 4.5);
   };
   add(scene.touch_b, "body-b");
   add(scene.touch_a, "body-a");
   return result;
 }
 
-/// An arrow; a dot if it is too short to see.
-std::string arrow_elements(const Dot& from, const Dot& to, const std::string& style) {
-  const double right = to.x - from.x, down = to.y - from.y, length = std::sqrt(right * right + down * down);
-  if (!(length >= 2)) return circle_element(style + " dot", from, 3);
-  const double head = std::min(11.0, length / 2), x = right / length * head, y = down / length * head;
-  return fmt::format("<path class=\"{0} shaft\" d=\"{1}\"/><path class=\"{0} head\" d=\"{2}\"/>", style,
-                     path_data({from, {to.x - x * 0.7, to.y - y * 0.7}}, false),
-                     path_data({to, {to.x - x - y * 0.4, to.y - y + x * 0.4}, {to.x - x + y * 0.4, to.y - y - x * 0.4}}, true));
+/// Of the areas the one with the greatest box.
+std::vector<Dot> largest(const std::vector<std::vector<Dot>>& areas) {
+  const auto size = [](const std::vector<Dot>& area) {
+    if (area.empty()) return 0.0;
+    const auto [low, high] = box_around(area);
+    return (high.x - low.x) * (high.y - low.y);
+  };
+  return *std::ranges::max_element(areas, {}, size);
 }
 
 /// Where a body's letter stands: in what is seen of it, on the side away from the other body.
@@ -113,27 +127,12 @@ std::string letters(const PairScene& scene, const Window& window) {
   const double towards = scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; if it is apart, it comes from the left
   std::string result;
   const auto add = [&](const Drawn& body, double side, const char* style, const char* letter) {
-    if (const std::optional<Dot> at = letter_place(silhouette(body, window), window, side))
+    if (const std::optional<Dot> at = letter_place(largest(silhouettes(body, window)), window, side))
       result += fmt::format("<text class=\"{} letter\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, at->x, at->y, letter);
   };
   add(scene.b, -towards, "body-b", "B");
   add(scene.a, towards, "body-a", "A");
   return result;
-}
-
-/// A bar that stands for a round length; upright for the axis across the way.
-std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool upright) {
-  const RoundLength length = round_length(mpq_class(longest_bar / pixels));
-  const double reach = mpq_class(length.value * pixels).get_d(), x = bar_inset, y = size.height - bar_inset;
-  if (upright)
-    return path_element(
-               "bar",
-               path_data(
-                   {{x - 4, y - 24}, {x + 4, y - 24}, {x, y - 24}, {x, y - 24 - reach}, {x - 4, y - 24 - reach}, {x + 4, y - 24 - reach}},
-                   false)) +
-           fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y - 20 - reach / 2, length.text);
-  return path_element("bar", path_data({{x, y - 4}, {x, y + 4}, {x, y}, {x + reach, y}, {x + reach, y - 4}, {x + reach, y + 4}}, false)) +
-         fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + reach + 8, y + 4, length.text);
 }
 
 std::string notes(const PairScene& scene, const Panel& panel) {
@@ -144,18 +143,7 @@ std::string notes(const PairScene& scene, const Panel& panel) {
   add(panel.close, "close-up");
   add(panel.window.apart(), "axes scaled apart");
   add(scene.approximate(), "approximate outlines");
-  if (text.empty()) return "";
-  const PixelSize& size = panel.window.size();
-  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", size.width - bar_inset,
-                     size.height - bar_inset + 4, text);
-}
-
-/// What B is filled with.
-std::string hatch_element(const std::string& id) {
-  return fmt::format(
-      "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"7\" height=\"7\" patternTransform=\"rotate(45)\">"
-      "<rect class=\"body-b toned\" width=\"7\" height=\"7\"/><path class=\"body-b stripe\" d=\"M3.5 0V7\"/></pattern></defs>",
-      id);
+  return note_element(text, panel.window.size());
 }
 
 std::string mark_elements(const std::vector<Mark>& marks, const Window& window) {
@@ -198,8 +186,7 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
 std::string painted(const PairScene& scene, const Panel& panel, const std::string& name, const std::vector<Mark>& marks) {
   const Window& window = panel.window;
   const std::string hatch = name + "-h";
-  std::string result =
-      hatch_element(hatch) + fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>", window.size().width, window.size().height);
+  std::string result = hatch_element(hatch) + ground_element(window.size());
   result += body_elements(scene.b, window, "body-b", hatch) + body_elements(scene.a, window, "body-a", "");
   if (scene.moves()) result += ghost_element(scene, window);
   result += contact_elements(scene, window);
@@ -208,8 +195,7 @@ std::string painted(const PairScene& scene, const Panel& panel, const std::strin
   };
   result += scene.moves() ? arrow(scene.way, "true") : circle_element("true dot", window.dot(scene.anchor), 3.5);
   if (scene.claimed) result += arrow(*scene.claimed, "claimed");
-  result += letters(scene, window) + bar_elements(window.scale().x, window.size(), false);
-  if (window.apart()) result += bar_elements(window.scale().y, window.size(), true);
+  result += letters(scene, window) + scale_bars(window);
   return result + notes(scene, panel) + (panel.close ? "" : mark_elements(marks, window));
 }
 

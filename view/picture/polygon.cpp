@@ -60,7 +60,64 @@ std::vector<P> around(std::vector<P> places) {
   return result;
 }
 
+/// Shares of a segment, from 0 to 1.
+struct Part {
+  double from, to;
+};
+
+/// What of the segment lies in the closed polygon; from >= to if nothing does.        [Cyrus and Beck]
+Part part_inside(const Dot& p, const Dot& q, const std::vector<Dot>& polygon) {
+  Part part{0, 1};
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Dot &r = polygon[i], &s = polygon[(i + 1) % polygon.size()];
+    const double at_p = turn(r, s, p), at_q = turn(r, s, q);
+    if (at_p < 0 && at_q < 0) return {1, 0};
+    if (at_p < 0) part.from = std::max(part.from, at_p / (at_p - at_q));
+    else if (at_q < 0) part.to = std::min(part.to, at_p / (at_p - at_q));
+  }
+  return part;
+}
+
+/// What is left of [0, 1] without these parts.
+std::vector<Part> rest_of(std::vector<Part> covered) {
+  constexpr double least = 1e-6;  // shorter ones are of rounding
+  std::ranges::sort(covered, {}, &Part::from);
+  std::vector<Part> rest;
+  double reached = 0;
+  for (const Part& part : covered) {
+    if (part.from > reached + least) rest.push_back({reached, part.from});
+    reached = std::max(reached, part.to);
+  }
+  if (reached < 1 - least) rest.push_back({reached, 1});
+  return rest;
+}
+
+Dot between(const Dot& p, const Dot& q, double share) { return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; }
+
 }  // namespace
+
+std::vector<std::pair<Dot, Dot>> united_outline(const std::vector<std::vector<Dot>>& polygons) {
+  constexpr double beside = 0.05;  // pixels: where a side is asked about, just outside its polygon, as its neighbour over a seam is there
+  std::vector<std::pair<Dot, Dot>> result;
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    const std::vector<Dot>& own = polygons[k];
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const Dot &p = own[i], &q = own[(i + 1) % own.size()];
+      const double right = q.x - p.x, up = q.y - p.y, length = std::hypot(right, up);
+      if (!(length > 0)) continue;
+      const Dot out{beside * up / length, -beside * right / length};
+      const Dot r{p.x + out.x, p.y + out.y}, s{q.x + out.x, q.y + out.y};
+      std::vector<Part> covered;
+      for (std::size_t other = 0; other < polygons.size(); ++other) {
+        if (other == k || polygons[other].size() < 3) continue;
+        const Part part = part_inside(r, s, polygons[other]);
+        if (part.from < part.to) covered.push_back(part);
+      }
+      for (const Part& part : rest_of(std::move(covered))) result.emplace_back(between(p, q, part.from), between(p, q, part.to));
+    }
+  }
+  return result;
+}
 
 std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, const Dot& high) {
   if (!std::ranges::all_of(path, [](const Dot& d) { return std::isfinite(d.x) && std::isfinite(d.y); })) return {};

@@ -18,4 +18,8 @@ std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, 
 std::vector<Dot> outline(std::vector<Dot> dots);
 std::vector<Spot> outline(std::vector<Spot> places);
 
+/// The boundary of the union of convex polygons, each in the order that `outline` gives, as segments: of each side what lies in no other
+/// polygon and is not the seam between two. For drawing.
+std::vector<std::pair<Dot, Dot>> united_outline(const std::vector<std::vector<Dot>>& polygons);
+
 }  // namespace fathom::picture

@@ -2,6 +2,7 @@
 #include "view/picture/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "reference/shapes/core.hpp"
@@ -87,6 +88,13 @@ Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point&
 
 bool PairScene::approximate() const { return std::holds_alternative<Curved>(a) || std::holds_alternative<Curved>(b); }
 bool PairScene::moves() const { return !is_zero(way); }
+bool PairScene::has_edges() const {
+  return std::ranges::any_of(std::array{&a, &b}, [](const Drawn* body) {
+    const auto* curved = std::get_if<Curved>(body);
+    return curved ? !curved->rims.empty() : !std::holds_alternative<HalfSpace>(*body);
+  });
+}
+bool PairScene::of_unions() const { return std::holds_alternative<Compound>(a) || std::holds_alternative<Compound>(b); }
 
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   const Depth& depth = pair.depth;
@@ -107,8 +115,8 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
           distance ? distance->translation : depth.translation(),
           shown,
           cut,
-          std::move(touch_a),
-          std::move(touch_b)};
+          {std::move(touch_a)},
+          {std::move(touch_b)}};
 }
 
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
@@ -125,7 +133,7 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   }
   const View view(scaled(normal, depth.status() == Status::disjoint ? -1 : 1), std::nullopt, edges_of(touch_a, touch_b));
   PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
-                  std::nullopt,   false, std::move(touch_a),   std::move(touch_b)};
+                  std::nullopt,   false, {std::move(touch_a)}, {std::move(touch_b)}};
   scene.enclosed = depth.bounds() != nullptr;
   return scene;
 }

@@ -10,6 +10,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 #include "view/picture/drawn.hpp"
 #include "view/picture/view.hpp"
 
@@ -20,15 +21,17 @@ struct PairScene {
   std::optional<Status> status;  ///< nullopt if the bounds leave it open
   View view;                     ///< across the way out
   Drawn a, b;
-  Point anchor;                         ///< where the ways begin: a point of A
-  Point way;                            ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
-  std::optional<Point> claimed;         ///< the way that was claimed; cut where it is out of all proportion
-  bool cut = false;                     ///< whether it was
-  std::vector<Point> touch_a, touch_b;  ///< the faces in contact: the points that span them, or one point
-  bool enclosed = false;                ///< whether the way is known by bounds only
+  Point anchor;                  ///< where the ways begin: a point of A
+  Point way;                     ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
+  std::optional<Point> claimed;  ///< the way that was claimed; cut where it is out of all proportion
+  bool cut = false;              ///< whether it was
+  std::vector<std::vector<Point>> touch_a, touch_b;  ///< the faces in contact: of each the points that span it, or one point
+  bool enclosed = false;                             ///< whether the way is known by bounds only
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
   [[nodiscard]] bool moves() const;        ///< whether `way` is not zero
+  [[nodiscard]] bool has_edges() const;    ///< whether a body has edges or rims, of which hidden ones are dashed
+  [[nodiscard]] bool of_unions() const;    ///< whether a body is the union of pieces
 };
 
 /// Two bodies and what is known about them.
@@ -40,6 +43,10 @@ struct Pair {
 
 /// Hulls of points. `claimed`: another way to be shown beside the true one, in the picture's plane too.
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::nullopt);
+
+/// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with it. `a` and `b` are what it is about. With
+/// several contacts two of the planes between pieces are seen from their edges.
+PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0);
 
 /// Shapes of which one at most is a half-space; `depth` is theirs.
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth);

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "view/picture/markup.hpp"
+#include "view/picture/strokes.hpp"
 #include "view/picture/style.hpp"
 
 namespace fathom::picture {
 namespace {
 
-constexpr PixelSize on_pages{420, 300};
 constexpr PixelSize alone{720, 420}, of_two{356, 340};  // in a file: one panel, or each of two
 constexpr double gap = 8, head = 34, line = 19, inset = 12;
 constexpr std::size_t widest = 92;  // characters of a line of text
@@ -28,18 +28,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return result;
 }
 
-std::string opening(const std::string& more, const PixelSize& size, const std::string& style) {
-  return fmt::format("<svg{0} class=\"{1}\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\"", more, style, size.width, size.height);
-}
-
-/// How a picture is told to who does not see it. `name` begins the ids.
-std::string told(const std::string& name, const std::string& title, const std::string& description) {
-  return fmt::format(" role=\"img\" aria-labelledby=\"{0}-t {0}-d\"><title id=\"{0}-t\">{1}</title><desc id=\"{0}-d\">{2}</desc>", name,
-                     title, description);
-}
-
 std::string panel_element(const PairScene& scene, const Panel& panel, const Dot& at, const std::string& name) {
-  return opening(fmt::format(" x=\"{}\" y=\"{}\"", at.x, at.y), panel.window.size(), "pair") + ">" + painted(scene, panel, name) +
+  return svg_opening(fmt::format(" x=\"{}\" y=\"{}\"", at.x, at.y), panel.window.size(), "pair") + ">" + painted(scene, panel, name) +
          "</svg>\n";
 }
 
@@ -55,6 +45,7 @@ std::string description_of(const PairScene& scene) {
   if (scene.status == Status::disjoint)
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
+  if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
   if (scene.enclosed) result += " The way is known to within its bounds.";
   if (scene.claimed) result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";
   return result;
@@ -64,8 +55,8 @@ std::string scene_panels(const PairScene& scene, const std::string& name, const 
   std::string result;
   for (const Panel& panel : panels_of(scene, on_pages)) {
     const std::string own = name + (panel.close ? "c" : "w");
-    result += opening("", on_pages, "pair") +
-              told(own, panel.close ? label + ", close to the translations" : label, description_of(scene)) +
+    result += svg_opening("", on_pages, "pair") +
+              svg_told(own, panel.close ? label + ", close to the translations" : label, description_of(scene)) +
               painted(scene, panel, own, marks) + "</svg>\n";
   }
   return result;
@@ -86,8 +77,8 @@ std::string scene_document(const PairScene& scene, const std::string& title, std
     spoken += " " + text + (text.ends_with('.') ? "" : ".");
   }
   const PixelSize size{alone.width, y};
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening(" xmlns=\"http://www.w3.org/2000/svg\"", size, "pair document") +
-         told("picture", markup(title), markup(spoken)) + "\n<style>" + document_style() + "</style>\n" +
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_opening(" xmlns=\"http://www.w3.org/2000/svg\"", size, "pair document") +
+         svg_told("picture", markup(title), markup(spoken)) + "\n<style>" + document_style() + "</style>\n" +
          fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", size.width, size.height) +
          text_element("heading", head - 12, lines_of(title).front()) + body + "</svg>\n";
 }

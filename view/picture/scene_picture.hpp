@@ -11,6 +11,9 @@
 
 namespace fathom::picture {
 
+/// A panel on a page.
+inline constexpr PixelSize on_pages{420, 300};
+
 /// What the arrow and the dashed outline are, in one sentence or two.
 std::string description_of(const PairScene& scene);
 

@@ -30,13 +30,17 @@ constexpr std::array<Colour, 11> colours{{
 
 /// "@name" stands for a colour of that name.
 constexpr std::string_view rules = R"(
-svg.pair .wire,svg.pair .hidden,svg.pair .ghost,svg.pair .shaft,svg.pair .feature,svg.pair .bar{fill:none;stroke-linejoin:round;stroke-linecap:round}
+svg.pair .wire,svg.pair .hidden,svg.pair .seam,svg.pair .ghost,svg.pair .shaft,svg.pair .feature,svg.pair .bar{fill:none;stroke-linejoin:round;stroke-linecap:round}
 svg.pair .ground{fill:@shade}
 svg.pair .toned.body-a{fill:@a;fill-opacity:.16}
 svg.pair .toned.body-b{fill:@b;fill-opacity:.05}
 svg.pair .stripe.body-b{fill:none;stroke:@b;stroke-width:1.1;stroke-opacity:.5}
 svg.pair .wire{stroke-width:1.4}
 svg.pair .hidden{stroke-width:.9;stroke-opacity:.6;stroke-dasharray:3 3}
+svg.pair .toned.in-contact{fill-opacity:.2}
+svg.pair .seam{stroke-width:.8;stroke-opacity:.75}
+svg.pair .body-a.seam{stroke:@a}
+svg.pair .body-b.seam{stroke:@b}
 svg.pair .ghost{stroke:@a;stroke-width:1.2;stroke-dasharray:7 4}
 svg.pair .feature{stroke-width:4.5}
 svg.pair .body-a.wire,svg.pair .body-a.hidden,svg.pair .body-a.feature{stroke:@a}
@@ -48,6 +52,12 @@ svg.pair .true.shaft{stroke:@true}
 svg.pair .claimed.shaft{stroke:@claimed;stroke-dasharray:7 4;stroke-linecap:butt}
 svg.pair .true.head,svg.pair .true.dot{fill:@true}
 svg.pair .claimed.head,svg.pair .claimed.dot{fill:@claimed}
+svg.pair .sum.toned{fill:@soft;fill-opacity:.12}
+svg.pair .sum.wire,svg.pair .sum.hidden{stroke:@ink}
+svg.pair .sum.wire{stroke-width:1.1}
+svg.pair .ball{fill:@true;fill-opacity:.14;stroke:@true;stroke-width:1.4}
+svg.pair .near{fill:@true;fill-opacity:.3;stroke:@true;stroke-width:3.5;stroke-linejoin:round}
+svg.pair .origin{fill:@ink}
 svg.pair .bar{stroke:@ink;stroke-width:1.4}
 svg.pair text{fill:@ink;font-family:system-ui,-apple-system,'Segoe UI','DejaVu Sans',sans-serif;font-size:12px}
 svg.pair .letter{font-size:18px;font-weight:700;text-anchor:middle;paint-order:stroke;stroke:@shade;stroke-width:4px;stroke-linejoin:round}

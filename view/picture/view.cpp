@@ -107,9 +107,11 @@ Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) co
   return {at.x.get_d(), at.y.get_d()};
 }
 
-bool View::faces_us(const Vector& normal) const {
+bool View::faces_us(const Vector& normal) const { return sees(unit_vector(point_of(normal))); }
+
+bool View::sees(const Vec3<double>& unit_normal) const {
   constexpr double from_its_edge = -1e-9;
-  return dot(unit_vector(point_of(normal)), towards_) > from_its_edge;
+  return dot(unit_normal, towards_) > from_its_edge;
 }
 
 }  // namespace fathom::picture

@@ -44,6 +44,9 @@ class View {
   [[nodiscard]] Dot project(const Point& p, const Point& centre, const mpq_class& unit) const;
   /// Whether a facet with this outward normal is seen, be it from its edge.
   [[nodiscard]] bool faces_us(const Vector& normal) const;
+  [[nodiscard]] bool sees(const Vec3<double>& unit_normal) const;
+  /// From the picture to who looks at it: a unit vector.
+  [[nodiscard]] const Vec3<double>& towards() const { return towards_; }
 
  private:
   Point right_, up_;  // exact multiples of along, and of a vector that is nearly across it; their lengths are nearly 1

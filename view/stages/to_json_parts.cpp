@@ -8,7 +8,7 @@ namespace fathom::stages {
 namespace {
 
 // Of so many facets, the nearest, the exact squared distance is given: it is long.
-constexpr std::size_t exact_facets = 50;
+constexpr std::size_t exact_facets = 500;
 
 void write_facet(StagesText& json, const StagedFacet& facet, bool exactly) {
   static constexpr std::array<std::string_view, 4> kinds{"facet_of_a", "facet_of_b", "edges", "merged"};

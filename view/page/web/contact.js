@@ -14,14 +14,15 @@ export function wayOf(data, state) {
   const optimum = data.optima[state.optimum];
   if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0 };
   const contact = data.stages.contact;
-  if (!contact) return null;
+  if (!contact) return data.way ? { ...data.way, facet: null, isFirst: true } : null;
   const translation = contact.translation ?? [0, 0, 0], direction = norm(translation) > 0 ? unit(translation) : contact.direction;
   const way = { direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
   return { ...way, a: data.verticesOf("a", contact.features?.a), b: data.verticesOf("b", contact.features?.b) };
 }
 
 /** Where the two features meet once A has moved out: a point of B. Without features the answer's witness, or what of B is farthest out. */
-export function meetingOf(data, way) {
+export function meetingOf(data, first) {
+  const way = first.contacts?.length ? { ...first, ...first.contacts[0] } : first;
   const moved = way.a.map((v) => plus(data.bodies.a.vertices[v], way.translation)), own = way.b.map((v) => data.bodies.b.vertices[v]);
   if (moved.length || own.length) return meetingPoint(moved, own, way.direction);
   return touchingOf(data, way) ?? witnessOf(data, way) ?? farthest(data.bodies.b.vertices, way.direction) ?? [0, 0, 0];
@@ -62,6 +63,7 @@ export function arrowOf(data, way) {
 
 /** What a way is called: "edge 1 3 of A on edge 2 4 of B". */
 export function contactText(way, data) {
+  if (way?.contacts) return way.contacts.slice(0, 8).map(({ pieces: [i, j] }) => `Piece ${i} of A touches piece ${j} of B.`).join(" ");
   const named = (body, vertices) => {
     const word = ["", "point", "edge"][vertices.length] ?? "facet";
     const ids = vertices.map((v) => data.bodies[body].ids[v]);

@@ -6,7 +6,7 @@
 //   data.status                 "penetrating", "touching", "disjoint", "undecided"
 //   data.bodies.a, .b           {name, vertices, edges, facets, nodes, arcs, ids}; all of them arrays, empty where there is nothing
 //   data.optima                 [{direction: unit vector, translation, kind, a: [vertex], b: [vertex]}], as stages.contact.optima
-//   data.pairs                  stages.pairs; data.charts; data.cutting; data.coincidences
+//   data.pairs                  stages.pairs, each with its exact distance_squared; data.charts; data.cutting; data.coincidences
 //   data.facets                 stages.sum.facets, ascending by distance; [] where P is not listed
 //   data.edgesOf("a", vertices) the edges of A whose two ends are among the vertices: of a facet its boundary, of an edge itself
 //   data.verticesOf("a", ids)   the vertices with these ids of input points
@@ -14,10 +14,15 @@
 //   data.order                  the pairs' indices by |A_i| |B_i|, greatest first: the order in which they are listed and stepped through
 //   data.coincidence("i.j")     {kind, count, a: [[vertex]..], b: [[vertex]..], decided_by}, or null
 
+import { makeUnionData } from "./uniondata.js";
+
 /** Reads the blocks of the page. */
 export function readData(page = document) {
   const text = (id) => page.getElementById(id)?.textContent ?? "";
-  return makeData(JSON.parse(text("depth")), JSON.parse(text("stages")), text("case"));
+  const stages = JSON.parse(text("stages")), squares = JSON.parse(text("squares") || "[]");
+  if (stages.schema?.startsWith("fathom/union_stages/")) return makeUnionData(JSON.parse(text("depth")), stages);
+  squares.forEach((square, i) => { if (square !== null) stages.pairs[i].closest.distance_squared ??= square; });
+  return makeData(JSON.parse(text("depth")), stages, text("case"));
 }
 
 /** The data of two parsed objects and the text of the case. */

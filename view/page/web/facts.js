@@ -18,7 +18,7 @@ export function mountFacts(root, data, selection) {
 }
 
 /** "optimum 2 of 6" between two buttons. */
-function optimumStepper(data, selection) {
+export function optimumStepper(data, selection) {
   const step = (by) => () => selection.set(stepOptimum(data, selection.chosen(), by));
   const count = data.depth.optima_count ?? data.optima.length;
   const where = element("span", { class: "where" });
@@ -59,7 +59,7 @@ function showOptimum(root, data, index, written) {
   for (const row of root.querySelectorAll("[data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
 }
 
-const idsText = (ids) => (ids.length > 40 ? `${ids.slice(0, 40).join(", ")}, ...` : ids.join(", "));
+export const idsText = (ids) => (ids.length > 40 ? `${ids.slice(0, 40).join(", ")}, ...` : ids.join(", "));
 
 /** A chosen facet of P in a sentence: how long that way out is. */
 export function wayText(data, state) {

@@ -47,10 +47,10 @@ export function frameOf(points) {
   };
 }
 
-/** The camera's direction: a little from above and aside, yet across the arrow, which then points to the right. */
-export function sideView(arrow) {
+/** The camera's direction: a little from above and aside, yet across the arrow, which then points to the right. `second`: up if it can be. */
+export function sideView(arrow, second = null) {
   if (!(norm(arrow) > 0)) return { from: unit([0.6, -1, 0.55]), up: [0, 0, 1] };
-  const right = unit(arrow), up = across(right, Math.abs(right[2]) < 0.8 ? [0, 0, 1] : [-right[2], 0, 0]);
+  const right = unit(arrow), up = across(right, second ?? (Math.abs(right[2]) < 0.8 ? [0, 0, 1] : [-right[2], 0, 0]));
   const toward = cross(right, up);  // seen from here the arrow points to the right
   return { from: unit(plus(plus(toward, times(up, 0.38)), times(right, 0.34))), up };
 }

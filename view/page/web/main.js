@@ -20,6 +20,9 @@ import { mountPairs } from "./pairs.js";
 import { mountCutting } from "./cutting.js";
 import { mountCoincided } from "./coincided.js";
 import { mountCost } from "./cost.js";
+import { mountUnionFacts } from "./unionfacts.js";
+import { mountUnionWhy } from "./unionwhy.js";
+import { mountUnionSums } from "./unionsums.js";
 
 const sections = [
   ["#facts", () => mountFacts],
@@ -32,6 +35,13 @@ const sections = [
   ["#cutting", () => mountCutting],
   ["#coincided .body", () => mountCoincided],
   ["#cost .body", () => mountCost],
+];
+
+const unionSections = [
+  ["#facts", () => mountUnionFacts],
+  ["#what .scene", () => mountWhat],
+  ["#why .scene", () => mountUnionWhy],
+  ["#sums", () => mountUnionSums],
 ];
 
 /** Mounts one section; a failure leaves what stood there, and says so under it. */
@@ -64,7 +74,7 @@ function publicFace(data, selection, handles) {
 function startPage() {
   const data = readData();
   const selection = createSelection(data, window);
-  const handles = sections.map(([place, mount]) => mounted(place, mount, data, selection));
+  const handles = (data.isUnion ? unionSections : sections).map(([place, mount]) => mounted(place, mount, data, selection));
   listenToKeys(document, data, selection);
   window.fathom = publicFace(data, selection, handles);
   document.documentElement.dataset.ready = "yes";

@@ -10,19 +10,6 @@ export function pairRows({ order, pairs }) {
   return { large: order.filter((i) => pairSize(pairs[i]) > 1), single: order.filter((i) => pairSize(pairs[i]) === 1) };
 }
 
-/** A length of the data, which is in units of places (input * 2^exponent), as that of the input: text. */
-export function lengthText(distance, exponent = 0) {
-  if (exponent === 0 || distance === 0) return String(distance);
-  const half = Math.trunc(-exponent / 2),
-    value = distance * 2 ** half * 2 ** (-exponent - half);
-  return value > 2 ** -1022 && Number.isFinite(value) ? String(Number(value.toPrecision(6))) : `${distance} \u00b7 2^${-exponent}`;
-}
-
-/** The closest distance of a pair: the nearest binary64 where the data has its exact square, else to its six digits. */
-function closestText({ distance, distance_squared: square }, exponent) {
-  return square ? textOf(nearestRoot(square)) : `\u2248 ${lengthText(distance, exponent)}`;
-}
-
 /** The cells of a pair's row, as text: #, hemisphere, stored of, |A_i| x |B_i|, closest distance, evaluated, engine. */
 export function pairCells(data, i) {
   const pair = data.pairs[i],
@@ -32,7 +19,7 @@ export function pairCells(data, i) {
     data.charts[pair.chart]?.hemisphere ?? "",
     pair.stored_of === "a" ? "\u2212A" : "B",
     `${pair.a.length} \u00d7 ${pair.b.length}`,
-    closest ? closestText(closest, data.stages.scale?.exponent) : "\u2013",
+    closest ? textOf(nearestRoot(closest.distance_squared)) : "\u2013",
     String(pair.evaluated),
     pair.engine ?? "\u2013",
   ];

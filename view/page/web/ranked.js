@@ -3,7 +3,7 @@
 import { element } from "./look.js";
 import { gapOfRoots, nearestRoot, roughly, textOf } from "./numbers.js";
 
-const firstRows = 12, mostRows = 500;
+const firstRows = 12;
 
 /** What meets where A moves out through a facet: A's feature first, as a contact's kind in `depth --json`. */
 export function kindOfFacet(facet) {
@@ -25,13 +25,14 @@ export function gapOf(facets) {
 
 export function mountRanked(root, data, selection) {
   if (!data.facets.length || data.facets[0].distance_squared === undefined || data.stages.sum.kind === "sampled") return {};
-  let count = Math.min(firstRows, data.facets.length);
+  const exact = data.facets.findIndex((facet) => facet.distance_squared === undefined), most = exact < 0 ? data.facets.length : exact;
+  let count = Math.min(firstRows, most);
   const body = element("tbody"), rest = element("p", { class: "soft" });
   const rows = [];
   function grow(to) {
     for (let i = rows.length; i < to; ++i) rows.push(facetRow(data, i, selection));
     body.replaceChildren(...rows.slice(0, to));
-    rest.replaceChildren(...restOf(data, to, () => grow(Math.min(mostRows, data.facets.length))));
+    rest.replaceChildren(...restOf(data.facets.length, most, to, () => grow(most)));
     count = to;
   }
   grow(count);
@@ -42,7 +43,7 @@ export function mountRanked(root, data, selection) {
   selection.subscribe((state, changed) => {
     if (!changed.has("facet") && !changed.has("pair")) return;
     const chosen = selection.chosen().facet, ofPair = new Set(state.pair === null ? [] : data.facetsOfPair(state.pair));
-    if (chosen !== null && chosen >= count && chosen < mostRows) grow(chosen + 1);
+    if (chosen !== null && chosen >= count && chosen < most) grow(chosen + 1);
     rows.forEach((row, i) => {
       row.classList.toggle("chosen", i === state.facet);
       row.classList.toggle("lit", ofPair.has(i));
@@ -82,10 +83,11 @@ function facetRow(data, index, selection) {
   return row;
 }
 
-function restOf(data, shown, more) {
-  const left = data.facets.length - shown;
+/** What is not listed: of `all` facets `most` have an exact distance and may be. */
+function restOf(all, most, shown, more) {
+  const left = all - shown;
   if (left <= 0) return [];
-  if (shown >= mostRows) return [`${left} facets more are farther, and left out of the list.`];
-  const name = left + shown > mostRows ? `list ${mostRows}` : "list all";
+  if (shown >= most) return [`${left} facets more are farther, and left out of the list.`];
+  const name = most < all ? `list ${most}` : "list all";
   return [`${left} facets more are farther. `, element("button", { type: "button", onclick: more }, name)];
 }

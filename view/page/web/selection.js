@@ -16,8 +16,8 @@
 //   selection.set({pair: 3})       changes fields; a value that the data does not have is dropped; null chooses nothing
 //   selection.clear()              no pair, no facet, no coincidence
 //   selection.preview({facet: 3})  shows something until preview(null), without choosing it: for the pointer and the focus
-//   selection.subscribe(f)         calls f(selection, changed) after each change, changed a Set of field names, and once now with all
-//                                  names; returns the function that ends it
+//   selection.subscribe(f)         calls f(selection, changed) after each change, changed a Set of the names of fields that are shown or
+//                                  chosen otherwise, and once now with all names; returns the function that ends it
 //   selection.hash()               as it stands in the address, without '#': "optimum=1&pair=12"
 
 const unselected = { optimum: 0, pair: null, facet: null, coincidence: null, hemisphere: "both", plane: false, moved: 0, section: null };
@@ -70,13 +70,14 @@ export function createSelection(data, address = null) {
   const valid = (changes) => Object.fromEntries(Object.entries(changes).filter(([f, v]) => isSelectable(data, f, v)));
   let chosen = Object.freeze({ ...unselected, ...valid(stateOf(address?.location.hash ?? "")) });
   let over = {};
-  let shown = chosen;
+  let shown = chosen, told = chosen;
   const listeners = new Set();
 
   function refresh() {
     const next = Object.freeze({ ...chosen, ...over });
-    const changed = new Set(selectionFields.filter((f) => next[f] !== shown[f]));
+    const changed = new Set(selectionFields.filter((f) => next[f] !== shown[f] || chosen[f] !== told[f]));
     shown = next;
+    told = chosen;
     if (changed.size > 0) for (const listener of [...listeners]) listener(shown, changed);
   }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 1, What happens: the two bodies, the way out, and A moving along it.
 import { bodyParts, ghostOf, isFaint } from "./bodies.js";
-import { arrowOf, contactText, wayOf } from "./contact.js";
+import { arrowOf, contactText, meetingOf, wayOf } from "./contact.js";
 import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
 import { onViewLook, withView } from "./scene.js";
+import { secondNormal } from "./uniondata.js";
 import { arrow, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
 
+const mostContactsDrawn = 60;
 const unseen = 0.012;  // of the picture: a shorter arrow is not seen
 
 export function mountWhat(root, data, selection) {
@@ -23,6 +25,11 @@ function whatLabel(data) {
 /** The way that is shown before anything is chosen; nothing to move where there is none. */
 function firstWay(data) {
   return wayOf(data, { facet: null, optimum: 0 }) ?? { translation: [0, 0, 0], direction: [0, 0, 1], a: [], b: [], facet: null };
+}
+
+/** What touches once A has moved: of convex bodies one pair of features, of unions one for each pair of pieces. */
+function contactsOf(way) {
+  return way.contacts ?? [{ direction: way.direction, a: way.a, b: way.b }];
 }
 
 function whatPicture(root, view, data, selection) {
@@ -63,10 +70,14 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
     setWay(next) {
       way = next;
       ends = arrowOf(data, way);
-      const normal = frame.normal(way.direction), placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v]));
-      emptied(contact.a).add(feature(placed(a, way.a), "--a", normal));
-      emptied(contact.b).add(feature(placed(b, way.b), "--b", normal));
-      emptied(plane).add(planeSquare(frame.place(ends.to), normal, half, "--true"));
+      const placed = (body, vertices) => vertices.map((v) => frame.place(body.vertices[v])), contacts = contactsOf(way);
+      for (const group of [contact.a, contact.b, plane]) emptied(group);
+      for (const each of contacts.slice(0, mostContactsDrawn)) {
+        const normal = frame.normal(each.direction), at = frame.place(contacts.length > 1 ? meetingOf(data, { ...way, contacts: [each] }) : ends.to);
+        contact.a.add(feature(placed(a, each.a), "--a", normal));
+        contact.b.add(feature(placed(b, each.b), "--b", normal));
+        plane.add(planeSquare(at, normal, contacts.length > 1 ? half / 3 : half, "--true"));
+      }
       shaft.place(frame.place(ends.from), frame.place(ends.to));
       out.position.set(...frame.move(way.translation));
       self.moveTo(share);
@@ -94,7 +105,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
 function letters(view, [bodyA, bodyB], moving, frame) {
   const aside = (body, by) => {
     const way = frame.move(moving.way().translation), length = norm(way);
-    const shift = length > 0 ? times(way, (by * body.size) / length) : [0, 0, by * body.size];
+    const shift = length > 0 ? times(way, (by * body.stand) / length) : [0, 0, by * body.stand];
     return body.middle && plus(body.middle, shift);
   };
   view.label("A", "of-a", () => { const at = aside(bodyA, 0.35); return at && plus(at, moving.group.position.toArray()); });
@@ -104,7 +115,7 @@ function letters(view, [bodyA, bodyB], moving, frame) {
 function viewsOf(view, data, frame, moving) {
   const { a, b } = data.bodies;
   const all = () => [...b.vertices, ...a.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place);
-  const side = () => sideView(frame.move(moving.way().translation));
+  const side = () => sideView(frame.move(moving.way().translation), secondNormal(moving.way()));
   return {
     fit: () => view.fit(all(), side()),
     alongN: () => view.fit(all(), { from: frame.normal(moving.way().direction), up: side().up }),
@@ -139,7 +150,10 @@ function contactDrawn(data, frame, moving) {
   const witness = { a: moved(moving.ends().from), b: moving.ends().to };
   const height = (points, other) => dot(points.length ? middle(points) : other, way.direction);
   const gap = height(drawn.b, witness.b) - height(drawn.a, witness.a);
-  return { ...drawn, witness, direction: way.direction, gap: gap * 2 ** -(data.stages.scale?.exponent ?? 0) };
+  const unit = 2 ** -(data.stages.scale?.exponent ?? 0), heightOf = (points, n) => dot(middle(points), n);
+  const gaps = contactsOf(way).map((each) => unit * (heightOf(each.b.map((v) => data.bodies.b.vertices[v]), each.direction) -
+    heightOf(each.a.map((v) => moved(data.bodies.a.vertices[v])), each.direction)));
+  return { ...drawn, witness, direction: way.direction, gap: gap * unit, gaps };
 }
 
 function controlsOf(view, selection, views, bodies, data, canMove) {
@@ -192,7 +206,7 @@ function legend(data, frame, bodies, way) {
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
     way.a.length ? "; where they meet is thick. " : ". ",
     element("span", { class: "of-true" }, arrowText),
-    overlap ? `, ending at the plane that then separates both; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
+    overlap ? `, ending ${way.contacts ? "where pieces touch; squares: planes between those" : "at the plane that then separates both"}; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
   if (frame.apart) strong("Axes scaled apart: the extents differ more than a hundredfold.");
   for (const [i, body] of bodies.entries()) if (body.isSpeck) strong(`${"AB"[i]} is too small to be seen: a dot stands for it.`);

@@ -75,10 +75,10 @@ function choiceOf(view, data, frame, places, origin) {
   };
 }
 
-function whyControls(all, near) {
+export function whyControls(all, near, title = "All of P") {
   const button = (name, title, act) => element("button", { type: "button", title, onclick: act }, name);
-  const buttons = [button("fit", "All of P", all), near ? button("ball", "The ball and the nearest facets", near) : null];
-  return element("div", { class: "controls" }, element("div", { class: "buttons", role: "group", "aria-label": "Views of P" }, ...buttons));
+  const buttons = [button("fit", title, all), near ? button("ball", "The ball and the nearest facets", near) : null];
+  return element("div", { class: "controls" }, element("div", { class: "buttons", role: "group", "aria-label": `Views: ${title}` }, ...buttons));
 }
 
 /** Whether facets are those of P or Q, with features; those of a mesh are none. */
@@ -98,7 +98,7 @@ function pointAtFacets(view, front, shape, selection) {
 }
 
 /** Facets filled and outlined, one draw call each. */
-function marked(places, polygons, facets, name, opacity) {
+export function marked(places, polygons, facets, name, opacity) {
   const T = globalThis.THREE, own = facets.map((f) => polygons[f]);
   const outline = edgesOfPolygons(own).flatMap(([v, w]) => [places[v], places[w]]);
   return [
@@ -109,7 +109,7 @@ function marked(places, polygons, facets, name, opacity) {
 }
 
 /** The ball around O with the depth as its radius: an ellipsoid where axes are scaled apart. */
-function ballOf(data, frame, center) {
+export function ballOf(data, frame, center) {
   const radius = radiusOf(data);
   if (!(radius > 0)) return null;
   const T = globalThis.THREE, ball = surface(new T.SphereGeometry(1, 48, 32), "--true", layer.solid, { opacity: 0.55, depthWrite: false });
@@ -122,7 +122,7 @@ function radiusOf(data) {
   return data.status === "penetrating" && data.optima.length ? norm(data.optima[0].translation) : 0;
 }
 
-function ballCorners(data, frame, center) {
+export function ballCorners(data, frame, center) {
   const r = frame.move([1, 1, 1].map(() => radiusOf(data) * 1.15));
   return [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => plus(center, [x * r[0], y * r[1], z * r[2]]))));
 }

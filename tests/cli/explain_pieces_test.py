@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""fathom explain --pieces: the numbers of the page are those of `depth --pieces --json`, its data obey their schema, and bad input makes no page."""
+import copy
+import json
+import unittest
+from fractions import Fraction
+
+import jsonschema  # Debian: python3-jsonschema
+from explain_test import Page, numbers
+from harness import DATA, ROOT, CliTest
+from pieces_test import PLATE, SLOT, obj
+
+SCHEMA = json.loads((ROOT / "schemas" / "union_stages.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
+CUBE = obj([[-1, -1, -1], [1, 1, 1]])
+SLABS = obj([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])
+APART = obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]])
+
+
+class ExplainPieces(CliTest):
+    def page(self, a, b):
+        path = self.folder / "page.html"
+        self.assertEqual(self.answer("explain", "--pieces", a, b, "-o", path), "")
+        return Page(path.read_text())
+
+    def files(self, a, b):
+        return self.file("a.obj", a), self.file("b.obj", b)
+
+    def check(self, a, b):
+        """The page is about what these files are about for `depth --pieces`."""
+        page = self.page(a, b)
+        text = self.answer("depth", "--pieces", "--json", a, b)
+        self.assertEqual(page.block("depth") + "\n", text.replace("<", "\\u003c"))
+        depth, stages = json.loads(text), json.loads(page.block("stages"))
+        VALIDATOR.validate(stages)
+        self.assertEqual(page.fields["status"], depth["status"])
+        sections = [attributes["id"] for tag, attributes in page.elements if tag == "section"]
+        self.assertEqual(sections, ["what", "why", "left-out"])
+        self.assertIn("stages of the algorithm", page.texts["left-out"])
+        ids = [attributes["id"] for _, attributes in page.elements if "id" in attributes]
+        self.assertEqual(len(ids), len(set(ids)))
+        if depth["status"] == "penetrating":
+            self.check_overlap(page, depth, stages)
+        return page, depth, stages
+
+    def check_overlap(self, page, depth, stages):
+        for field, length in (("depth", depth["depth"]), ("deepest_pair", depth["deepest_pair"]["depth"]), ("hulls", depth["hulls"])):
+            self.assertEqual(numbers(page.fields[field]), [length["value"]], field)
+        self.assertIn(str(depth["depth"]["value"]), page.texts["answer"])
+        first = depth["optima"][0]
+        self.assertEqual(numbers(page.fields["translation"]), [float(Fraction(x)) for x in first["translation"]])
+        self.assertEqual(page.fields["clearance"], "yes" if first["clearance"] else "none: an exact fit")
+        self.assertEqual(int(page.fields["optima"]), len(depth["optima"]))
+        self.assertEqual(numbers(page.fields["deepest_pieces"]), depth["deepest_pair"]["pieces"])
+        self.assertEqual(len(page.rows("data-contact")), len(first["contacts"]))
+        self.assertEqual(len(page.rows("data-optimum")), len(depth["optima"]) if len(depth["optima"]) > 1 else 0)
+        self.assertEqual(len(page.rows("data-pair")), len(stages["sums"]))
+        self.assertEqual([len(way["contacts"]) for way in stages["ways"]], [len(optimum["contacts"]) for optimum in depth["optima"]])
+        touching = {tuple(contact["pieces"]) for optimum in depth["optima"] for contact in optimum["contacts"]}
+        self.assertEqual({tuple(each["pieces"]) for each in stages["sums"] if each["touches"]}, touching)
+        inside = {tuple(each["pieces"]): Fraction(each["distance_squared"]) for each in stages["sums"] if each["inside"]}
+        self.assertEqual(max(inside.values()), Fraction(depth["deepest_pair"]["depth"]["squared"]))
+        for each in stages["sums"]:
+            self.assertLessEqual(Fraction(each["distance_squared"]), Fraction(depth["depth"]["squared"]))
+
+    def test_the_comb_and_the_key(self):
+        _, _, stages = self.check(KEY, COMB)
+        self.assertEqual([each["pieces"] for each in stages["sums"] if each["touches"]], [[1, 1], [2, 3]])
+
+    def test_an_exact_fit_and_ties(self):
+        self.check(*self.files(PLATE, SLOT))
+        _, depth, _ = self.check(*self.files(CUBE, SLABS))
+        self.assertEqual(len(depth["optima"]), 2)
+
+    def test_touching_and_disjoint(self):
+        page, _, stages = self.check(*self.files(PLATE, obj([[1.75, 1, 1], [10, 10, 10]])))
+        self.assertEqual((stages["ways"][0]["translation"], stages["sums"]), ([0, 0, 0], []))
+        page, depth, _ = self.check(*self.files(PLATE, APART))
+        self.assertEqual(numbers(page.fields["distance"]), [depth["apart"]["distance"]["value"]])
+        self.assertEqual(numbers(page.fields["between"]), depth["apart"]["pieces"])
+        for body in "ab":
+            self.assertEqual(numbers(page.fields[f"witness_{body}"]), [float(Fraction(x)) for x in depth["apart"]["witness"][body]])
+
+    def test_tiny_and_huge_bodies(self):
+        for unit in (1e-200, 1e300):
+            scaled = lambda *boxes: obj(*([[x * unit for x in corner] for corner in each] for each in boxes))
+            page, _, _ = self.check(*self.files(scaled([[-1, -1, -1], [1, 1, 1]]), scaled([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])))
+            self.assertEqual(numbers(page.fields["depth"]), [3 * unit])
+
+    def test_the_same_input_makes_the_same_page(self):
+        page = self.folder / "page.html"
+        texts = []
+        for _ in range(2):
+            self.answer("explain", "--pieces", KEY, COMB, "-o", page)
+            texts.append(page.read_bytes())
+        self.assertEqual(texts[0], texts[1])
+
+    def test_ids_are_text(self):
+        self.check(self.file("<b>&amp;.obj", PLATE), self.file("</script>.obj".replace("/", "_"), SLOT))
+
+    def test_the_schema_has_teeth(self):
+        jsonschema.Draft202012Validator.check_schema(SCHEMA)
+        good = json.loads(self.page(KEY, COMB).block("stages"))
+        for path, value in ((["status"], "inside"), (["sums", 0, "distance_squared"], 0.25), (["ways", 0, "contacts"], []), (["a", 0, "ids"], [-1]),
+                            (["sums", 0, "through"], [[1]]), (["extra"], 1)):
+            bad = copy.deepcopy(good)
+            place = bad
+            for key in path[:-1]:
+                place = place[key]
+            place[path[-1]] = value
+            self.assertFalse(VALIDATOR.is_valid(bad), path)
+
+    def test_bad_input(self):
+        page = self.folder / "page.html"
+        good = self.file("good.obj", PLATE)
+        flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
+        for words, sentence in (((good, flat, "-o", page), "piece 1 of B is flat"), ((good, "-o", page), "found the single mesh"),
+                                (("a.off", good, "-o", page), "--pieces expects OBJ files"), ((good, good), "explain writes a page"),
+                                (("--times", good, good, "-o", page), "cannot be combined with --times"),
+                                (("--require-convex", good, good, "-o", page), "cannot be combined with --require-convex"),
+                                ((good, good, "-o", self.folder), "cannot write a page")):
+            self.assertIn(sentence, self.refused("explain", "--pieces", *words))
+        self.assertFalse(page.exists(), "law: bad input makes no page")
+
+
+if __name__ == "__main__":
+    unittest.main()
