@@ -29,11 +29,11 @@ Fixpoint row (test : list zvec -> list zvec -> zvec -> bool) (A : list zvec) (Bs
   | B :: Bs', u :: us' => if test A B u then row test A Bs' us' else None
   | _ :: _, [] => None
   end.
-Fixpoint separated (test : list zvec -> list zvec -> zvec -> bool) (As Bs : list (list zvec)) (us : list zvec) : bool :=
+Fixpoint all_pairs (test : list zvec -> list zvec -> zvec -> bool) (As Bs : list (list zvec)) (us : list zvec) : bool :=
   match As, us with
   | [], [] => true
   | [], _ :: _ => false
-  | A :: As', _ => match row test A Bs us with Some us' => separated test As' Bs us' | None => false end
+  | A :: As', _ => match row test A Bs us with Some us' => all_pairs test As' Bs us' | None => false end
   end.
 
 (* h(u) <= <u,t> for t = v/unit;   h(u)^[2] <= -q <u,u> for q = qn/qd *)
@@ -193,7 +193,7 @@ Definition check_union_deep (As Bs : list (list zvec)) (qn qd unit : Z) (optima 
   let g := Target qn qd unit (numbered (each fst optima)) way_at in
   (0 <? qn) && (0 <? qd) && (0 <? unit)
   && match optima with [] => false | t :: r => along_pairs (fun u v => before (fst u) (fst v)) t r end
-  && forallb (fun t => (zdot (fst t) (fst t) * qd =? qn * (unit * unit)) && separated (keeps_out unit (fst t)) As Bs (snd t)) optima
+  && forallb (fun t => (zdot (fst t) (fst t) * qd =? qn * (unit * unit)) && all_pairs (keeps_out unit (fst t)) As Bs (snd t)) optima
   && match cuts_of g (numbered (each numbered As)) (numbered (each numbered Bs)) polytopes [] with
      | Some cuts => walk g (numbered cuts) multipliers [all_of_space] tree
      | None => false
@@ -213,9 +213,9 @@ Definition union_check (m : Z) (As Bs : list (list zvec)) (c : union_claim) : bo
      | Union_deep qn qd unit optima way_at polytopes tree multipliers =>
          check_union_deep As Bs (qn * (m * m)) qd unit optima way_at polytopes tree multipliers
      | Union_touching us p =>
-         separated (keeps_out 1 zzero) As Bs us && near_is (fun _ => is_zero) As Bs p
+         all_pairs (keeps_out 1 zzero) As Bs us && near_is (fun _ => is_zero) As Bs p
      | Union_apart qn qd us p =>
          let q := qn * (m * m) in
          (0 <? qn) && (0 <? qd)
-         && separated (keeps_apart q qd) As Bs us && near_is (fun unit z => zdot z z * qd =? q * (unit * unit)) As Bs p
+         && all_pairs (keeps_apart q qd) As Bs us && near_is (fun unit z => zdot z z * qd =? q * (unit * unit)) As Bs p
      end.

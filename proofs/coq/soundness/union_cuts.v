@@ -17,9 +17,9 @@ Section Cuts.
   Let g := Target qn qd unit (numbered optima) at_.
   Let way (v : zvec) := scal (/ IZR unit) (inj v).
 
-  (* no pair of pieces overlaps when A is moved by t *)
-  Definition outside (t : pt) : Prop := forall A B, In A As -> In B Bs -> ~ interior (P (map inj A) (map inj B)) t.
-  (* of such t that are not longer than the depth only these are to be left *)
+  (* a pair of pieces overlaps when A is moved by t *)
+  Definition overlapping (t : pt) : Prop := exists A B, In A As /\ In B Bs /\ interior (P (map inj A) (map inj B)) t.
+  (* of all other t that are not longer than the depth only these are to be left *)
   Definition settled (t : pt) : Prop := norm2 t = q /\ exists v, In v optima /\ t = way v.
 
   Lemma done_sound : forall h t, done g h = true -> norm2 t <= q -> holds_at h t -> settled t.
@@ -61,9 +61,9 @@ Section Cuts.
   Qed.
 
   (* ---- the inner polytopes ---- *)
-  (* each t that is outside is in a half-space that is done, or that a split must name *)
+  (* any other t is in a half-space that is done, or that a split must name *)
   Definition cuts_space (c : cut) : Prop :=
-    forall t, outside t -> exists h, holds_at h t /\ (done g h = true \/ exists i, In (i, h) (not_done c)).
+    forall t, overlapping t \/ exists h, holds_at h t /\ (done g h = true \/ exists i, In (i, h) (not_done c)).
 
   (* a hull of the points k v - s, moved back *)
   Lemma moved_hull : forall (S T : pt -> Prop) k s x, k <> 0 -> (forall p, S p -> T (scal (/ k) (add p s))) -> hull S x ->
@@ -102,7 +102,7 @@ Section Cuts.
 
   Lemma cut_of_sound : forall p c, cut_of g (numbered (each numbered As)) (numbered (each numbered Bs)) p = Some c -> cuts_space c.
   Proof.
-    intros p c H t Ht. unfold cut_of in H.
+    intros p c H t. unfold cut_of in H.
     destruct (member (numbered (each numbered As)) (piece_a p)) as [TA|] eqn:EA; [|discriminate].
     destruct (member (numbered (each numbered Bs)) (piece_b p)) as [TB|] eqn:EB; [|discriminate].
     apply table_of_tables in EA, EB. destruct EA as (A & IA & ->). destruct EB as (B & IB & ->).
@@ -123,8 +123,8 @@ Section Cuts.
         with (inj (difference (numbered A) (numbered B) lk)) by (pteq; field; lra).
       apply named_difference. exact (forallb_In _ _ _ EV lk Il). }
     destruct (inside_or_beyond 0 1 S eq_refl Fs Hin Hok (sub (scal (IZR k) t) (inj s))) as [I|(f & If & Hf)].
-    - exfalso. apply (Ht A B IA IB). apply (moved_interior S _ (IZR k) (inj s)); auto.
-    - exists (half_space k s f). split.
+    - left. exists A, B. split; auto. split; auto. apply (moved_interior S _ (IZR k) (inj s)); auto.
+    - right. exists (half_space k s f). split.
       + unfold holds_at, half_space. cbn [fst snd]. rewrite dot_sub_r, dot_scal_r in Hf.
         rewrite plus_IZR, dot_inj, inj_scal, dot_scal_l. lra.
       + apply not_done_spec. rewrite each_map. apply in_map. auto.

@@ -47,11 +47,11 @@ Section Tree.
   Let g := Target qn qd unit (numbered optima) at_.
 
   Definition resolved (c : cell) : Prop :=
-    forall t, outside As Bs t -> norm2 t <= q -> inside_cell c t -> settled qn qd unit optima t.
+    forall t, norm2 t <= q -> inside_cell c t -> overlapping As Bs t \/ settled qn qd unit optima t.
 
   Lemma far_away_sound : forall multipliers c is, far_away g multipliers c is = true -> resolved c.
   Proof.
-    intros multipliers c is H t _ Ht Hc. unfold far_away in H.
+    intros multipliers c is H t Ht Hc. right. unfold far_away in H.
     destruct (members (held c) is []) as [hs|] eqn:E; [|discriminate].
     destruct (combined hs (multipliers hs) (zzero, 0%Z)) as [h|] eqn:F; [|discriminate].
     apply (done_sound qn qd unit optima at_ Hqd Hunit h); auto. apply (combined_holds _ _ _ _ t F).
@@ -91,11 +91,11 @@ Section Tree.
         assert (G : forall c, In c (children ++ cells) -> resolved c).
         { intros c' Hc'. apply (IH _ H). rewrite rev_append_rev. apply in_app_iff in Hc'. apply in_app_iff.
           destruct Hc' as [Hc'|Hc']; auto. left. apply in_rev in Hc'. auto. }
-        destruct Hc as [<-|Hc]; [|apply G, in_app_iff; auto]. intros t Ho Ht Hd.
+        destruct Hc as [<-|Hc]; [|apply G, in_app_iff; auto]. intros t Ht Hd.
         destruct (children_of_sound _ _ _ _ _ _ _ t E Hd) as [(e & Ie & He)|N].
         { intros j h Hj. destruct j; discriminate. }
         { apply (G e); auto. apply in_app_iff. auto. }
-        destruct (Ek t Ho) as (h & Hh & [D|(i & Hi)]); [apply (done_sound qn qd unit optima at_ Hqd Hunit h); auto|].
+        destruct (Ek t) as [O|(h & Hh & [D|(i & Hi)])]; auto; [right; apply (done_sound qn qd unit optima at_ Hqd Hunit h); auto|].
         exfalso. assert (L := forallb_In _ _ _ M _ Hi). unfold marked in L. cbn [fst snd] in L.
         destruct (member marks i) as [h'|] eqn:Em; [|discriminate]. apply (N _ _ Em). bsplit. apply same_vector_spec in H0.
         unfold holds_at in *. rewrite H0, H1. auto.
