@@ -158,22 +158,26 @@ Definition far_away (g : target) (multipliers : list constraint -> list Z) (c : 
   end.
 
 (* cells: those whose nodes are still to come, in this order *)
-Fixpoint walk (g : target) (cuts : table cut) (multipliers : list constraint -> list Z) (cells : list cell) (nodes : list node) : bool :=
-  match nodes, cells with
-  | [], [] => true
-  | Leaf is :: nodes', c :: cells' => if far_away g multipliers c is then walk g cuts multipliers cells' nodes' else false
-  | Split s fs :: nodes', c :: cells' =>
+Definition step (g : target) (cuts : table cut) (multipliers : list constraint -> list Z) (cells : list cell) (n : node) :
+  option (list cell) :=
+  match n, cells with
+  | _, [] => None
+  | Leaf is, c :: cells' => if far_away g multipliers c is then Some cells' else None
+  | Split s fs, c :: cells' =>
       match member cuts s with
       | Some by_facets =>
           match children_of (beyond by_facets) c fs [] Empty with
           | Some (children, marks) =>
-              if forallb (marked marks) (not_done by_facets)
-              then walk g cuts multipliers (rev_append children cells') nodes' else false
-          | None => false
+              if forallb (marked marks) (not_done by_facets) then Some (rev_append children cells') else None
+          | None => None
           end
-      | None => false
+      | None => None
       end
-  | _, _ => false
+  end.
+Fixpoint walk (g : target) (cuts : table cut) (multipliers : list constraint -> list Z) (cells : list cell) (nodes : list node) : bool :=
+  match nodes with
+  | [] => match cells with [] => true | _ => false end
+  | n :: nodes' => match step g cuts multipliers cells n with Some cells' => walk g cuts multipliers cells' nodes' | None => false end
   end.
 
 (* ---- the claims ---- *)

@@ -81,7 +81,7 @@ Section Integers.
     rewrite each_map in Hin. destruct (cuts_of _ _ _ polytopes []) as [cuts|] eqn:EC; [|discriminate].
     assert (HC : forall c, In c cuts -> cuts_space As Bs qn qd unit (map fst optima) at_ c).
     { apply (cuts_of_sound As Bs qn qd unit _ at_ _ _ _ EC). intros c []. }
-    assert (W := walk_sound As Bs qn qd unit _ at_ Hqd Hu cuts multipliers tree _ HC Hin all_of_space (or_introl eq_refl)).
+    assert (W := walk_sound As Bs qn qd unit _ at_ Hqd Hu cuts multipliers HC tree _ Hin all_of_space (or_introl eq_refl)).
     assert (In1 : forall t, norm2 t <= q -> overlap_at (real_union As) (real_union Bs) t \/ norm2 t = q /\ In t ts).
     { intros t Ht. destruct (W t Ht (inside_space t)) as [O|(E & v & Iv & Ev)]; [left; apply overlapping_overlap; auto|].
       right. split; auto. apply in_map_iff in Iv. destruct Iv as (o & <- & Io). apply in_map_iff. exists o. auto. }

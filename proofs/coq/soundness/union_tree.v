@@ -79,27 +79,36 @@ Section Tree.
       + intros k h' Hk. apply get_put in Hk. destruct Hk as [->|Hk]; [exact K|exact (Hm k h' Hk)].
   Qed.
 
-  Lemma walk_sound : forall cuts multipliers nodes cells, (forall c, In c cuts -> cuts_space As Bs qn qd unit optima at_ c) ->
-    walk g (numbered cuts) multipliers cells nodes = true -> forall c, In c cells -> resolved c.
-  Proof.
-    intros cuts multipliers nodes cells Hcuts. revert cells. induction nodes as [|n nodes IH]; intros cells H c Hc.
-    - destruct cells; [destruct Hc|discriminate].
-    - destruct n as [s fs|is], cells as [|d cells]; try discriminate; cbn [walk] in H.
-      + destruct (member (numbered cuts) s) as [k|] eqn:Ek; [|discriminate]. apply member_in, Hcuts in Ek.
+  Section Walk.
+    Variables (cuts : list cut) (multipliers : list constraint -> list Z).
+    Hypothesis Hcuts : forall c, In c cuts -> cuts_space As Bs qn qd unit optima at_ c.
+
+    Lemma step_sound : forall n cells cells', step g (numbered cuts) multipliers cells n = Some cells' ->
+      (forall c, In c cells' -> resolved c) -> forall c, In c cells -> resolved c.
+    Proof.
+      intros n cells cells' H G c Hc. unfold step in H. destruct n as [s fs|is], cells as [|d cells]; try discriminate.
+      - destruct (member (numbered cuts) s) as [k|] eqn:Ek; [|discriminate]. apply member_in, Hcuts in Ek.
         destruct (children_of (beyond k) d fs [] Empty) as [[children marks]|] eqn:E; [|discriminate].
         destruct (forallb (marked marks) (not_done k)) eqn:M; [|discriminate].
-        assert (G : forall c, In c (children ++ cells) -> resolved c).
-        { intros c' Hc'. apply (IH _ H). rewrite rev_append_rev. apply in_app_iff in Hc'. apply in_app_iff.
-          destruct Hc' as [Hc'|Hc']; auto. left. apply in_rev in Hc'. auto. }
+        inversion H. subst cells'. clear H. rewrite rev_append_rev in G.
         destruct Hc as [<-|Hc]; [|apply G, in_app_iff; auto]. intros t Ht Hd.
         destruct (children_of_sound _ _ _ _ _ _ _ t E Hd) as [(e & Ie & He)|N].
         { intros j h Hj. destruct j; discriminate. }
-        { apply (G e); auto. apply in_app_iff. auto. }
+        { apply (G e); auto. apply in_app_iff. left. apply in_rev in Ie. auto. }
         destruct (Ek t) as [O|(h & Hh & [D|(i & Hi)])]; auto; [right; apply (done_sound qn qd unit optima at_ Hqd Hunit h); auto|].
         exfalso. assert (L := forallb_In _ _ _ M _ Hi). unfold marked in L. cbn [fst snd] in L.
-        destruct (member marks i) as [h'|] eqn:Em; [|discriminate]. apply (N _ _ Em). bsplit. apply same_vector_spec in H0.
-        unfold holds_at in *. rewrite H0, H1. auto.
-      + destruct (far_away g multipliers d is) eqn:E; [|discriminate].
-        destruct Hc as [<-|Hc]; [apply (far_away_sound _ _ _ E)|apply (IH _ H); auto].
-  Qed.
+        destruct (member marks i) as [h'|] eqn:Em; [|discriminate]. apply (N _ _ Em). bsplit. apply same_vector_spec in H.
+        unfold holds_at in *. rewrite H, H0. auto.
+      - destruct (far_away g multipliers d is) eqn:E; [|discriminate]. inversion H. subst cells'.
+        destruct Hc as [<-|Hc]; [exact (far_away_sound _ _ _ E)|auto].
+    Qed.
+
+    Lemma walk_sound : forall nodes cells, walk g (numbered cuts) multipliers cells nodes = true -> forall c, In c cells -> resolved c.
+    Proof.
+      induction nodes as [|n nodes IH]; intros cells H; cbn [walk] in H.
+      - destruct cells; [intros c []|discriminate].
+      - destruct (step g (numbered cuts) multipliers cells n) as [cells'|] eqn:E; [|discriminate].
+        apply (step_sound n cells cells' E). apply IH. exact H.
+    Qed.
+  End Walk.
 End Tree.
