@@ -2,7 +2,7 @@
 (* Format 3: what the checker accepts is true, and so is the line that is printed. *)
 Require Import Reals Lra List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence certificate verdict signed unions union_verdict.
-From Fathom.geometry Require Import meaning unions space scaling pieces.
+From Fathom.geometry Require Import meaning unions space scaling seams pieces.
 From Fathom.soundness Require Import statement booleans printed verdict_sound union_statement union_claims union_printed.
 Import ListNotations.
 Open Scope R_scope.
@@ -51,4 +51,29 @@ Proof.
   split; [unfold real_pieces; rewrite count_length, map_length; auto|]. split; [unfold real_pieces; rewrite count_length, map_length; auto|].
   destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p]; auto.
   destruct C as (D & N & W). split; auto. eexists. split; [|split; [exact N|exact W]]. rewrite count_length, map_length. auto.
+Qed.
+
+(* in words about the pieces: whatever is shorter than the depth leaves two pieces that overlap, and of all moves of its length just the
+   optima leave none *)
+Corollary union_deep_pairs : forall m As Bs qn qd unit optima at_ polytopes tree multipliers,
+  union_check m As Bs (Union_deep qn qd unit optima at_ polytopes tree multipliers) = true ->
+  let overlap A B t := exists p, interior (translate (conv A) t) p /\ interior (conv B) p in
+  let RA := map (map (frac m)) As in
+  let RB := map (map (frac m)) Bs in
+  let q := IZR qn / IZR qd in
+  let ts := map (fun o => frac (m * unit) (fst o)) optima in
+  (forall t, norm2 t < q -> exists A B, In A RA /\ In B RB /\ overlap A B t)
+  /\ (forall t, In t ts -> norm2 t = q /\ forall A B, In A RA -> In B RB -> ~ overlap A B t)
+  /\ (forall t, norm2 t = q -> (forall A B, In A RA -> In B RB -> ~ overlap A B t) -> In t ts)
+  /\ NoDup ts.
+Proof.
+  intros m As Bs qn qd unit optima at_ polytopes tree multipliers H overlap RA RB q ts. apply union_check_sound in H.
+  destruct H as (SA & SB & (_ & D & _) & N & W). fold RA RB in SA, SB, D, W. fold q in D, W. fold ts in N, W.
+  split; [|split; [|split]]; auto.
+  - intros t Ht. apply D, overlap_pieces in Ht; auto. destruct Ht as (A & B & p & IA & IB & I). exists A, B. split; auto. split; auto.
+    exists p. auto.
+  - intros t It. apply W in It. destruct It as [E O]. split; auto. intros A B IA IB (p & I). apply O, overlap_pieces; auto.
+    exists A, B, p. tauto.
+  - intros t E O. apply W. split; auto. intros I. apply overlap_pieces in I; auto. destruct I as (A & B & p & IA & IB & I).
+    apply (O A B); auto. exists p. auto.
 Qed.
