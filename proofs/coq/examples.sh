@@ -102,7 +102,8 @@ slab() { # PIECES POLYTOPES SPLITS CHILDREN
   echo "polytopes $2"
   {
     printf 'polytope 0 0\nvertices 8\n'
-    printf '%s\n' '0 7' '1 6' '2 5' '3 4' '4 3' '5 2' '6 1' '7 0' 'facets 6' '4 0 4 6 2' '4 1 3 7 5' '4 0 1 5 4' '4 2 6 7 3' '4 0 2 3 1' '4 4 5 7 6'
+    printf '%s\n' '0 7' '1 6' '2 5' '3 4' '4 3' '5 2' '6 1' '7 0' 'facets 6' '4 0 4 6 2' '4 1 3 7 5' '4 0 1 5 4' '4 2 6 7 3' \
+      '4 0 2 3 1' '4 4 5 7 6'
   } | copies "$2"
   echo "tree $(($3 + $4))"
   [ "$3" = 1 ] || many 'split 0 2' "$(($3 - 1))"

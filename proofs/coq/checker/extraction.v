@@ -2,7 +2,8 @@
 (* The checker as OCaml, with zarith's integers for Coq's.  Beside the checker itself its parts are given out:
    the program asks them why a certificate was refused. *)
 Require Import ZArith List.
-From Fathom.checker Require Import vector sequence table polytope support certificate verdict body cone signed signed_verdict unions union_verdict.
+From Fathom.checker Require Import vector sequence table polytope support certificate verdict body cone signed signed_verdict.
+From Fathom.checker Require Import unions union_verdict.
 Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 Extraction "proved.ml" verdict.verdict with_integers same_vectors
   make_facets numbered facet_ok bounded listed canonical tangent within height common_point zdot

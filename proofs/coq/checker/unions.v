@@ -23,7 +23,8 @@ Definition all_solid (Ls : list (list zvec)) : bool := match Ls with [] => false
 
 (* ---- separations: of each pair of pieces a vector, those of the first piece of a first ---- *)
 (* the vectors behind those of this piece of a *)
-Fixpoint row (test : list zvec -> list zvec -> zvec -> bool) (A : list zvec) (Bs : list (list zvec)) (us : list zvec) : option (list zvec) :=
+Fixpoint row (test : list zvec -> list zvec -> zvec -> bool) (A : list zvec) (Bs : list (list zvec)) (us : list zvec) :
+  option (list zvec) :=
   match Bs, us with
   | [], _ => Some us
   | B :: Bs', u :: us' => if test A B u then row test A Bs' us' else None

@@ -119,7 +119,8 @@ Proof.
     set (F' := map (fun f => (fst f, snd f + dot (fst f) t)) F). assert (M1 := Rmin_l d e). assert (M2 := Rmin_r d e).
     assert (M0 : 0 < Rmin d e) by (apply Rmin_glb_lt; auto).
     destruct (point_off (F' ++ G) p (Rmin d e) M0) as (s & r & Hr & K).
-    { intros f Hf. apply in_app_iff in Hf. destruct Hf as [Hf|Hf]; auto. apply in_map_iff in Hf. destruct Hf as (f' & <- & Hf). simpl. auto. }
+    { intros f Hf. apply in_app_iff in Hf. destruct Hf as [Hf|Hf]; auto. apply in_map_iff in Hf. destruct Hf as (f' & <- & Hf).
+      simpl. auto. }
     destruct (K s) as [Ks Ko].
     { replace (norm2 (sub s s)) with 0 by (unfold norm2, dot; simpl; ring). apply Rmult_lt_0_compat; auto. }
     assert (S1 : norm2 (sub s p) < d * d) by nra. assert (S2 : norm2 (sub s p) < e * e) by nra.
@@ -155,6 +156,6 @@ Proof.
   { intros t. rewrite overlap_pairs by auto. split.
     - intros (A' & B' & [<-|[]] & [<-|[]] & I). auto.
     - intros I. exists A, B. simpl. auto. }
-  unfold union_depth2_is, depth2_is. split; intros (Hq & H & t & Ht & N); (split; [auto|split; [intros s Hs; apply E; auto|exists t; split; auto]]);
-    intros I; apply N, E; auto.
+  unfold union_depth2_is, depth2_is. split; intros (Hq & H & t & Ht & N);
+    (split; [auto|split; [intros s Hs; apply E; auto|exists t; split; auto]]); intros I; apply N, E; auto.
 Qed.

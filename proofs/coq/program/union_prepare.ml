@@ -22,7 +22,8 @@ end)
 let foot_finder unit ways =
   let none = Z.of_int (List.length ways) in
   let numbered = ref Places.empty in
-  List.iteri (fun k { Proved.zx; zy; zz } -> numbered := Places.add (Q.make zx unit, Q.make zy unit, Q.make zz unit) (Z.of_int k) !numbered) ways;
+  let over x = Q.make x unit in
+  List.iteri (fun k { Proved.zx; zy; zz } -> numbered := Places.add (over zx, over zy, over zz) (Z.of_int k) !numbered) ways;
   fun (({ Proved.zx; zy; zz } as n), c) ->
     let square = Proved.zdot n n in
     if Z.equal square Z.zero then none
@@ -68,7 +69,8 @@ let of_piece parts i = parts.(Z.to_int i)
 
 let polytope g p =
   let i, j = p.pair in
-  demand p.polytope_line (in_range (Array.length g.pieces_a) i && in_range (Array.length g.pieces_b) j) "a polytope of a piece that is not there";
+  let there parts i = in_range (Array.length parts) i in
+  demand p.polytope_line (there g.pieces_a i && there g.pieces_b j) "a polytope of a piece that is not there";
   let size part = Array.length part.items in
   demand_ranges (size (of_piece g.pieces_a i)) (size (of_piece g.pieces_b j)) p.vertices p.facets;
   { Proved.piece_a = i; piece_b = j; corner_points = Array.to_list p.vertices.items; sides = hinted p.facets.items }
@@ -121,7 +123,8 @@ let find g m claim =
            (k + 1, Some t))
         (0, None) ways);
     let target =
-      { Proved.square_n = Z.mul qn units; square_d = qd; way_unit = unit; ways = Proved.numbered (List.rev (List.rev_map fst ways)); way_at } in
+      { Proved.square_n = Z.mul qn units; square_d = qd; way_unit = unit; ways = Proved.numbered (List.rev (List.rev_map fst ways));
+        way_at } in
     let tables lists = Proved.numbered (Proved.each Proved.numbered lists) in
     let ta = tables a and tb = tables b in
     let cut k p =
@@ -138,13 +141,14 @@ let find g m claim =
            raise (Refused (tree.lines_of.(k), match node with
              | _ when !left = [] -> "a node behind the tree"
              | Proved.Leaf _ -> "these constraints are not of this path, or do not put the cell as far away as is claimed"
-             | Proved.Split _ -> "no such polytope or facet, or a facet without a child is not as far away as is claimed, or at an optimum that is not listed")))
+             | Proved.Split _ -> "no such polytope or facet, or a facet without a child is near, or its optimum is not listed")))
       tree.items;
     demand tree.line (!left = []) "the tree is cut off"
   | Touching p, Proved.Union_touching (_, near) ->
     let zero = { Proved.zx = Z.zero; zy = Z.zero; zz = Z.zero } in
     separate p.separations (Proved.keeps_out Z.one zero);
-    demand p.near_line (Proved.near_is (fun _ z -> Z.equal (Proved.zdot z z) Z.zero) a b near) "the weights are not those of one common point"
+    demand p.near_line (Proved.near_is (fun _ z -> Z.equal (Proved.zdot z z) Z.zero) a b near)
+      "the weights are not those of one common point"
   | Apart (q, p), Proved.Union_apart (qn, qd, _, near) ->
     demand g.claim_line (Q.sign q > 0) "the squared distance is not positive";
     let qn = Z.mul qn units in

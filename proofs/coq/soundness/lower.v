@@ -58,7 +58,10 @@ Section Polytope.
   Hypothesis Hok : inner_ok qn qd Fs = true.
 
   Lemma facet_beyond : forall f, In f Fs -> 0 < off f /\ q * norm2 (nrm f) <= off f * off f.
-  Proof. intros f Hf. unfold inner_ok in Hok. bsplit. apply (facet_sound Fs); auto. { intros x. apply Hin. auto. } exact (forallb_In _ _ _ H0 f Hf). Qed.
+  Proof.
+    intros f Hf. unfold inner_ok in Hok. bsplit. apply (facet_sound Fs); auto; [intros x; apply Hin; auto|].
+    exact (forallb_In _ _ _ H0 f Hf).
+  Qed.
 
   (* what lies below all planes is in the hull *)
   Lemma below_in_hull : forall x, below _ nrm off Fs x -> hull S x.

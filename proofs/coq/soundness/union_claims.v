@@ -141,7 +141,8 @@ Section Integers.
       apply negb_true_iff in H. assert (Hu : inj u <> origin) by (rewrite inj_zero, <- is_zero_spec, H; discriminate).
       assert (N := norm2_pos _ Hu). apply IZR_le in T. rewrite !mult_IZR, opp_IZR, norm2_inj, IZR_signed_square in T.
       assert (Neg : IZR h < 0).
-      { apply Rnot_le_lt. intros L. rewrite signed_sqr_pos in T by auto. assert (0 < IZR qn * norm2 (inj u)) by (apply Rmult_lt_0_compat; auto).
+      { apply Rnot_le_lt. intros L. rewrite signed_sqr_pos in T by auto.
+        assert (0 < IZR qn * norm2 (inj u)) by (apply Rmult_lt_0_compat; auto).
         assert (0 <= IZR h * IZR h * IZR qd) by (apply Rmult_le_pos; [nra|lra]). lra. }
       rewrite signed_sqr_neg in T by lra. assert (C := cauchy (inj u) (sub b a)).
       assert (K : IZR h * IZR h <= norm2 (inj u) * norm2 (sub b a)) by nra.

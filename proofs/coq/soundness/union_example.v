@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A cube in two pieces and another cube: a certificate of format 3 checked inside Coq, and the closed theorem that follows; and forgeries. *)
+(* A cube in two pieces and another cube: a certificate of format 3 checked inside Coq, and the closed theorem that follows; and
+   forgeries. *)
 Require Import Reals Lra List ZArith NArith.
 From Fathom.checker Require Import vector verdict unions union_verdict.
 From Fathom.geometry Require Import meaning unions.
@@ -19,7 +20,8 @@ Definition all_of (i : N) := Polytope i 0
    [(0, 5); (1, 0); (5, 4); (4, 1)]; [(4, 3); (5, 0); (7, 2); (6, 1)]; [(0, 1); (2, 2); (3, 0); (1, 3)]]%N.
 (* O is on the plane x = 0 of P_00; beyond it P_10 has the one near facet *)
 Definition seam qn qd optima tree :=
-  Union_deep qn qd 1 (map (fun t => (t, [Zvec (-1) 0 0; Zvec (-1) 0 0])) optima) (fun _ => 0%N) [all_of 0; all_of 1] tree (map (fun _ => 1)).
+  Union_deep qn qd 1 (map (fun t => (t, [Zvec (-1) 0 0; Zvec (-1) 0 0])) optima) (fun _ => 0%N) [all_of 0; all_of 1] tree
+    (map (fun _ => 1)).
 Definition way := Zvec (-1) 0 0.
 Definition nodes := [Split 0 [1%N]; Split 1 [1%N]; Leaf [1%N]].
 
@@ -28,7 +30,8 @@ Proof.
   assert (H : union_check 2 As Bs (seam 1 4 [way] nodes) = true) by (vm_compute; reflexivity). apply union_check_sound in H. apply H.
 Qed.
 
-(* a wrong common denominator has no line; nor has a longer way, an optimum too many, a tree too short, too long or too near, a flat piece *)
+(* a wrong common denominator has no line; nor has a longer way, an optimum too many, a tree too short, too long or too near, a flat
+   piece *)
 Definition halves (v : zvec) := let r n := Ratio n 2 in Point (r (zx v)) (r (zy v)) (r (zz v)).
 Theorem seam_verdict : map (fun m => union_verdict m (map (map halves) As) (map (map halves) Bs) (seam 1 4 [way] nodes)) [2; 3; 4; 0; -2]
   = [Some (Union_statement 2 1 (Pieces_penetrate (Ratio 1 4) 1)); None; None; None; None].

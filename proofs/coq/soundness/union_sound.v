@@ -48,7 +48,7 @@ Proof.
   assert (Hm : (0 < m)%Z) by (unfold union_check in C; bsplit; auto).
   apply union_check_sound in C. unfold union_meaning in C. cbv zeta in C. rewrite !pieces_real in C by auto. destruct C as (SA & SB & C).
   split; auto. split; auto. cbn [pieces_a pieces_b union_status_is].
-  split; [unfold real_pieces; rewrite count_length, map_length; auto|]. split; [unfold real_pieces; rewrite count_length, map_length; auto|].
+  unfold real_pieces. split; [rewrite count_length, map_length; auto|]. split; [rewrite count_length, map_length; auto|].
   destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p]; auto.
   destruct C as (D & N & W). split; auto. eexists. split; [|split; [exact N|exact W]]. rewrite count_length, map_length. auto.
 Qed.
