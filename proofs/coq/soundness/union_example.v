@@ -19,9 +19,9 @@ Definition all_of (i : N) := Polytope i 0
   [[(1, 5); (3, 2); (7, 4); (5, 3)]; [(0, 3); (4, 4); (6, 2); (2, 5)]; [(2, 1); (6, 4); (7, 0); (3, 5)];
    [(0, 5); (1, 0); (5, 4); (4, 1)]; [(4, 3); (5, 0); (7, 2); (6, 1)]; [(0, 1); (2, 2); (3, 0); (1, 3)]]%N.
 (* O is on the plane x = 0 of P_00; beyond it P_10 has the one near facet *)
-Definition seam qn qd optima tree :=
-  Union_deep qn qd 1 (map (fun t => (t, [Zvec (-1) 0 0; Zvec (-1) 0 0])) optima) (fun _ => 0%N) [all_of 0; all_of 1] tree
-    (map (fun _ => 1)).
+Definition seam_of n qn qd optima tree :=
+  Union_deep qn qd 1 (map (fun t => (t, repeat (Zvec (-1) 0 0) n)) optima) (fun _ => 0%N) [all_of 0; all_of 1] tree (map (fun _ => 1)).
+Definition seam := seam_of 2.
 Definition way := Zvec (-1) 0 0.
 Definition nodes := [Split 0 [1%N]; Split 1 [1%N]; Leaf [1%N]].
 
@@ -40,5 +40,5 @@ Theorem unions_refused : map (union_check 2 As Bs)
   [seam 1 5 [way] nodes; seam 1 3 [way] nodes; seam 1 4 [] nodes; seam 1 4 [way; way] nodes; seam 1 4 [way; Zvec 0 1 0] nodes;
    seam 1 4 [way] [Split 0 [1%N]; Split 1 [1%N]]; seam 1 4 [way] (nodes ++ [Leaf [1%N]]); seam 1 4 [way] [Split 0 []];
    seam 1 4 [way] [Split 0 [1%N]; Leaf [0%N]]; seam 1 4 [way] [Split 0 [2%N]; Leaf [0%N]]; seam 1 4 [way] []] = repeat false 11
-  /\ union_check 2 (As ++ [block 5 5 5 5 7 7]) Bs (seam 1 4 [way] nodes) = false.
+  /\ map (fun L => union_check 2 (As ++ [L]) Bs (seam_of 3 1 4 [way] nodes)) [block 1 0 0 2 1 1; block 1 0 0 1 1 1] = [true; false].
 Proof. split; vm_compute; reflexivity. Qed.
