@@ -72,7 +72,7 @@ mutant 's/Union_apart (Q\.num q/Union_apart (Z.of_int 9/' farther%20than%20they%
 mutant 's/:: l) \[\] optima) in$/:: l) [] (Array.sub optima 0 (max 0 (Array.length optima - 1)))) in/' \
   five%20ways%20out REFUSED '' <"$unions"
 mutant 's/Array\.to_list tree\.items/[]/' five%20ways%20out REFUSED '' <"$unions"
-mutant 's/if Z\.sign (times column) < 0/if Z.sign (times column) > 0/' a%20cell%20of%20nothing REFUSED '' <"$unions"
+mutant 's/Some column -> Array\.to_list column/Some column -> Array.to_list (Array.map Z.neg column)/' a%20cell%20of%20nothing REFUSED '' <"$unions"
 mutant 's/if r > 4 then \[\]/if r > 1 then List.map (fun _ -> Z.minus_one) half_spaces/' where%20three%20planes%20meet REFUSED '' <"$unions"
 mutant 's/Places\.find_opt (/(fun _ _ -> Some Z.zero) (/' five%20ways%20out REFUSED '' <"$unions"
 mutant 's/  demand_ranges (size.*/  ();/' a%20vertex%20of%20no%20point REFUSED '' <"$unions"

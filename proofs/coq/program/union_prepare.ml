@@ -57,11 +57,10 @@ let multipliers half_spaces =
     let times row = List.fold_left (fun sum k -> Z.add sum (Z.mul row.(k) offsets.(k))) Z.zero all in
     if Z.sign (determinant (Array.to_list gram) all) <> 0 then List.map (fun i -> times adjugate.(i)) all
     else
-      match List.find_opt (fun i -> Array.exists (fun x -> Z.sign x <> 0) adjugate.(i)) all with
+      (* adj(G) is symmetric: a row is a column *)
+      match List.find_opt (Array.exists (fun x -> Z.sign x <> 0)) (Array.to_list adjugate) with
       | None -> []
-      | Some i -> (* adj(G) is symmetric: a row is a column *)
-        let column = adjugate.(i) in
-        Array.to_list (if Z.sign (times column) < 0 then Array.map Z.neg column else column)
+      | Some column -> Array.to_list column
   end
 
 (* ---- all of it ---- *)
