@@ -45,7 +45,7 @@ Print Assumptions union_deep_pairs.
 Print Assumptions overlap_pairs.
 Print Assumptions overlap_pieces.
 Print Assumptions union_depth2_unique.
-Print Assumptions union_depth2_single.
+Print Assumptions union_depth2_whole.
 Print Assumptions seam_depth.
 Print Assumptions seam_verdict.
 Print Assumptions unions_refused.

@@ -149,13 +149,16 @@ Proof.
   destruct (Rtotal_order q r) as [L|[E|L]]; auto; exfalso; [apply H2, H3; lra|apply H4, H1; lra].
 Qed.
 
-(* of one piece each it is the depth of format 1 *)
-Theorem union_depth2_single : forall A B q, solid_pieces [A] -> solid_pieces [B] -> (union_depth2_is [A] [B] q <-> depth2_is A B q).
+(* it is a matter of the bodies, not of their pieces: of convex bodies it is the depth of format 1, whatever they are cut into *)
+Theorem union_depth2_whole : forall As Bs A B q, (exists p, interior (conv A) p) -> (exists p, interior (conv B) p) ->
+  (forall p, union As p <-> conv A p) -> (forall p, union Bs p <-> conv B p) -> (union_depth2_is As Bs q <-> depth2_is A B q).
 Proof.
-  intros A B q HA HB. assert (E : forall t, overlap_at [A] [B] t <-> interior (P A B) t).
-  { intros t. rewrite overlap_pairs by auto. split.
-    - intros (A' & B' & [<-|[]] & [<-|[]] & I). auto.
-    - intros I. exists A, B. simpl. auto. }
+  intros As Bs A B q HA HB EA EB. assert (E : forall t, overlap_at As Bs t <-> interior (P A B) t).
+  { intros t. rewrite pair_interiors by auto. unfold overlap_at.
+    assert (F : forall p, interior (translate (union As) t) p <-> interior (translate (conv A) t) p).
+    { intros p. apply interior_iff. intros x. apply EA. }
+    assert (G : forall p, interior (union Bs) p <-> interior (conv B) p) by (intros p; apply interior_iff, EB).
+    split; intros (p & Hp & Hq); exists p; (split; [apply F|apply G]); auto. }
   unfold union_depth2_is, depth2_is. split; intros (Hq & H & t & Ht & N);
     (split; [auto|split; [intros s Hs; apply E; auto|exists t; split; auto]]); intros I; apply N, E; auto.
 Qed.
