@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps.
-From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams.
+From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -39,3 +39,13 @@ Print Assumptions signed_depth_depth.
 Print Assumptions signed_depth_touch.
 Print Assumptions ways_out_touch.
 Print Assumptions cone_sound.
+Print Assumptions union_verdict_sound.
+Print Assumptions union_check_sound.
+Print Assumptions union_deep_pairs.
+Print Assumptions overlap_pairs.
+Print Assumptions overlap_pieces.
+Print Assumptions union_depth2_unique.
+Print Assumptions union_depth2_whole.
+Print Assumptions seam_depth.
+Print Assumptions seam_verdict.
+Print Assumptions unions_refused.

@@ -82,4 +82,38 @@ large 0 100000 4 >"$scratch"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratch"
 large 0 0 16000 >"$scratch"
 expect 1 '^s REFUSED <stdin>:' - <"$scratch"
+
+# unions: many pieces, optima's separations, polytopes; a tree as deep as it is long, and one node with all the others below it
+box() { # NAME LOW-X HIGH-X LOW-Y HIGH-Y LOW-Z HIGH-Z
+  printf '%s 8\n' "$1"
+  for z in "$6" "$7"; do for y in "$4" "$5"; do printf '%s %s %s\n' "$2" "$y" "$z" "$3" "$y" "$z"; done; done
+}
+copies() { # COUNT, of what comes on standard input, of at most a kilobyte
+  text=$(cat)
+  yes "$text" | head -n "$(($1 * $(printf '%s\n' "$text" | wc -l)))"
+}
+slab() { # PIECES POLYTOPES SPLITS CHILDREN
+  printf 'fathom-certificate 3\npieces_a %s\n' "$1"
+  box a 0 1 0 1 0 1 | copies "$1"
+  printf 'pieces_b 1\n'
+  box b -3 4 0 4 -3 4
+  printf 'claim depth 1\noptima 1\noptimum 0 -1 0\nseparations %s\n' "$1"
+  echo '0 -1 0' | copies "$1"
+  echo "polytopes $2"
+  {
+    printf 'polytope 0 0\nvertices 8\n'
+    printf '%s\n' '0 7' '1 6' '2 5' '3 4' '4 3' '5 2' '6 1' '7 0' 'facets 6' '4 0 4 6 2' '4 1 3 7 5' '4 0 1 5 4' '4 2 6 7 3' \
+      '4 0 2 3 1' '4 4 5 7 6'
+  } | copies "$2"
+  echo "tree $(($3 + $4))"
+  [ "$3" = 1 ] || many 'split 0 2' "$(($3 - 1))"
+  echo "split 0$(many ' 2' "$4" | tr -d '\n')"
+  seq -f 'leaf %.0f' 0 "$(($4 - 1))"
+  echo "end $1 $(many 8 "$1" | tr '\n' ' ')1 8 1 $1 $2 $(many '8 6' "$2" | tr '\n' ' ')$(($3 + $4))"
+}
+for counts in '20000 1 1 1' '1 20000 1 1' '1 1 200000 1' '1 1 1 200000'; do
+  # shellcheck disable=SC2086
+  slab $counts >"$scratch"
+  expect 0 "^s VERIFIED penetrating depth_squared=1 optima=1 pieces=${counts%% *}x1 <stdin>\$" - <"$scratch"
+done
 exit $bad

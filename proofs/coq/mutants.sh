@@ -15,7 +15,7 @@ complain() { echo "mutants.sh: $*"; bad=1; }
 build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml"
+  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml union_limits.ml union_prepare.ml"
   # shellcheck disable=SC2086
   cat $told >before
   # shellcheck disable=SC2086
@@ -59,4 +59,21 @@ mutant 's/Q\.add g\.a\.radius g\.b\.radius/Q.add Q.one g.b.radius/' touching%20s
 mutant 's/beside q a b None/beside (Q.of_int 25) a b None/' farther%20than%20they%20are \
   'VERIFIED touching signed_depth=-sqrt\(25\)\+5 ' '.*26' <"$signed"
 mutant 's/map direction c\.rays\.items/map direction (Array.sub c.rays.items 0 (max 0 (Array.length c.rays.items - 1)))/' tip%20to%20tip REFUSED '' <"$signed"
+# format 3: wrong units of the points and of the optima, another depth or distance than is claimed, an optimum or a node left out,
+# wrong hints
+unions=$here/examples/proved_unions.cert
+mutant 's/{ of_points; of_optima;/{ of_points = Z.one; of_optima;/' a%20seam%20in%20thirds REFUSED '' <"$unions"
+mutant 's/( Q\.num q, Q\.den q, d\.of_optima/( Q.num q, Q.den q, Z.one/' a%20seam%20in%20thirds REFUSED '' <"$unions"
+sed '/^id a%20seam%20in%20thirds/,/^end/s,^claim depth 1/9,claim depth 1/8,' "$unions" >"$scratch/thirds"
+mutant 's/( Q\.num q, Q\.den q, d\.of_optima/( Z.one, Z.of_int 9, d.of_optima/' a%20seam%20in%20thirds \
+  'VERIFIED penetrating depth_squared=1/9 optima=1 pieces=2x1 a' '.*depth_squared=1/8' <"$scratch/thirds"
+mutant 's/Union_apart (Q\.num q/Union_apart (Z.of_int 9/' farther%20than%20they%20are \
+  'VERIFIED disjoint distance_squared=9 pieces=2x2 farther' '.*=10' <"$unions"
+mutant 's/:: l) \[\] optima) in$/:: l) [] (Array.sub optima 0 (max 0 (Array.length optima - 1)))) in/' \
+  five%20ways%20out REFUSED '' <"$unions"
+mutant 's/Array\.to_list tree\.items/[]/' five%20ways%20out REFUSED '' <"$unions"
+mutant 's/Some column -> Array\.to_list column/Some column -> Array.to_list (Array.map Z.neg column)/' a%20cell%20of%20nothing REFUSED '' <"$unions"
+mutant 's/if r > 4 then \[\]/if r > 1 then List.map (fun _ -> Z.minus_one) half_spaces/' where%20three%20planes%20meet REFUSED '' <"$unions"
+mutant 's/Places\.find_opt (/(fun _ _ -> Some Z.zero) (/' five%20ways%20out REFUSED '' <"$unions"
+mutant 's/  demand_ranges (size.*/  ();/' a%20vertex%20of%20no%20point REFUSED '' <"$unions"
 exit $bad

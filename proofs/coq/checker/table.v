@@ -49,6 +49,8 @@ Section Table.
     intros H. apply G in H. destruct H as [H|H]; auto. simpl in H. destruct k; discriminate.
   Qed.
 End Table.
+Arguments get {T}.
+Arguments put {T}.
 Arguments numbered {T}.
 Arguments member {T}.
 Arguments Empty {T}.

@@ -126,21 +126,22 @@ let directions_of r =
 let footer_at r expected counts =
   let f = fields r expected in
   literal f "end";
-  let good = List.map (fun n -> blank f; Z.equal (natural f) (Z.of_int n)) counts in
+  let good = ref true in
+  List.iter (fun n -> blank f; if not (Z.equal (natural f) (Z.of_int n)) then good := false) counts;
   finish f;
-  if not (List.for_all Fun.id good) then wrong f
+  if not !good then wrong f
 
 let footer r counts = advance r; footer_at r "end and the five counts again" counts
 
-(* the first line: 1 or 2 *)
+(* the first line: 1, 2 or 3 *)
 let format_of r =
   begin_certificate r;
-  let f = fields r "fathom-certificate 1 or fathom-certificate 2" in
+  let f = fields r "fathom-certificate 1, 2 or 3" in
   literal f "fathom-certificate ";
-  let second = f.s = "fathom-certificate 2" in
-  literal f (if second then "2" else "1");
+  let format = match f.s with "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | _ -> 1 in
+  literal f (string_of_int format);
   finish f;
-  if second then 2 else 1
+  format
 
 (* name: where the certificate's own is put, as soon as it is known *)
 let name_of r name =

@@ -41,6 +41,14 @@ let signed_words : Proved.signed_statement -> string = function
       (match optima with Some k -> " optima=" ^ Z.to_string k | None -> "")
       (match cone with Some (k, r) -> Printf.sprintf " cone=%s+%s" (Z.to_string k) (Z.to_string r) | None -> "")
 
+(* likewise of format 3: its meaning is soundness/union_printed.v's *)
+let union_words (s : Proved.union_statement) =
+  let status : Proved.union_status -> string = function
+    | Pieces_penetrate (q, k) -> Printf.sprintf "penetrating depth_squared=%s optima=%s" (number q) (Z.to_string k)
+    | Pieces_touch -> "touching depth_squared=0"
+    | Pieces_apart q -> "disjoint distance_squared=" ^ number q in
+  Printf.sprintf "%s pieces=%sx%s" (status s.union_status_is) (Z.to_string s.pieces_a) (Z.to_string s.pieces_b)
+
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
@@ -71,10 +79,25 @@ let judge_signed ~width name (g : Signed_grammar.t) =
       let line, reason = Signed_prepare.reason ~width g m claim in
       refused name line reason
 
-(* of either format, its last line and its judge *)
+(* the depth of a union in itself is no width *)
+let judge_union ~width name (g : Union_grammar.t) =
+  let denominators = Union_limits.within g in
+  match if width then raise (Prepare.Refused (g.line_a, "a union, which has no width")) else Union_prepare.claim g denominators with
+  | exception Prepare.Refused (line, reason) -> refused name line reason
+  | claim ->
+    let m = denominators.of_points in
+    match Proved.union_verdict m (Union_prepare.pieces g.pieces_a) (Union_prepare.pieces g.pieces_b) claim with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (union_words statement) name)
+    | None ->
+      let line, reason = Union_prepare.reason g m claim in
+      refused name line reason
+
+(* of any format, its last line and its judge *)
 let read ~width r name =
-  if Grammar.format_of r = 1 then let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
-  else let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
+  match Grammar.format_of r with
+  | 1 -> let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
+  | 2 -> let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
+  | _ -> let g = Union_grammar.certificate r name in (g.end_line, fun () -> judge_union ~width !name g)
 
 (* one certificate, from its first line on *)
 let one ~width (r : Lines.t) file =

@@ -6,34 +6,13 @@ From Fathom.geometry Require Import meaning space hulls faces flats facets diffe
 From Fathom.soundness Require Import statement booleans.
 Import ListNotations.
 
-Section Lower.
-  Variables (A B : list zvec) (qn qd : Z).
+(* of any polytope whose facets' corners are points of S *)
+Section Polytope.
+  Variables (qn qd : Z) (S : pt -> Prop).
   Hypothesis Hqd : (0 < qd)%Z.
-  Let S := diffs (map inj A) (map inj B).
   Let q := (IZR qn / IZR qd)%R.
   Let nrm (f : facet) := inj (normal f).
   Let off (f : facet) := IZR (offset f).
-
-  Lemma difference_in : forall ji,
-    difference (numbered A) (numbered B) ji = zzero \/ S (inj (difference (numbered A) (numbered B) ji)).
-  Proof.
-    intros [j i]. unfold difference; simpl.
-    destruct (member (numbered B) j) as [b|] eqn:EB; auto.
-    destruct (member (numbered A) i) as [a|] eqn:EA; auto.
-    right. apply member_in in EA. apply member_in in EB.
-    exists (inj a), (inj b). rewrite inj_sub. repeat split; auto; apply in_map; auto.
-  Qed.
-
-  (* a corner is a point of P, or O where the file names no such point *)
-  Lemma corner_in : forall V F f x, In f (make_facets A B V F) -> In x (corners f) -> fst x = zzero \/ S (inj (fst x)).
-  Proof.
-    intros V F f x Hf Hx. unfold make_facets in Hf. rewrite !each_map in Hf.
-    apply in_map_iff in Hf. destruct Hf as (l & <- & _). simpl in Hx. rewrite each_map in Hx.
-    apply in_map_iff in Hx. destruct Hx as ([v g] & <- & _). simpl.
-    destruct (member _ v) as [p|] eqn:E; auto.
-    apply member_in in E. apply in_map_iff in E. destruct E as (ji & <- & _). apply difference_in.
-  Qed.
-
   Open Scope R_scope.
 
   Lemma facet_sound : forall Fs f, In f Fs ->
@@ -74,40 +53,79 @@ Section Lower.
         * unfold nrm, off. rewrite <- dot_inj. apply IZR_lt; auto.
   Qed.
 
+  Variable Fs : list facet.
+  Hypothesis Hin : forall f x, In f Fs -> In x (corners f) -> fst x = zzero \/ S (inj (fst x)).
+  Hypothesis Hok : inner_ok qn qd Fs = true.
+
+  Lemma facet_beyond : forall f, In f Fs -> 0 < off f /\ q * norm2 (nrm f) <= off f * off f.
+  Proof.
+    intros f Hf. unfold inner_ok in Hok. bsplit. apply (facet_sound Fs); auto; [intros x; apply Hin; auto|].
+    exact (forallb_In _ _ _ H0 f Hf).
+  Qed.
+
+  (* what lies below all planes is in the hull *)
+  Lemma below_in_hull : forall x, below _ nrm off Fs x -> hull S x.
+  Proof.
+    intros x Hx. assert (H := Hok). unfold inner_ok in H. apply andb_true_iff in H. destruct H as [H Hall].
+    unfold bounded in H. destruct Fs as [|f0 Fs']; [discriminate|]. bsplit. rename x0 into g.
+    apply (poly_in_hull _ nrm off S (f0 :: Fs') (nrm f0) f0 g); auto.
+    - simpl; auto.
+    - unfold nrm. rewrite <- dot_inj. apply IZR_lt; auto.
+    - unfold nrm. rewrite <- dot_inj. apply IZR_lt; auto.
+    - intros f y Hf. apply facet_sound; auto. { intros c. apply Hin. auto. } exact (forallb_In _ _ _ Hall f Hf).
+  Qed.
+
+  Lemma inside_or_beyond : forall t, interior (hull S) t \/ exists f, In f Fs /\ off f <= dot (nrm f) t.
+  Proof.
+    intros t.
+    destruct (all_or_some _ (fun f => off f <= dot (nrm f) t)
+      (fun f e => forall s, norm2 (sub s t) < e * e -> dot (nrm f) s <= off f) Fs) as [T|(e & He & G)]; auto.
+    - intros f e e' He H s Hs. apply H. nra.
+    - intros f _. destruct (Rle_dec (off f) (dot (nrm f) t)) as [C|C]; auto. right. apply stays_below. lra.
+    - left. exists e. split; auto. intros s Hs. apply below_in_hull. intros f Hf. apply G; auto.
+  Qed.
+End Polytope.
+
+Section Lower.
+  Variables (A B : list zvec) (qn qd : Z).
+  Hypothesis Hqd : (0 < qd)%Z.
+  Let S := diffs (map inj A) (map inj B).
+  Let q := (IZR qn / IZR qd)%R.
+  Let nrm (f : facet) := inj (normal f).
+  Let off (f : facet) := IZR (offset f).
+
+  Lemma difference_in : forall ji,
+    difference (numbered A) (numbered B) ji = zzero \/ S (inj (difference (numbered A) (numbered B) ji)).
+  Proof.
+    intros [j i]. unfold difference; simpl.
+    destruct (member (numbered B) j) as [b|] eqn:EB; auto.
+    destruct (member (numbered A) i) as [a|] eqn:EA; auto.
+    right. apply member_in in EA. apply member_in in EB.
+    exists (inj a), (inj b). rewrite inj_sub. repeat split; auto; apply in_map; auto.
+  Qed.
+
+  (* a corner is a point of P, or O where the file names no such point *)
+  Lemma corner_in : forall V F f x, In f (make_facets A B V F) -> In x (corners f) -> fst x = zzero \/ S (inj (fst x)).
+  Proof.
+    intros V F f x Hf Hx. unfold make_facets in Hf. rewrite !each_map in Hf.
+    apply in_map_iff in Hf. destruct Hf as (l & <- & _). simpl in Hx. rewrite each_map in Hx.
+    apply in_map_iff in Hx. destruct Hx as ([v g] & <- & _). simpl.
+    destruct (member _ v) as [p|] eqn:E; auto.
+    apply member_in in E. apply in_map_iff in E. destruct E as (ji & <- & _). apply difference_in.
+  Qed.
+
+  Open Scope R_scope.
+
   Section Accepted.
     Variables (V : list (N * N)) (F : list (list (N * N))).
     Let Fs := make_facets A B V F.
     Hypothesis Hok : inner_ok qn qd Fs = true.
 
     Lemma facet_far : forall f, In f Fs -> 0 < off f /\ q * norm2 (nrm f) <= off f * off f.
-    Proof.
-      intros f Hf. unfold inner_ok in Hok. bsplit.
-      apply (facet_sound Fs); auto. { intros x. apply (corner_in V F); auto. } exact (forallb_In _ _ _ H0 f Hf).
-    Qed.
-
-    (* Q is all that lies below its facets' planes, and is inside P *)
-    Lemma below_in_P : forall x, below _ nrm off Fs x -> P (map inj A) (map inj B) x.
-    Proof.
-      intros x Hx. unfold inner_ok in Hok. bsplit. unfold bounded in H. destruct Fs as [|f0 Fs'] eqn:EF; [discriminate|].
-      bsplit. rename x0 into g, H0 into Hall.
-      apply (poly_in_hull _ nrm off S (f0 :: Fs') (nrm f0) f0 g); auto.
-      - simpl; auto.
-      - unfold nrm. rewrite <- dot_inj. apply IZR_lt; auto.
-      - unfold nrm. rewrite <- dot_inj. apply IZR_lt; auto.
-      - intros f y Hf. apply facet_sound; auto.
-        + intros c. apply (corner_in V F). unfold Fs in EF. rewrite EF. auto.
-        + exact (forallb_In _ _ _ Hall f Hf).
-    Qed.
+    Proof. apply (facet_beyond qn qd S Hqd Fs); auto. intros f x. apply (corner_in V F). Qed.
 
     Lemma interior_or_tight : forall t, interior (P (map inj A) (map inj B)) t \/ exists f, In f Fs /\ off f <= dot (nrm f) t.
-    Proof.
-      intros t.
-      destruct (all_or_some _ (fun f => off f <= dot (nrm f) t)
-        (fun f e => forall s, norm2 (sub s t) < e * e -> dot (nrm f) s <= off f) Fs) as [T|(e & He & G)]; auto.
-      - intros f e e' He H s Hs. apply H. nra.
-      - intros f _. destruct (Rle_dec (off f) (dot (nrm f) t)) as [C|C]; auto. right. apply stays_below. lra.
-      - left. exists e. split; auto. intros s Hs. apply below_in_P. intros f Hf. apply G; auto.
-    Qed.
+    Proof. apply (inside_or_beyond qn qd S Hqd Fs); auto. intros f x. apply (corner_in V F). Qed.
 
     Lemma origin_interior : interior (P (map inj A) (map inj B)) origin.
     Proof.

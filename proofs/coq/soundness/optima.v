@@ -18,10 +18,10 @@ Definition Before u v := zx u < zx v \/ zx u = zx v /\ (zy u < zy v \/ zy u = zy
 Lemma Before_trans : forall u v w, Before u v -> Before v w -> Before u w.
 Proof. unfold Before. intros. lia. Qed.
 
-Lemma ascending_nodup : forall (r : list direction) d, along_pairs (fun u v => before (fst u) (fst v)) d r = true ->
+Lemma ascending_nodup : forall (T : Type) (r : list (zvec * T)) d, along_pairs (fun u v => before (fst u) (fst v)) d r = true ->
   NoDup (map fst (d :: r)) /\ forall e, In e r -> Before (fst d) (fst e).
 Proof.
-  induction r as [|e r IH]; intros d H.
+  intros T. induction r as [|e r IH]; intros d H.
   - split; [|simpl; tauto]. simpl. constructor; [simpl; tauto|constructor].
   - simpl in H. destruct (before (fst d) (fst e)) eqn:E; [|discriminate]. apply before_spec in E.
     destruct (IH e H) as [N L].
