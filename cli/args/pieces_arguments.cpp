@@ -10,9 +10,9 @@ namespace fathom::cli {
 namespace {
 
 /// What unions have no place for.
-constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--seed",   "--bits",  "--pose-a", "--pose-b",
-                                            "--require-convex", "--optima", "--along", "--steps", "--times",  "--schema",
-                                            "--csv",    "--case",           "--threads"};
+constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--seed",   "--bits",  "--pose-a",
+                                            "--pose-b", "--require-convex", "--optima", "--along", "--steps",
+                                            "--times",  "--schema",         "--csv",    "--case",  "--threads"};
 
 }  // namespace
 

@@ -58,9 +58,9 @@ class Prover {
     if (known) return close_at(p);
     PiecePair* pair = search_.deepest(p);
     if (pair == nullptr) throw std::logic_error("a translation out of a union is shorter than its depth");
-    split(static_cast<std::size_t>(std::find_if(search_.pairs().begin(), search_.pairs().end(),
-                                                [&](const auto& other) { return other.get() == pair; }) -
-                                   search_.pairs().begin()),
+    split(static_cast<std::size_t>(
+              std::find_if(search_.pairs().begin(), search_.pairs().end(), [&](const auto& other) { return other.get() == pair; }) -
+              search_.pairs().begin()),
           p);
   }
 
@@ -112,8 +112,8 @@ class Prover {
   Polytope add_polytope(std::size_t k, PiecePair& pair) {
     std::vector<std::uint32_t> facet_of;
     Polytope polytope{static_cast<std::uint32_t>(proof_.polytopes.size()), {}};
-    proof_.polytopes.push_back({static_cast<std::uint32_t>(k / pieces_.b.size()), static_cast<std::uint32_t>(k % pieces_.b.size()),
-                                pair.inner(facet_of)});
+    proof_.polytopes.push_back(
+        {static_cast<std::uint32_t>(k / pieces_.b.size()), static_cast<std::uint32_t>(k % pieces_.b.size()), pair.inner(facet_of)});
     polytope.facets.resize(proof_.polytopes.back().inner.facets.size());
     for (std::size_t i = 0; i < facet_of.size(); ++i) {
       const PieceFacet& part = *pair.facets()[i];
