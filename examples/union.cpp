@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies that are not convex: how far is a bar from leaving the slot of a block in the shape of a U?
+#include <fathom/certificate.hpp>
+#include <fathom/files.hpp>
 #include <fathom/union.hpp>
 #include <fstream>
 #include <iostream>
@@ -34,8 +36,17 @@ int main() {
   std::ofstream("two.obj") << groups;
   const fathom::Pieces pieces = fathom::read_pieces("two.obj");
   std::cout << pieces.size() << " pieces, " << fathom::union_depth(pieces, fathom::parse_pieces(groups, "memory")).squared() << '\n';
+
+  // Of a case, either body may be a union or a polytope, which is one piece.
+  const fathom::CaseItem item = fathom::parse_case(
+      R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"pieces": [{"shape": "box", "half": [1, 1, 1], "pose": "xyz=1,0,0"}]}})",
+      "memory");
+  const fathom::Pieces a = fathom::pieces_of(item.value().a), b = fathom::pieces_of(item.value().b);
+  const fathom::UnionDepth of_case = fathom::union_depth(a, b);
+  std::cout << of_case.squared() << ", proved by " << fathom::certificate_text(a, b, of_case).substr(0, 20) << '\n';
 }
 
 //> depth^2 = 1 along (1, 0, 0), into an exact fit, where 2 pairs touch
 //> deepest pair 1, hulls 4
 //> 2 pieces, 1/2
+//> 1, proved by fathom-certificate 3

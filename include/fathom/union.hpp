@@ -48,7 +48,7 @@ struct UnionDistance {
 
 /// What simpler measures say: deepest_pair <= depth^2 <= hulls.
 struct UnionBounds {
-  mpq_class deepest_pair;      ///< the largest squared depth of a piece of A and a piece of B
+  mpq_class deepest_pair;      ///< the largest squared depth of a piece of A and a piece of B; if the work was stopped, of those it came to
   std::uint32_t a = 0, b = 0;  ///< the first pair that has it; 0 and 0 if no two pieces overlap
   mpq_class hulls;             ///< the squared depth of the convex hulls of the unions
 };
@@ -78,7 +78,7 @@ struct UnionDepth {
 /// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
 /// bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces within the depth of O. Throws
 /// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms;
-/// Interrupted if the work is stopped before the search.
+/// Interrupted if the work is stopped before the depth of the hulls is known.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 /// Returns the pieces of a body: those that it has, or a polytope as the only one. Throws std::invalid_argument for a shape.

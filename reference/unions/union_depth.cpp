@@ -66,12 +66,12 @@ class Answer {
     result_.status = Status::penetrating;
     const HullDepth hulls = hull_depth();
     for (const RationalPoint& p : hulls.optima) search_.offer(p);
-    if (bounds_) {
-      result_.bounds = deepest_pair();
-      result_.bounds->hulls = hulls.squared;
+    if (bounds_) result_.bounds = UnionBounds{0, 0, 0, hulls.squared};
+    result_.complete = !bounds_ || find_deepest_pair();
+    if (result_.complete) {
+      search_.dive();
+      result_.complete = search_.run(context_);
     }
-    search_.dive();
-    result_.complete = search_.run(context_);
     result_.high = *search_.squared_best();
     result_.low = result_.complete ? result_.high : search_.squared_low();
     if (result_.bounds) result_.low = std::max(result_.low, result_.bounds->deepest_pair);
@@ -91,23 +91,25 @@ class Answer {
     return result;
   }
 
-  UnionBounds deepest_pair() {
-    UnionBounds bounds{0, 0, 0, 0};
+  // Returns false if it was stopped; then the deepest pair so far is known.
+  bool find_deepest_pair() try {
+    UnionBounds& bounds = *result_.bounds;
     for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
       if (!search_.pairs()[k]->contains(RationalPoint{})) continue;
       const std::uint32_t i = k / columns(), j = k % columns();
       Options options;
       options.optima = 1;
       mpq_class squared = solve::depth_by_method(context_, pieces_.pair(i, j), options).squared();
-      if (squared > bounds.deepest_pair) bounds = {std::move(squared), i, j, 0};
+      if (squared > bounds.deepest_pair) bounds = {std::move(squared), i, j, bounds.hulls};
     }
-    return bounds;
+    return true;
+  } catch (const Interrupted&) {
+    return false;
   }
 
   // A free point, and all that touches there.
   UnionOptimum optimum(const RationalPoint& p) {
-    const mpz_class w = p.w * pieces_.whole.denominator;
-    UnionOptimum optimum{{kernels::ratio(p.v.x, w), kernels::ratio(p.v.y, w), kernels::ratio(p.v.z, w)}, true, {}};
+    UnionOptimum optimum{pieces_.translation(p), true, {}};
     std::vector<TangentCone> cones;
     for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
       PiecePair& pair = *search_.pairs()[k];

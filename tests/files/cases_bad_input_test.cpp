@@ -34,9 +34,9 @@ TEST(BadCase, Fields) {
   EXPECT_EQ(complaint("3"), "expected a case (a JSON object), found 3");
   EXPECT_EQ(complaint("{}"), "expected a field 'a', found none");
   EXPECT_EQ(complaint(R"({"a":{"vertices":[[0,0,0]]}})"), "expected a field 'b', found none");
-  EXPECT_EQ(of_a("3"), "a: expected an object with 'vertices' or 'shape', found 3");
-  EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices' or 'shape', found null");
-  EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices' or 'shape', found an array");
+  EXPECT_EQ(of_a("3"), "a: expected an object with 'vertices', 'shape' or 'pieces', found 3");
+  EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices', 'shape' or 'pieces', found null");
+  EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices', 'shape' or 'pieces', found an array");
   EXPECT_EQ(of_a("{}"), "a: expected a field 'vertices', found none");
   EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"vertices":[[0,0,0]]})"), "a.vertices: expected one field of this name, found a second one");
   EXPECT_EQ(complaint("{" + good_b + "," + good_b + "}"), "b: expected one field of this name, found a second one");
@@ -124,7 +124,7 @@ TEST(BadCase, AMillionRepetitionsOfAField) {
   std::string text = "{";
   for (const char* field : {"\"a\":0,", "\"b\":0,"})
     for (int i = 0; i < 1'000'000; ++i) text += field;
-  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices' or 'shape', found 0");
+  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices', 'shape' or 'pieces', found 0");
 }
 
 TEST(BadCase, TheIdIsToldWhereverItStands) {

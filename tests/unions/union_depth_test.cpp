@@ -260,6 +260,40 @@ TEST(UnionDepth, TellsBetweenWhichBoundsItIsInTheUnitOfTheInput) {
   }
 }
 
+class StopAtOnce final : public Monitor {
+ public:
+  explicit StopAtOnce(int calls) : left_(calls) {}
+  void report(std::string_view, double) override {}
+  bool stopped() override { return --left_ < 0; }
+
+ private:
+  int left_;
+};
+
+TEST(UnionDepth, StoppedAnywhereItEnclosesTheDepthOnceThatOfTheHullsIsKnown) {
+  const Pieces a = {box({0, 0, 0}, {2, 2, 2}), box({10, 0, 0}, {20, 10, 10})};
+  const Pieces b = {box({1, 0, 0}, {3, 2, 2}), box({11, 0, 0}, {21, 10, 10})};  // the second pair is the deeper one
+  const UnionDepth whole = depth_of(a, b);
+  std::size_t thrown = 0, between = 0, complete = 0;
+  for (int calls = 0; complete == 0; ++calls) {
+    StopAtOnce monitor(calls);
+    try {
+      const UnionDepth stopped = union_depth(a, b, {&monitor});
+      EXPECT_LE(stopped.low, whole.squared());
+      EXPECT_LE(whole.squared(), stopped.high);
+      EXPECT_LE(stopped.bounds->deepest_pair, whole.bounds->deepest_pair);
+      EXPECT_EQ(stopped.bounds->hulls, whole.bounds->hulls);
+      between += !stopped.complete && stopped.bounds->deepest_pair < whole.bounds->deepest_pair;
+      complete += stopped.complete;
+    } catch (const Interrupted&) {
+      ++thrown;
+      EXPECT_EQ(between, 0U) << "law: later is not worse";
+    }
+  }
+  EXPECT_GT(thrown, 0U);
+  EXPECT_GT(between, 0U) << "stopped between pairs";
+}
+
 TEST(UnionDepth, StoppedItEnclosesTheDepth) {
   std::mt19937_64 random(5);
   const Pieces a = random_pieces(random, 6, 10, 100, 30), b = random_pieces(random, 6, 10, 100, 30);
