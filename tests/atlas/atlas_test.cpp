@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "fathom/numbers.hpp"
 #include "tests/support/matches.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
@@ -120,6 +121,43 @@ TEST(Atlas, SaysWhatIsLeftOut) {
   EXPECT_EQ(small.find("not drawn"), std::string::npos);
   EXPECT_NE(large.find("walls: they are not drawn"), std::string::npos);
   EXPECT_EQ(all(large, "class=\"(wall)\"").size(), 1u) << "only the legend's";
+}
+
+TEST(Atlas, PHasItsBallAndItsNearestFacets) {
+  const Stages stages = staged("exact_ties", 12);
+  const auto ties = std::ranges::count(stages.sum.facets, true, &stages::StagedFacet::optimal);
+  ASSERT_GT(ties, 1);
+  const SumPicture picture = sum_picture(stages, "s");
+  const std::size_t panels = all(picture.svg, "(<svg)").size();
+  EXPECT_EQ(all(picture.svg, "class=\"(ball)\"").size(), panels);
+  EXPECT_EQ(all(picture.svg, "class=\"(near)\"").size(), panels * static_cast<std::size_t>(ties)) << "law: each nearest facet is marked";
+  EXPECT_NE(picture.note.find("touches " + std::to_string(ties) + " facets"), std::string::npos);
+  EXPECT_EQ(picture.note.find("drawn"), std::string::npos);
+}
+
+TEST(Atlas, OfLargePThereIsTheOutline) {
+  const Stages stages = staged("random_sphere", 200);
+  ASSERT_GT(stages.sum.facets.size(), 600u);
+  EXPECT_NE(sum_picture(stages, "s").note.find("edges those of the outline alone are drawn"), std::string::npos);
+}
+
+TEST(Atlas, ABallThatIsASpeckIsSaidToBe) {
+  GivenPoints tiny, huge;
+  for (int i = 0; i < 8; ++i) {
+    const auto at = [&](int bit) { return i & bit ? 1 : -1; };
+    tiny.push_back(Point{at(1) * exact_value(1e-300), at(2) * exact_value(1e-300), at(4) * exact_value(1e-300)});
+    huge.push_back(Point{(i & 1 ? 1 : 0) * exact_value(1e300), at(2) * exact_value(1e300), at(4) * exact_value(1e300)});
+  }
+  const SumPicture picture = sum_picture(stages::stages_of({tiny}, {huge}), "s");
+  EXPECT_EQ(all(picture.svg, "(<svg)").size(), 1u);
+  EXPECT_NE(picture.note.find("too small to be seen"), std::string::npos);
+}
+
+TEST(Atlas, WhatDoesNotOverlapHasNoP) {
+  EXPECT_EQ(sum_picture(staged("random_disjoint", 20), "s").svg, "");
+  const Case pair = families::find_family("random_sphere")->make(1, 10);
+  const SumPicture mesh = sum_picture(stages::stages_of({{}, cylinder(1, 1)}, pair.b), "s");
+  EXPECT_NE(mesh.note.find("A mesh near P"), std::string::npos);
 }
 
 TEST(Atlas, ShapesHaveNoCharts) {

@@ -56,6 +56,12 @@ onPage('explain: where A has moved out, contact features coincide', plain, {}, a
   assert.ok(Math.abs(after) < 1e-4 * value, `law: at 1 those of A lie on those of B (${after})`);
 });
 
+for (const [name, page] of Object.entries(looks).filter(([each]) => each !== 'touching bodies'))
+  onPage(`explain ${name} without scripts has P`, page, { javaScriptEnabled: false }, async (open) => {
+    const about = await open.locator('#why .scene figcaption').innerText();
+    assert.ok(await open.locator('#why .scene svg .ball').first().isVisible() || /too small to be seen/.test(about), `law: a picture of P with its ball (${about})`);
+  });
+
 onPage('explain: all facets of P can be listed', plain, {}, async (page) => {
   const { length } = await page.evaluate(() => globalThis.fathom.data.facets);
   const rows = page.locator('#ranked tr[data-facet]');

@@ -18,6 +18,8 @@ const pictures = new Map();
 if (has('depth', '--svg')) {
   for (const line of cases(gallery)) pictures.set(line.id, () => drawn(line.id, 'depth', [], line));
   pictures.set('apart', () => drawn('apart', 'depth', [], cases('examples/data/cases.jsonl').find(({ id }) => id === 'apart')));
+  pictures.set('unions', () => drawn('unions', 'depth', ['--pieces', 'tests/data/key.obj', 'tests/data/comb.obj']));
+  pictures.set('curved', () => drawn('curved', 'depth', ['cylinder:radius=1,half_length=2', 'cone:radius=2,half_length=1,at=1.5:0.2:1']));
   pictures.set('meshes', () => drawn('meshes', 'depth', ['tests/data/cube.off', 'tests/data/icosahedron.off']));
 }
 if (has('depth', '--along')) {

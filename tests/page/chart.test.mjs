@@ -25,6 +25,7 @@ import {
   pathText,
   stripBorders,
 } from "../../view/page/web/chartpainter.js";
+import { crossingsSentence } from "../../view/page/web/chartparts.js";
 import { hemisphereOfChoice, liesBelow, litArcs, litInDiagrams } from "../../view/page/web/lit.js";
 import { cubes, lowerFrame, pair, randomDirection, randomNumbers, upperFrame } from "./bodies.mjs";
 
@@ -293,4 +294,13 @@ test("a choice asks for its hemisphere: a pair for its chart, a coincidence for 
   assert.equal(asked({ coincidence: "0.1" }, "plane"), null);
   assert.equal(asked({}, "pair", "coincidence"), null);
   assert.equal(liesBelow(data, { a: { arcs: [], nodes: [4] }, b: { arcs: [], nodes: [] } }), true);
+});
+
+test("dots are crossings of a chosen pair; what is left out is said", () => {
+  const p = { stages: { sum: { kind: "P" } } };
+  assert.equal(crossingsSentence(p, 6, 144), "144 dots are where arcs of pair 6 cross: normals of facets of P.");
+  assert.equal(crossingsSentence(p, 0, 1), "The dot is where arcs of pair 0 cross: the normal of a facet of P.");
+  assert.match(crossingsSentence(p, 0, 0), /only once they are perturbed/);
+  assert.match(crossingsSentence(p, 0, 5001), /The first 5000 are drawn\.$/);
+  assert.match(crossingsSentence({ stages: { sum: { kind: "Q" } } }, 3, 0), /not drawn: P is not listed/);
 });

@@ -47,6 +47,13 @@ TEST(SumScene, ASmallBallGetsACloseUp) {
   EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+TEST(SumScene, ASpeckGetsNone) {
+  const mpq_class tiny = mpq_class(1, 10'000'000) / 100'000;
+  EXPECT_TRUE(is_speck(scene_of_box(tiny)));
+  EXPECT_FALSE(is_speck(scene_of_box(mpq_class(1, 100))));
+  EXPECT_EQ(all(sum_panels(scene_of_box(tiny), "s", "P", ""), "(<svg)").size(), 1u) << "law: no close-up that doubles could not draw";
+}
+
 TEST(SumScene, HiddenEdgesAreThoseBehind) {
   const Mesh mesh = box_mesh({-4, -4, -4}, {1, 4, 4});
   EXPECT_EQ(edges_count(mesh), 12u);

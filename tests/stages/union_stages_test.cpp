@@ -163,6 +163,7 @@ TEST(UnionStages, AStoppedSearchHasNone) {
 
 TEST(UnionStages, JsonSaysTheSame) {
   const Staged it{{box({0, 0, 0}, {1, 1, 1})}, {box({mpq_class(1, 2), -3, -3}, {1, 4, 4}), box({-3, mpq_class(3, 4), -3}, {1, 1, 4})}};
+  check(it);
   const nlohmann::json json = nlohmann::json::parse(to_json(it.stages));
   EXPECT_EQ(json["sums"].size(), it.stages.sums.size());
   EXPECT_EQ(json["sums"][0]["distance_squared"], exact_text(it.stages.sums[0].squared));

@@ -66,6 +66,15 @@ std::optional<Point> second_of(const stages::StagedUnionWay& way) {
   return Point{exact_value(n[0]), exact_value(n[1]), exact_value(n[2])};
 }
 
+/// From O to the nearest facet, of any size: in the unit of places it may have vanished.
+Point way_out(const stages::Stages& stages) {
+  if (stages.sum.kind == SumKind::sampled) return unscaled(stages.contact.optima.front().translation, stages.scale);
+  constexpr unsigned bits = 128;
+  const Place& n = stages.contact.optima.front().direction;
+  const mpf_class root = sqrt(mpf_class(stages.sum.facets.front().squared, bits));
+  return picture::scaled({exact_value(n[0]), exact_value(n[1]), exact_value(n[2])}, mpq_class(root));
+}
+
 std::string edges_note(const picture::Mesh& mesh) {
   const std::size_t edges = picture::edges_count(mesh);
   if (mesh.creases) return " Of the mesh only sharp edges and the outline are drawn.";
@@ -79,7 +88,7 @@ std::string edges_note(const picture::Mesh& mesh) {
 SumPicture sum_picture(const stages::Stages& stages, const std::string& prefix) {
   const StagedSum& sum = stages.sum;
   if (sum.facets.empty() || stages.contact.optima.empty()) return {};
-  const Point way = unscaled(stages.contact.optima.front().translation, stages.scale);
+  const Point way = way_out(stages);
   if (way == Point{}) return {};
   const picture::View view(way, std::nullopt);
   const picture::Mesh mesh = mesh_of(sum, stages.scale);
@@ -96,6 +105,7 @@ SumPicture sum_picture(const stages::Stages& stages, const std::string& prefix) 
   else note += ".";
   if (ties > most_optima) note += fmt::format(" Only {} of them are.", most_optima);
   note += edges_note(mesh);
+  if (picture::is_speck(scene)) note += " Beside all of it the ball is too small to be seen.";
   return {picture::sum_panels(scene, picture::markup(prefix), "P around O, with the ball that touches its nearest facets",
                               picture::markup(note)),
           note};

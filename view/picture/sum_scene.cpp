@@ -95,11 +95,17 @@ Wires wires_of(const Mesh& mesh, const View& view) {
 
 std::size_t edges_count(const Mesh& mesh) { return sides_of(mesh).size(); }
 
+bool is_speck(const SumScene& scene) {
+  const mpq_class radius = scene.view.place(scene.way).x;
+  const Bounds2 box = box_of(scene, radius);
+  return std::max(mpq_class(box.width()), mpq_class(box.height())) > 1'000'000'000 * radius;
+}
+
 std::string sum_panels(const SumScene& scene, const std::string& name, const std::string& label, const std::string& description) {
   const mpq_class radius = scene.view.place(scene.way).x;
   const Window whole = Window::around(scene.view, box_of(scene, radius), on_pages);
   std::vector<std::pair<Window, bool>> windows{{whole, false}};
-  if (radius * std::min(whole.scale().x, whole.scale().y) < short_radius)
+  if (radius * std::min(whole.scale().x, whole.scale().y) < short_radius && !is_speck(scene))
     windows.emplace_back(Window::close(scene.view, {0, 0}, mpq_class(close_radius / radius), on_pages), true);
   std::string result;
   for (const auto& [window, close] : windows)

@@ -31,7 +31,11 @@ Wires wires_of(const Mesh& mesh, const View& view);
 /// How many edges it has.
 std::size_t edges_count(const Mesh& mesh);
 
-/// One or two SVG elements, as scene_panels: all of it, and a close-up of the ball where that is small. `label` and `description` are markup.
+/// Whether the ball is so small beside the sums that doubles could not place their facets around it.
+bool is_speck(const SumScene& scene);
+
+/// One or two SVG elements, as scene_panels: all of it, and a close-up of the ball where that is small, though no speck. `label` and
+/// `description` are markup.
 std::string sum_panels(const SumScene& scene, const std::string& name, const std::string& label, const std::string& description);
 
 }  // namespace fathom::picture

@@ -5,7 +5,9 @@ import { arcCurve } from "./arcs.js";
 import {
   chartMargin, chartPolylines, chartProjection, chartSide, hemisphereShown, nearestArc, nextPairOfArc, pathText, stripBorders,
 } from "./chartpainter.js";
-import { arcSentence, axisElements, chartCaption, chartNames, chartTools, mostSvgArcs, mostWalls, nodeMark } from "./chartparts.js";
+import {
+  arcSentence, axisElements, chartCaption, chartNames, chartTools, crossingsSentence, mostCrossings, mostSvgArcs, mostWalls, nodeMark,
+} from "./chartparts.js";
 import { hemisphereOfChoice, litArcs, litInDiagrams } from "./lit.js";
 import { colour, element, onLook, svg } from "./look.js";
 
@@ -74,7 +76,8 @@ function chartElements(view) {
   });
   const caption = element("figcaption", { class: "chart-caption" }),
     over = element("p", { class: "chart-over soft" }),
-    elsewhere = element("p", { class: "note", hidden: true });
+    elsewhere = element("p", { class: "note", hidden: true }),
+    crossings = element("p", { class: "chart-crossings soft" });
   const tools = chartTools(view.selection);
   const frame = element("div", { class: "chart-frame" }, canvas, picture);
   listenToArcs(view, picture);
@@ -86,8 +89,9 @@ function chartElements(view) {
     caption,
     over,
     elsewhere,
+    crossings,
     tools,
-    figure: element("figure", {}, tools.bar, frame, over, elsewhere, caption),
+    figure: element("figure", {}, tools.bar, frame, over, elsewhere, crossings, caption),
   };
 }
 
@@ -194,7 +198,17 @@ function paintMarks(view, state) {
   data.optima.slice(0, 100).forEach((optimum, i) => i !== state.optimum && ring(optimum.direction, "optimum other", ""));
   ring(data.optima[state.optimum]?.direction, "optimum", "n");
   if (state.facet !== null) ring(data.facets[state.facet].normal, "normal", "facet");
-  view.layers.marks.replaceChildren(...marks);
+  view.layers.marks.replaceChildren(...crossingDots(view, state), ...marks);
+}
+
+/** A dot where arcs of the chosen pair cross: the round ends of a line that has hardly any length, all in one path. */
+function crossingDots({ data, projection, index, crossings }, { pair }) {
+  const here = pair !== null && data.pairs[pair].chart === index;
+  const facets = here ? data.facetsOfPair(pair) : [], drawn = facets.slice(0, mostCrossings);
+  const places = drawn.map((f) => projection.place(data.facets[f].normal)).filter((place) => place !== null);
+  crossings.replaceChildren(...(here ? [crossingsSentence(data, pair, facets.length)] : []));
+  if (places.length === 0) return [];
+  return [svg("path", { class: "crossings", d: places.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h.01`).join("") })];
 }
 
 // ---- what is said ----

@@ -3,7 +3,7 @@
 import { chartSide, chartTicks, pairsOfArc, planeReach } from "./chartpainter.js";
 import { element, svg } from "./look.js";
 
-export const mostSvgArcs = 2000, mostWalls = 400;
+export const mostSvgArcs = 2000, mostWalls = 400, mostCrossings = 5000;
 export const chartNames = ["upper", "lower"];
 
 export function chartTools(selection) {
@@ -62,6 +62,15 @@ export function chartCaption(view) {
     more.push(` More than ${mostSvgArcs.toLocaleString("en")} arcs are painted as one picture; they can be clicked all the same.`);
   if (data.optima.length > 0) more.push(" n marks the optimum.");
   return [...sentences, key("a", `${shown("a")}, solid`), "; ", key("b", `${shown("b")}, dashed`), ".", ...more];
+}
+
+/** What the dots are; `count`: of the facets of P that hold a crossing of the pair. */
+export function crossingsSentence({ stages }, pair, count) {
+  if (stages.sum?.kind !== "P") return `The crossings of pair ${pair} are not drawn: P is not listed.`;
+  if (count === 0) return `Arcs of pair ${pair} cross only once they are perturbed: there is no dot.`;
+  const what = count === 1 ? "The dot is where arcs of" : `${count} dots are where arcs of`;
+  const told = `${what} pair ${pair} cross: ${count === 1 ? "the normal of a facet" : "normals of facets"} of P.`;
+  return count > mostCrossings ? `${told} The first ${mostCrossings} are drawn.` : told;
 }
 
 export function arcSentence(view, { name, edge }) {
