@@ -48,6 +48,10 @@ std::string picture_of(const Case& single, Monitor& monitor) {
   return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b, options)), name, label);
 }
 
+std::string case_text(const Case& single) {
+  return case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
+}
+
 std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
   const AskedCase asked(single, false);
   if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
@@ -55,8 +59,7 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
   const std::string depth = depth_json(asked, request, monitor);
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
-  const std::string pair = case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
-  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes_on(asked.bodies), picture_of(single, monitor)});
+  return page::html_page({FATHOM_VERSION, depth, stages, case_text(single), notes_on(asked.bodies), picture_of(single, monitor)});
 }
 
 std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
@@ -71,7 +74,7 @@ std::string page_of_unions(const Case& single, const Request& request, Monitor& 
   stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
   stages.id = single.id;
   const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");
-  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, picture});
+  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, case_text(single), picture});
 }
 
 }  // namespace

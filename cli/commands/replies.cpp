@@ -62,15 +62,15 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
   files::QuickCaseReader reader;
   std::vector<std::string> ids;
   std::size_t count = 0;
-  std::optional<CaseItem> only;
+  std::vector<CaseItem> first;  // at most one
   while (const std::optional<files::UnreadCase> text = texts.next()) {
     CaseItem item = files::read_case(reader, *text, texts.name());
     if (item.id == asked) return item.ok() ? item.value() : throw item.error();
     if (ids.size() < most_ids) ids.push_back(item.id);
-    if (++count == 1) only = std::move(item);
+    if (++count == 1) first.push_back(std::move(item));
     if (interrupt_requested()) throw Interrupted();
   }
-  if (count == 1 && (!asked || !only->ok())) return only->ok() ? only->value() : throw only->error();
+  if (count == 1 && (!asked || !first[0].ok())) return first[0].ok() ? first[0].value() : throw first[0].error();
   const std::string found = fmt::format("found {} case{}: {}", count, count == 1 ? "" : "s", ids_text(ids, count));
   throw InputError(texts.name(), 0,
                    asked ? fmt::format("expected a case with the id {}, {}", kernels::shown(*asked), found)

@@ -46,6 +46,12 @@ for (const [name, make] of Object.entries(all))
       assert.match(await page.locator('#left-out').innerText(), /stages of the algorithm/, 'law: what is left out is said');
     });
 
+onPage('pieces: the case is there to take along, and has the same answer', () => all.key().page, {}, async (page) => {
+  assert.equal(await page.getByRole('button', { name: 'Copy this case' }).count(), 1);
+  const taken = made('taken.jsonl', await page.locator('#case').textContent());
+  assert.deepEqual(JSON.parse(fathom(['depth', '--json', taken])).optima, all.key().depth.optima);
+});
+
 onPage('pieces: the canvas shows a picture, and turns', () => all.key().page, {}, async (page) => {
   for (const scene of ['#what .scene canvas', '#why .scene canvas']) {
     await page.locator(scene).scrollIntoViewIfNeeded();

@@ -36,7 +36,7 @@ std::string html_page(const UnionSheet& sheet) {
                     {{"what", "What happens"}, {"why", "Why no shorter way"}},
                     main,
                     left_out_section(sheet.stages.left_out),
-                    {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}}});
+                    {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"case", sheet.pair}}});
 }
 
 }  // namespace fathom::page

@@ -14,6 +14,7 @@ struct UnionSheet {
   std::string version;                ///< of fathom
   std::string depth;                  ///< the line of `fathom depth --pieces --json`
   const stages::UnionStages& stages;  ///< of the same bodies
+  std::string pair;                   ///< a line of fathom/case/1
   std::string picture;                ///< both bodies as SVG, as in Sheet
 };
 

@@ -20,7 +20,7 @@ import { makeUnionData } from "./uniondata.js";
 export function readData(page = document) {
   const text = (id) => page.getElementById(id)?.textContent ?? "";
   const stages = JSON.parse(text("stages")), squares = JSON.parse(text("squares") || "[]");
-  if (stages.schema?.startsWith("fathom/union_stages/")) return makeUnionData(JSON.parse(text("depth")), stages);
+  if (stages.schema?.startsWith("fathom/union_stages/")) return makeUnionData(JSON.parse(text("depth")), stages, text("case"));
   squares.forEach((square, i) => { if (square !== null) stages.pairs[i].closest.distance_squared ??= square; });
   return makeData(JSON.parse(text("depth")), stages, text("case"));
 }

@@ -89,7 +89,8 @@ function announce(data, state) {
   if (place.textContent !== text) place.textContent = text;
 }
 
-function caseTools(data) {
+/** Buttons that copy the case and save it. */
+export function caseTools(data) {
   if (!data.caseText.trim()) return [];
   const said = element("span", { role: "status", class: "soft" });
   const say = (text) => { said.textContent = text; };

@@ -10,8 +10,8 @@
 //   data.pairs                  [{pieces, a: [edge], b: [edge], sum}], sum as `sums` of the stages
 import { middle, minus, norm, unit } from "./geometry.js";
 
-/** The data of two parsed objects: fathom/union/1 and fathom/union_stages/1. */
-export function makeUnionData(depth, stages) {
+/** The data of two parsed objects, fathom/union/1 and fathom/union_stages/1, and the text of the case. */
+export function makeUnionData(depth, stages, caseText = "") {
   const bodies = { a: unitedBody("A", stages.a), b: unitedBody("B", stages.b) };
   const ways = stages.ways.map((way) => wayOfPieces(bodies, way)), overlap = stages.status === "penetrating";
   const pairs = stages.sums.map((sum) => {
@@ -19,7 +19,7 @@ export function makeUnionData(depth, stages) {
     return { pieces: sum.pieces, a: bodies.a.pieces[i].edges, b: bodies.b.pieces[j].edges, sum };
   });
   return {
-    isUnion: true, depth, stages, caseText: "", bodies, pairs, status: stages.status,
+    isUnion: true, depth, stages, caseText, bodies, pairs, status: stages.status,
     optima: overlap ? ways : [], way: overlap ? null : (ways[0] ?? null),
     facets: [], coincidences: [], charts: [], cutting: null,
     order: pairs.map((_, i) => i),

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beside section 1, of unions: the facts of the answer, and what touches, follow the optimum that is chosen.
-import { optimumStepper, idsText } from "./facts.js";
+import { caseTools, optimumStepper, idsText } from "./facts.js";
 import { element } from "./look.js";
 import { decimalsOf, vectorText } from "./numbers.js";
 
 const mostContacts = 50;
 
 export function mountUnionFacts(root, data, selection) {
+  document.getElementById("tools")?.replaceChildren(...caseTools(data));
   if (data.optima.length > 1) root.prepend(optimumStepper(data, selection));
   const written = [];
   selection.subscribe((state, changed) => {
