@@ -32,7 +32,7 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
   app.add_option("--family", cases.family, "cases of this family; all: of every family in turn")->type_name("NAME");
   app.add_option("--count", cases.count, "so many, with successive seeds (1)")->check(integer(1, most_count))->type_name("N");
   app.add_option("--seed", cases.seed, "the first seed (1)")->check(integer(0, most_seed))->type_name("N");
-  app.add_option("--size", cases.size, "about so many points a body (the family's usual size)")
+  app.add_option("--size", cases.size, "about so many points a body, of unions pieces (the family's usual size)")
       ->check(integer(1, most_size))
       ->type_name("N");
   using Text = std::pair<const char*, std::string>;
@@ -42,6 +42,7 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
     app.add_flag(flag, meaning);
   app.add_flag("--shapes", cases.shapes,
                "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes");
+  app.add_flag("--unions", cases.unions, "likewise: those of bodies that are not convex, as unions of convex pieces");
   app.add_option("--from-fcl", cases.fcl,
                  "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): "
                  "boxes and Convex with their poses; the placed points are rounded once to binary64")
@@ -67,7 +68,9 @@ std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vec
   for (const char* option : {"--count", "--seed", "--size"})
     if (cases.what != What::family && given(app, option)) return fmt::format("{} goes with --family", option);
   const bool of_many = cases.what == What::catalogue || cases.what == What::list || (cases.what == What::family && cases.family == "all");
-  if (cases.shapes && !of_many) return "--shapes goes with --list, --catalogue and --family all";
+  for (const auto& [option, asked] : {std::pair("--shapes", cases.shapes), std::pair("--unions", cases.unions)})
+    if (asked && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
+  if (cases.shapes && cases.unions) return "--shapes and --unions are two kinds of bodies: ask for one after the other";
   for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
     if (cases.what != What::from && given(app, option)) return fmt::format("{} goes with --from", option);
   const std::size_t meshes = cases.what == What::from ? 2 : 0;

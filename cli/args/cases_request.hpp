@@ -13,6 +13,7 @@ struct CasesRequest {
   What what = What::family;
   std::string family;
   bool shapes = false;                ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
+  bool unions = false;                ///< likewise, those of unions of pieces
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;       ///< if not set, the family's usual size
   std::string fcl;                    ///< the file with the text of FCL's exceptions

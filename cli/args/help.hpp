@@ -109,6 +109,7 @@ inline constexpr Example cases_examples[] = {
     {"fathom cases --family random_sphere --count 10 --size 50 | fathom depth -", "generated and answered"},
     {"fathom cases --catalogue", "all named degenerate pairs"},
     {"fathom cases --family all --shapes --count 50 | fathom depth -", "round and curved bodies, of every family in turn"},
+    {"fathom cases --catalogue --unions | fathom depth -", "named pairs of bodies that are not convex"},
     {"fathom cases --from a.obj b.obj --pose-b '0 -1 0 1/2; 1 0 0 0; 0 0 1 0'", "two meshes as one case; B turned and moved"},
     {"fathom cases --from-fcl error.log | fathom depth -", "the pairs that FCL printed when it threw"},
 };

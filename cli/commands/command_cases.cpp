@@ -23,6 +23,8 @@
 #include "verify/families/families.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_catalogue.hpp"
+#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -35,6 +37,9 @@ std::string known_text(const Surd& value) {
   if (value.root == 0) return rational;
   return fmt::format("{} {} sqrt({})", rational, value.root > 0 ? '+' : '-', exact_text(abs(value.root)));
 }
+
+/// What the square of a catalogue of unions is of.
+std::string known_square(Status status) { return status == Status::disjoint ? "distance_squared" : "depth_squared"; }
 
 using Source = std::vector<std::pair<std::string, std::string>>;
 
@@ -69,27 +74,36 @@ void print_some(const Family& family, const CasesRequest& request) {
 ExitCode print_family(const CasesRequest& request) {
   if (request.family == every_family) {
     if (request.shapes) print_in_turn(families::shape_families(), request);
+    else if (request.unions) print_in_turn(families::union_families(), request);
     else print_in_turn(families::families(), request);
   } else if (const families::Family* family = families::find_family(request.family)) {
     print_some(*family, request);
   } else if (const families::ShapeFamily* of_shapes = families::find_shape_family(request.family)) {
     print_some(*of_shapes, request);
+  } else if (const families::UnionFamily* of_unions = families::find_union_family(request.family)) {
+    print_some(*of_unions, request);
   } else {
-    throw InputError("--family", 0,
-                     fmt::format("{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes)",
-                                 kernels::shown(request.family), fmt::join(nearest_families(request.family), ", ")));
+    throw InputError(
+        "--family", 0,
+        fmt::format(
+            "{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes, with --unions those of unions)",
+            kernels::shown(request.family), fmt::join(nearest_families(request.family), ", ")));
   }
   return fine;
 }
 
-ExitCode print_catalogue(bool of_shapes) {
-  if (of_shapes) {
+ExitCode print_catalogue(const CasesRequest& request) {
+  if (request.shapes) {
     for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
       print_case(entry.shapes, {{"catalogue", entry.shapes.id}}, std::string(entry.description));
-    return fine;
+  } else if (request.unions) {
+    for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
+      print_case(entry.pair, {{"catalogue", entry.pair.id}, {known_square(entry.status), exact_text(entry.squared)}},
+                 std::string(entry.description));
+  } else {
+    for (const families::CatalogueEntry& entry : families::catalogue())
+      print_case(entry.pair, {{"catalogue", std::string(entry.name)}}, fmt::format("{}; not so: {}", entry.description, entry.breaks));
   }
-  for (const families::CatalogueEntry& entry : families::catalogue())
-    print_case(entry.pair, {{"catalogue", std::string(entry.name)}}, fmt::format("{}; not so: {}", entry.description, entry.breaks));
   return fine;
 }
 
@@ -118,8 +132,10 @@ ExitCode print_meshes(const Request& request) {
 ExitCode run_cases(const Request& request) {
   switch (request.cases.what) {
     case CasesRequest::What::family: return print_family(request.cases);
-    case CasesRequest::What::catalogue: return print_catalogue(request.cases.shapes);
-    case CasesRequest::What::list: return request.cases.shapes ? print_list(families::shape_families()) : print_list(families::families());
+    case CasesRequest::What::catalogue: return print_catalogue(request.cases);
+    case CasesRequest::What::list:
+      if (request.cases.shapes) return print_list(families::shape_families());
+      return request.cases.unions ? print_list(families::union_families()) : print_list(families::families());
     case CasesRequest::What::from: return print_meshes(request);
     case CasesRequest::What::from_fcl: return print_fcl_cases(request.cases.fcl);
   }

@@ -19,6 +19,7 @@
 #include "kernels/printable.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -32,6 +33,8 @@ const families::Family& family_named(const std::string& name) {
   if (const families::Family* family = families::find_family(name)) return *family;
   if (families::find_shape_family(name) != nullptr)
     throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose shapes are not", kernels::shown(name)));
+  if (families::find_union_family(name) != nullptr)
+    throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose unions are not", kernels::shown(name)));
   throw InputError("--sweep", 0,
                    fmt::format("{} is unknown (nearest: {}; `fathom cases --list` lists all)", kernels::shown(name),
                                fmt::join(nearest_families(name), ", ")));

@@ -6,6 +6,7 @@
 #include "kernels/near_miss.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -18,6 +19,7 @@ std::vector<std::string_view> nearest_families(std::string_view name) {
   std::vector<std::string_view> names;
   for (const families::Family& family : families::families()) names.push_back(family.name);
   for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
+  for (const families::UnionFamily& family : families::union_families()) names.push_back(family.name);
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
     return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);

@@ -7,7 +7,7 @@
 
 namespace fathom::cli {
 
-/// A few names of families, of polytopes and of shapes. Those that hold `name` come first, then those by the fewest slips.
+/// A few names of families, of polytopes, of shapes and of unions. Those that hold `name` come first, then those by the fewest slips.
 std::vector<std::string_view> nearest_families(std::string_view name);
 
 }  // namespace fathom::cli

@@ -128,6 +128,44 @@ class Shapes(CasesTest):
         self.assertEqual(ulp_deep["source"]["signed_depth"], f"{5 * 2**51 + 1}/{2**51} - sqrt(25)")
 
 
+
+class Unions(CasesTest):
+    def test_families_are_a_kind_of_their_own(self):
+        names = self.families("--unions")
+        self.assertGreater(len(names), 15)
+        self.assertTrue({"cut_cones", "slots_narrow", "rings_linked"} <= set(names))
+        self.assertFalse(set(names) & (set(self.families()) | set(self.families("--shapes"))))
+        cases = self.cases("--family", "all", "--unions", "--count", 2 * len(names), "--seed", 5, "--size", 4)
+        self.assertEqual([case["source"]["family"] for case in cases], names + names)
+        for case in cases:
+            VALIDATOR.validate(case)
+            self.assertTrue(case["a"]["pieces"] and case["b"]["pieces"])
+        self.assertEqual(self.cases("--family", names[3], "--seed", 6, "--size", 4), [cases[len(names) + 3]])
+
+    def test_they_are_answered_with_proofs(self):
+        lines = self.answer("cases", "--family", "all", "--unions", "--count", 60, "--size", 4)
+        results = self.answer("depth", "--json", "--embed-certificate", "-", stdin=lines)
+        found = [json.loads(line) for line in results.splitlines()]
+        self.assertEqual([json.loads(line)["id"] for line in lines.splitlines()], [result["id"] for result in found])
+        self.assertEqual({"penetrating", "touching", "disjoint"}, {result["status"] for result in found})
+        self.assertEqual(self.answer("check", "--results", self.file("results.jsonl", results)).count("s VERIFIED "), len(found))
+
+    def test_catalogue(self):
+        lines = self.answer("cases", "--catalogue", "--unions")
+        found = {result["id"]: result for result in self.depths(lines)}
+        cases = [json.loads(line) for line in lines.splitlines()]
+        self.assertGreaterEqual(len(cases), 30)
+        for case in cases:
+            VALIDATOR.validate(case)
+            result, known = found[case["id"]], case["source"]
+            squared = result["apart"]["distance"]["squared"] if "distance_squared" in known else result["depth"]["squared"]
+            self.assertEqual(squared, known.get("distance_squared", known.get("depth_squared")), case["id"])
+            self.assertEqual("distance_squared" in known, result["status"] == "disjoint", case["id"])
+
+    def test_no_family_for_those_who_take_polytopes(self):
+        self.assertIn("expected a family of polytopes, found 'combs', whose unions are not", self.refused("study", "--sweep", "combs"))
+        self.assertIn("(nearest: combs", self.refused("cases", "--family", "comb"))
+
 class Catalogue(CasesTest):
     def test_all_entries(self):
         lines = self.answer("cases", "--catalogue")
@@ -218,7 +256,9 @@ class Misuse(CasesTest):
         for option in ("--count", "--seed", "--size"):
             self.assertIn(f"{option} goes with --family", self.refused("cases", "--catalogue", option, 3))
         for other in (["--family", "near_ties"], ["--from", A, B]):
-            self.assertIn("--shapes goes with --list, --catalogue and --family all", self.refused("cases", "--shapes", *other))
+            for kind in ("--shapes", "--unions"):
+                self.assertIn(f"{kind} goes with --list, --catalogue and --family all", self.refused("cases", kind, *other))
+        self.assertIn("--shapes and --unions are two kinds of bodies", self.refused("cases", "--list", "--shapes", "--unions"))
         self.assertIn("--pose-a goes with --from", self.refused("cases", "--list", "--pose-a", "x"))
         self.assertIn("--exact-decimals goes with --from", self.refused("cases", "--list", "--exact-decimals"))
         for inputs in ([], [A]):
@@ -229,7 +269,7 @@ class Misuse(CasesTest):
     def test_help(self):
         out = self.answer("cases", "--help")
         self.assertTrue(out.startswith("Examples\n  fathom cases "), out)
-        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--shapes", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
+        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--shapes", "--unions", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
             self.assertIn(f"\n  {option} ", out)
 
 

@@ -11,6 +11,8 @@
 #include "verify/families/families.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_catalogue.hpp"
+#include "verify/families/union_families.hpp"
 
 namespace {
 
@@ -39,6 +41,10 @@ void expect_same(const Case& read, const Case& made) {
   EXPECT_EQ(read.id, made.id);
   EXPECT_TRUE(read.a.points == made.a.points && read.b.points == made.b.points) << made.id;
   EXPECT_TRUE(read.a.shape == made.a.shape && read.b.shape == made.b.shape) << made.id;
+  for (const Body Case::*body : {&Case::a, &Case::b}) {
+    ASSERT_EQ((read.*body).pieces != nullptr, (made.*body).pieces != nullptr) << made.id;
+    EXPECT_TRUE(!(made.*body).pieces || *(read.*body).pieces == *(made.*body).pieces) << made.id;
+  }
 }
 
 TEST(CasesRoundTrip, EveryFamily) {
@@ -61,6 +67,20 @@ TEST(CasesRoundTrip, TheCatalogueOfShapes) {
   const std::vector<Case> read = printed("--catalogue --shapes");
   ASSERT_EQ(read.size(), shape_catalogue().size());
   for (std::size_t i = 0; i < read.size(); ++i) expect_same(read[i], shape_catalogue()[i].shapes.read());
+}
+
+TEST(CasesRoundTrip, EveryFamilyOfUnions) {
+  for (const UnionFamily& family : union_families()) {
+    const std::vector<Case> read = printed("--family " + std::string(family.name) + " --count 5 --seed 11");
+    ASSERT_EQ(read.size(), 5U) << family.name;
+    for (std::uint64_t i = 0; i < 5; ++i) expect_same(read[i], family.make(11 + i, family.usual_size));
+  }
+}
+
+TEST(CasesRoundTrip, TheCatalogueOfUnions) {
+  const std::vector<Case> read = printed("--catalogue --unions");
+  ASSERT_EQ(read.size(), union_catalogue().size());
+  for (std::size_t i = 0; i < read.size(); ++i) expect_same(read[i], union_catalogue()[i].pair);
 }
 
 TEST(CasesRoundTrip, TheCatalogue) {

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bodies, and pairs that are not convex; convex ones that were cut are in union_bodies_cut.cpp.
+#include "verify/families/union_bodies.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "verify/families/circle.hpp"
+#include "verify/families/random_bodies.hpp"
+#include "verify/families/union_cuts.hpp"
+
+namespace fathom::families {
+namespace {
+
+constexpr long grid_bits = 16;
+
+/// The multiple of 2^-16 at or below it.
+mpq_class on_grid(const mpq_class& value) {
+  const mpq_class scaled = times_power_of_two(value, grid_bits);
+  mpz_class below;
+  mpz_fdiv_q(below.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  return times_power_of_two(below, -grid_bits);
+}
+
+Point unit_vector(Random& random) { return random_sphere_body(random, 1).points.front(); }
+
+Point at(const Point& center, const mpq_class& radius, const Point& unit) {
+  return {on_grid(center.x + radius * unit.x), on_grid(center.y + radius * unit.y), on_grid(center.z + radius * unit.z)};
+}
+
+/// Multiples of 1/64.
+mpq_class between(Random& random, const mpq_class& low, const mpq_class& high) {
+  return low + (high - low) * ratio(random.between(0, 64), 64);
+}
+
+Point shift(Random& random, const mpq_class& bound) {
+  const mpq_class x = between(random, -bound, bound), y = between(random, -bound, bound), z = between(random, -bound, bound);
+  return {x, y, z};
+}
+
+Pieces half_turn_about_z(Pieces pieces) {
+  for (std::vector<Point>& piece : pieces)
+    for (Point& p : piece) p = {-p.x, -p.y, p.z};
+  return pieces;
+}
+
+/// A plate of width 1 beside one of n slots, and within reach of it.
+UnionPair plate_at_slot(Random& random, unsigned n, const mpq_class& width) {
+  const Pieces walls = slotted(n, width);
+  const mpq_class slot = 2 + (2 + width) * mpq_class(random.between(0, static_cast<std::int64_t>(walls.size()) - 2));
+  const mpq_class beside = ratio(random.between(1, 48), 64) * (random.coin() ? 1 : -1);
+  const mpq_class x = slot + beside, y = between(random, -1, 0), z = between(random, -1, 0);
+  return {{box_from({x, y, z}, {x + 1, y + 1, z + 1})}, walls};
+}
+
+}  // namespace
+
+std::vector<Point> box_from(const Point& low, const Point& high) { return cut_into_grid(low, high, 1).front(); }
+
+Pieces translated(const Pieces& pieces, const Point& by) {
+  Pieces result = pieces;
+  for (std::vector<Point>& piece : result)
+    for (Point& p : piece) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+  return result;
+}
+
+Pieces cluster(Random& random, unsigned n, unsigned points) {
+  const mpq_class usual = ratio(2, 5);
+  Pieces pieces;
+  Point center{0, 0, 0};
+  while (pieces.size() < std::max(1U, n)) {
+    const mpq_class radius = usual * random_dyadic(random, 0, 1, 10) * ratio(6, 10) + usual * ratio(7, 10);
+    std::vector<Point> piece;
+    for (unsigned i = 0; i < points; ++i) piece.push_back(at(center, radius, unit_vector(random)));
+    if (is_flat(piece)) continue;
+    pieces.push_back(std::move(piece));
+    center = at(center, usual, unit_vector(random));
+  }
+  return pieces;
+}
+
+Pieces lattice_boxes(Random& random, unsigned n) {
+  Pieces pieces;
+  for (unsigned i = 0; i < std::max(1U, n); ++i) {
+    std::array<std::int64_t, 3> low{}, high{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = random.between(0, 4);
+      high[axis] = random.between(low[axis] + 1, 5);
+    }
+    pieces.push_back(box_from({low[0], low[1], low[2]}, {high[0], high[1], high[2]}));
+  }
+  return pieces;
+}
+
+Pieces comb(unsigned n, const mpq_class& tooth_length) {
+  const unsigned teeth = std::max(1U, n);
+  Pieces pieces = {box_from({0, -1, 0}, {2 * teeth - 1, 0, 1})};
+  for (unsigned i = 0; i < teeth; ++i) pieces.push_back(box_from({2 * i, 0, 0}, {2 * i + 1, tooth_length, 1}));
+  return pieces;
+}
+
+Pieces ring(unsigned n, bool upright) {
+  const unsigned wedges = std::max(3U, n), bits = std::max(10U, circle_bits(wedges));
+  const auto corners = [&](std::vector<Point>& piece, unsigned k) {
+    const CirclePoint c = circle_point(k % wedges, wedges, bits);
+    for (const mpq_class& radius : {ratio(3, 4), ratio(5, 4)})
+      for (const mpq_class& side : {ratio(-1, 4), ratio(1, 4)}) {
+        const mpq_class u = times_power_of_two(radius * c.cosine, -static_cast<long>(bits)),
+                        v = times_power_of_two(radius * c.sine, -static_cast<long>(bits));
+        piece.push_back(upright ? Point{u, side, v} : Point{u, v, side});
+      }
+  };
+  Pieces pieces;
+  for (unsigned i = 0; i < wedges; ++i) {
+    std::vector<Point>& piece = pieces.emplace_back();
+    corners(piece, i);
+    corners(piece, i + 1);
+  }
+  return pieces;
+}
+
+Pieces slotted(unsigned n, const mpq_class& width) {
+  Pieces pieces;
+  mpq_class x = 0;
+  for (unsigned i = 0; i <= std::max(1U, n); ++i, x += 2 + width) pieces.push_back(box_from({x, -3, -3}, {x + 2, 3, 3}));
+  return pieces;
+}
+
+UnionPair clusters(Random& random, unsigned n) {
+  constexpr unsigned points = 20;
+  const Pieces a = cluster(random, n, points);
+  const Pieces b = cluster(random, n, points);
+  return {a, translated(b, shift(random, ratio(1, 2)))};
+}
+
+UnionPair lattice_clusters(Random& random, unsigned n) {
+  const auto body = [&random, n] {
+    Pieces pieces;
+    while (pieces.size() < std::max(1U, n)) {
+      const Body hull = random_lattice_body(random, 6, 3);
+      if (is_flat(hull.points)) continue;
+      const Point place{random.between(0, 3), random.between(0, 3), random.between(0, 3)};
+      pieces.push_back(translated(Pieces{hull.points}, place).front());
+    }
+    return pieces;
+  };
+  const Pieces a = body(), b = body();
+  return {a, b};
+}
+
+UnionPair box_unions(Random& random, unsigned n) {
+  const Pieces a = lattice_boxes(random, n), b = lattice_boxes(random, n);
+  return {a, b};
+}
+
+UnionPair box_unions_touching(Random& random, unsigned n) {
+  const Pieces a = lattice_boxes(random, n), b = lattice_boxes(random, n);
+  mpq_class end = 0, begin = 5;
+  for (const std::vector<Point>& piece : a)
+    for (const Point& p : piece) end = std::max(end, p.x);
+  for (const std::vector<Point>& piece : b)
+    for (const Point& p : piece) begin = std::min(begin, p.x);
+  return {a, translated(b, {end - begin, random.between(-2, 2), random.between(-2, 2)})};
+}
+
+UnionPair clusters_apart(Random& random, unsigned n) {
+  constexpr unsigned points = 8;
+  const Pieces a = cluster(random, n, points), b = cluster(random, n, points);
+  mpq_class end = -100000, begin = 100000;
+  for (const std::vector<Point>& piece : a)
+    for (const Point& p : piece) end = std::max(end, p.x);
+  for (const std::vector<Point>& piece : b)
+    for (const Point& p : piece) begin = std::min(begin, p.x);
+  return {a, translated(b, {end - begin + ratio(random.between(1, 8), 8), 0, 0})};
+}
+
+UnionPair combs(Random& random, unsigned n) {
+  const mpq_class length = between(random, 1, 4);
+  const Pieces a = comb(n, length), b = half_turn_about_z(comb(n, length));
+  const mpq_class across = between(random, 2, 2 * std::max(1U, n)), into = between(random, 0, length);
+  return {a, translated(b, {across, 2 * length - into, between(random, ratio(-1, 2), ratio(1, 2))})};
+}
+
+UnionPair keys(Random& random, unsigned n) {
+  // The lock: a plate about a keyhole, with n wards behind. The key: a shaft through the hole, with n bits between the wards.
+  const unsigned wards = std::max(1U, n);
+  Pieces lock = {box_from({0, -3, -3}, {1, 3, -1}), box_from({0, -3, 1}, {1, 3, 3}), box_from({0, -3, -1}, {1, -1, 1}),
+                 box_from({0, 1, -1}, {1, 3, 1})};
+  Pieces key = {box_from({-4, ratio(-3, 4), ratio(-3, 4)}, {2 * wards + 2, ratio(3, 4), ratio(3, 4)})};
+  for (unsigned i = 0; i < wards; ++i) {
+    lock.push_back(box_from({2 * i + 2, -3, 1}, {2 * i + 3, 3, 3}));
+    key.push_back(box_from({2 * i + ratio(5, 4), ratio(-1, 2), ratio(3, 4)}, {2 * i + ratio(7, 4), ratio(1, 2), ratio(9, 4)}));
+  }
+  return {translated(key, shift(random, 1)), lock};
+}
+
+UnionPair slots(Random& random, unsigned n) { return plate_at_slot(random, n, 1); }
+UnionPair slots_narrow(Random& random, unsigned n) { return plate_at_slot(random, n, 1 - times_power_of_two(1, -16)); }
+
+UnionPair rings_linked(Random& random, unsigned n) {
+  const Point place{1 + between(random, ratio(-1, 2), ratio(1, 2)), between(random, ratio(-1, 4), ratio(1, 4)),
+                    between(random, ratio(-1, 4), ratio(1, 4))};
+  return {ring(n, false), translated(ring(n, true), place)};
+}
+
+UnionPair ring_and_rod(Random& random, unsigned n) {
+  const mpq_class half = between(random, ratio(1, 4), ratio(3, 4));
+  const Pieces rod = {box_from({-half, -half, -3}, {half, half, 0}), box_from({-half, -half, 0}, {half, half, 3})};
+  return {translated(rod, shift(random, ratio(1, 2))), ring(n, false)};
+}
+
+}  // namespace fathom::families

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies as unions of convex pieces: clusters, combs, keys, slots, rings; and pairs of them in random places. `n` is the number of pieces,
+// or about that.
+#pragma once
+
+#include "fathom/union.hpp"
+#include "verify/families/random.hpp"
+
+namespace fathom::families {
+
+struct UnionPair {
+  Pieces a, b;
+};
+
+std::vector<Point> box_from(const Point& low, const Point& high);
+Pieces translated(const Pieces& pieces, const Point& by);
+
+/// Hulls of `points` points near spheres of radii near 2/5, the centre of each beside that of the last: multiples of 2^-16.
+Pieces cluster(Random& random, unsigned n, unsigned points);
+/// Boxes with corners in {0..5}^3.
+Pieces lattice_boxes(Random& random, unsigned n);
+/// A back and n teeth of width 1 along x, one apart from the next, of the given length along y.
+Pieces comb(unsigned n, const mpq_class& tooth_length);
+/// A ring of n wedges that abut, at least 3, about the z axis, or about the y axis if `upright`: radii 3/4 and 5/4, height 1/2.
+Pieces ring(unsigned n, bool upright);
+/// n + 1 walls with slots of the given width between them, along x; each is 2 thick.
+Pieces slotted(unsigned n, const mpq_class& width);
+
+UnionPair clusters(Random& random, unsigned n);
+UnionPair lattice_clusters(Random& random, unsigned n);
+UnionPair box_unions(Random& random, unsigned n);
+UnionPair box_unions_touching(Random& random, unsigned n);
+UnionPair clusters_apart(Random& random, unsigned n);
+
+/// Convex bodies, both cut, in different ways.
+UnionPair cut_cones(Random& random, unsigned n);
+UnionPair cut_slabs(Random& random, unsigned n);
+UnionPair cut_planes(Random& random, unsigned n);
+UnionPair cut_grids(Random& random, unsigned n);
+UnionPair cut_repeated(Random& random, unsigned n);
+UnionPair cut_same(Random& random, unsigned n);
+UnionPair cut_and_whole(Random& random, unsigned n);
+
+UnionPair combs(Random& random, unsigned n);
+UnionPair keys(Random& random, unsigned n);
+UnionPair slots(Random& random, unsigned n);
+UnionPair slots_narrow(Random& random, unsigned n);
+UnionPair rings_linked(Random& random, unsigned n);
+UnionPair ring_and_rod(Random& random, unsigned n);
+
+}  // namespace fathom::families
