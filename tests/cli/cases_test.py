@@ -3,6 +3,7 @@
 import fractions
 import json
 import subprocess
+import sys
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
@@ -161,6 +162,11 @@ class Unions(CasesTest):
             squared = result["apart"]["distance"]["squared"] if "distance_squared" in known else result["depth"]["squared"]
             self.assertEqual(squared, known.get("distance_squared", known.get("depth_squared")), case["id"])
             self.assertEqual("distance_squared" in known, result["status"] == "disjoint", case["id"])
+        proofs = self.folder / "proofs"
+        self.answer("depth", "--certificate", proofs, self.file("catalogue.jsonl", lines))
+        reader = subprocess.run([sys.executable, "-B", ROOT / "verify" / "check" / "check.py", *sorted(proofs.glob("*.cert"))],
+                                stdout=subprocess.PIPE, timeout=PATIENCE, check=True)
+        self.assertEqual(reader.stdout.count(b"s VERIFIED "), len(cases))
 
     def test_no_family_for_those_who_take_polytopes(self):
         self.assertIn("expected a family of polytopes, found 'combs', whose unions are not", self.refused("study", "--sweep", "combs"))
