@@ -17,8 +17,11 @@ constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--s
 }  // namespace
 
 void add_pieces_option(CLI::App& app, Request& request, const std::string& more) {
-  app.add_flag("--pieces", request.pieces,
-               "each body is the union of convex pieces: the groups of an OBJ file, each of which stands for its hull" + more);
+  app.add_flag(
+      "--pieces", request.pieces,
+      "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the mesh files of a "
+      "folder" +
+          more);
 }
 
 std::string wrong_pieces(const CLI::App& asked, const Request& request) {
@@ -28,9 +31,10 @@ std::string wrong_pieces(const CLI::App& asked, const Request& request) {
   };
   for (const char* option : of_convex_bodies)
     if (given(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
-  if (request.inputs.size() != 2) return "--pieces expects two OBJ files, found one input";
+  if (request.inputs.size() != 2) return "--pieces expects two OBJ files or folders, found one input";
   for (const std::string& input : request.inputs)
-    if (files::extension(input) != "obj") return "--pieces expects OBJ files, whose groups are the pieces, found " + kernels::shown(input);
+    if (files::extension(input) != "obj" && !files::is_folder(input))
+      return "--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found " + kernels::shown(input);
   return "";
 }
 

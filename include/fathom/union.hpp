@@ -88,10 +88,12 @@ Pieces pieces_of(const Body& body);
 
 /// Returns the convex pieces of a body in an OBJ file: for each object and group with faces (lines "o" and "g") the corners of its faces,
 /// in the order of their numbers. So tools for convex decomposition write them. Groups come in the order of their first faces; a file
-/// without groups is one piece. Throws InputError of fathom/files.hpp, with file and line, as read_mesh does, and if there are no faces.
+/// without groups is one piece. Of a folder, the pieces of all files in it that end in .off, .obj, .ply and .stl, in the natural order of
+/// their names, piece_2 before piece_10: the vertices of each, and of OBJ files the groups. Throws InputError of fathom/files.hpp, with file
+/// and line, as read_mesh does, and if there are no faces, or no files.
 Pieces read_pieces(const std::string& path, Decimals decimals = Decimals::binary64);
 
-/// The same for a file in memory; `name` appears in messages.
+/// The same for an OBJ file in memory; `name` appears in messages.
 Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals = Decimals::binary64);
 
 }  // namespace fathom

@@ -121,6 +121,4 @@ Pieces parse_pieces(std::string_view text, const std::string& name, Decimals dec
   return pieces;
 }
 
-Pieces read_pieces(const std::string& path, Decimals decimals) { return parse_pieces(files::read_file(path), path, decimals); }
-
 }  // namespace fathom

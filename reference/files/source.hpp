@@ -26,6 +26,9 @@ std::string read_file(const std::string& path, std::size_t most_of_a_pipe = std:
 /// Throws InputError if `path` is missing, a directory or unreadable. Does not open it.
 void require_readable(const std::string& path);
 
+/// Whether `path` is a folder that is there.
+bool is_folder(const std::string& path);
+
 /// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
 std::string extension(std::string_view path);
 

@@ -176,6 +176,24 @@ class Pieces(CliTest):
             self.assertIn(words, " ".join(element.text for element in ElementTree.fromstring(out.read_text()).iter(SVG + "text")))
         self.refused("cannot write a picture", "--pieces", "--svg", self.folder, KEY, COMB)
 
+    def test_a_folder_of_files(self):
+        """As tools for convex decomposition write them too: a file for each piece."""
+        folder = self.folder / "slot"
+        folder.mkdir()
+        for name, low, high in (("piece_10.obj", [1, -5, -5], [10, 5, 5]), ("piece_9.obj", [-9, -5, -5], [0, 5, 5])):
+            (folder / name).write_text(obj([low, high]))
+        (folder / "piece_9.mtl").write_text("no mesh")
+        expected, found = self.pieces(PLATE, SLOT), self.result("depth", "--pieces", self.file("a.obj", PLATE), folder)
+        self.assertEqual((found["depth"], found["optima"], found["deepest_pair"]), (expected["depth"], expected["optima"], expected["deepest_pair"]))
+        proof = self.folder / "proof.cert"
+        self.answer("depth", "--pieces", "--certificate", proof, folder, str(folder) + "/")
+        self.assertIn("VERIFIED penetrating depth_squared=100 optima=4 pieces=2x2 ", self.answer("check", proof))
+        (folder / "piece_1.off").write_text("OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 x\n")
+        self.refused("slot/piece_1.off:6: expected a number", "--pieces", folder, KEY)
+        empty = self.folder / "empty"
+        empty.mkdir()
+        self.refused("empty: expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there", "--pieces", empty, KEY)
+
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
         flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
@@ -183,7 +201,7 @@ class Pieces(CliTest):
         self.refused("none.obj:2: expected at least one face", "--pieces", good, self.file("none.obj", "o a\nv 0 0 0\n"))
         self.refused("far.obj:5: expected a vertex index of at most 3, found '4'", "--pieces", good,
                      self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
-        self.refused("--pieces expects OBJ files, whose groups are the pieces, found 'a.off'", "--pieces", "a.off", good)
+        self.refused("--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found 'a.off'", "--pieces", "a.off", good)
         self.refused("found the single mesh", "--pieces", good)
         self.refused("cannot be combined with --optima", "--pieces", "--optima", "1", good, good)
         self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)

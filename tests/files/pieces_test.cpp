@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a body from an OBJ file with groups.
+// Pieces of a body from an OBJ file with groups, or from a folder of files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
+#include "reference/files/natural_order.hpp"
 
 namespace fathom {
 namespace {
@@ -48,6 +54,104 @@ TEST(Pieces, BadFilesAreRefusedWithTheirLine) {
   EXPECT_EQ(complaint("v 0 0 zero\n").substr(0, 11), "body.obj:1:");
   EXPECT_EQ(complaint(five).substr(0, 38), "body.obj:5: expected at least one face");
   EXPECT_THROW(read_pieces("no such file.obj"), InputError);
+}
+
+/// A folder for the length of a test.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / ("fathom_pieces_test_" + std::to_string(std::random_device()()))) {
+    std::filesystem::create_directory(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+  void add(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+  [[nodiscard]] std::string path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string off(int last) { return "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 " + std::to_string(last) + "\n"; }
+
+TEST(PieceFolders, FilesArePiecesInNaturalOrder) {
+  const Folder folder;
+  folder.add("part_10.off", off(10));
+  folder.add("part_9.off", off(9));
+  folder.add("part_11.OBJ", std::string(five) + "o a\nf 1 2 3 4\no b\nf 1 2 3 5\n");
+  folder.add("part_12.stl",
+             "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 12\nendloop\nendfacet\nendsolid\n");
+  folder.add("part_13.ply",
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 "
+             "0\n0 0 13\n");
+  folder.add("notes.txt", "no piece");
+  folder.add(".part_1.off", "hidden");
+  std::filesystem::create_directory(folder.path() + "/part_2.off");
+  for (const std::string& path : {folder.path(), folder.path() + "/"}) {
+    const Pieces pieces = read_pieces(path);
+    ASSERT_EQ(pieces.size(), 6U);
+    EXPECT_EQ(pieces[0].back(), (Point{0, 0, 9}));
+    EXPECT_EQ(pieces[1].back(), (Point{0, 0, 10}));
+    EXPECT_EQ(pieces[2].back(), (Point{0, 0, 1}));
+    EXPECT_EQ(pieces[3].back(), (Point{mpq_class(1, 3), mpq_class(1, 4), exact_value(0.1)}));
+    EXPECT_EQ(pieces[4].back(), (Point{0, 1, 12}));
+    EXPECT_EQ(pieces[5].back(), (Point{0, 0, 13}));
+  }
+}
+
+std::string complaint_of_folder(const Folder& folder) {
+  try {
+    read_pieces(folder.path());
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(PieceFolders, BadOnesAreRefusedWithFileAndLine) {
+  const Folder empty, bad, open;
+  empty.add("a.mtl", "");
+  EXPECT_EQ(complaint_of_folder(empty),
+            empty.path() + ": expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
+  bad.add("a.off", off(1));
+  bad.add("b.off", "OFF\n4 0 0\n0 0 0\n1 0 zero\n");
+  EXPECT_EQ(complaint_of_folder(bad).substr(0, bad.path().size() + 9), bad.path() + "/b.off:4:");
+  open.add("b.obj", "v 0 0 0\no a\n");
+  EXPECT_EQ(complaint_of_folder(open).substr(0, open.path().size() + 36), open.path() + "/b.obj:2: expected at least one face");
+}
+
+TEST(NaturalOrder, IsThatInWhichPeopleCount) {
+  const std::vector<std::string> sorted = {"",
+                                           "0",
+                                           "00",
+                                           "01",
+                                           "1",
+                                           "2",
+                                           "10",
+                                           "99999999999999999998",
+                                           "99999999999999999999",
+                                           "a",
+                                           "a01",
+                                           "a1",
+                                           "a1b",
+                                           "a2",
+                                           "a10",
+                                           "a10b",
+                                           "ab",
+                                           "b1c2",
+                                           "b1c10",
+                                           "b01c11",
+                                           "b2c1",
+                                           "\xff"};
+  std::vector<std::string> shuffled = sorted;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(1));
+  std::sort(shuffled.begin(), shuffled.end(), files::natural_less);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    for (std::size_t j = 0; j < sorted.size(); ++j)
+      EXPECT_EQ(files::natural_less(sorted[i], sorted[j]), i < j) << sorted[i] << " and " << sorted[j];
+  EXPECT_TRUE(files::natural_less("piece_2.obj", "piece_10.obj"));
+  EXPECT_FALSE(files::natural_less("piece_10.obj", "piece_2.obj"));
+  EXPECT_EQ(shuffled, sorted);
 }
 
 }  // namespace
