@@ -87,7 +87,7 @@ NefAnswer nef_answer(const Pieces& a, const Pieces& b) {
     answer.optima.insert(place);
     if (holds(room, p)) answer.with_clearance.insert(place);
   }
-  answer.squared = number(*best);
+  answer.squared = number(best.value());
   return answer;
 }
 
