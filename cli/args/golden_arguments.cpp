@@ -40,7 +40,7 @@ CLI::Validator integer_from(std::uint64_t low, std::uint64_t high) {
 }
 
 std::string check_level(const std::string& text) {
-  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2, L3, P0 or P1, found {}", kernels::shown(text));
+  return golden::find_level(text) ? "" : fmt::format("expected L0, L1, L2, L3, P0, P1 or U0, found {}", kernels::shown(text));
 }
 
 /// "i/n".
@@ -67,8 +67,8 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>(
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
          "L0, L1, L2 or L3, of polytopes: hundreds of records, about ten thousand,\nover a hundred thousand, about ten million; P0 or P1, "
-         "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it")
-      ->check(one_of({"L0", "L1", "L2", "L3", "P0", "P1"}, check_level))
+         "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it;\nU0, of unions of convex pieces: hundreds")
+      ->check(one_of({"L0", "L1", "L2", "L3", "P0", "P1", "U0"}, check_level))
       ->type_name("LEVEL")
       ->required();
   app.add_option_function<std::string>(

@@ -22,7 +22,7 @@ inline constexpr Example generate_examples[] = {
     {"mpirun -np 4 fathom golden generate --level L0 --out together",
      "four processes, which take shard after shard; Open MPI wants --oversubscribe for more processes than cores, and "
      "--allow-run-as-root of root"},
-    {"fathom golden generate --level P0 --out shapes", "spheres, capsules, cylinders and their like"},
+    {"fathom golden generate --level P0 --out shapes", "spheres, capsules, cylinders and their like; U0: unions of convex pieces"},
     {"zstd -dc data/golden-L0-*.jsonl.zst | fathom depth --json -", "the records are cases for every other command"},
 };
 

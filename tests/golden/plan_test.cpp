@@ -11,6 +11,8 @@
 #include "verify/families/families.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_catalogue.hpp"
+#include "verify/families/union_families.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
@@ -71,11 +73,11 @@ TEST(Plan, LevelsOfShapesAreAChainOfTheirOwn) {
   expect_prefix(p0, p1);
   std::set<std::string> families, others, ids;
   for (const Recipe& recipe : recipes(p1)) {
-    EXPECT_TRUE(of_shapes(recipe.source));
+    EXPECT_EQ(kind_of(recipe.source), Kind::shapes);
     EXPECT_TRUE(ids.insert(id_of(recipe)).second) << id_of(recipe);
   }
   for (const Recipe& recipe : recipes(plan(Level::L1, 1))) {
-    EXPECT_FALSE(of_shapes(recipe.source));
+    EXPECT_EQ(kind_of(recipe.source), Kind::polytopes);
     EXPECT_FALSE(ids.contains(id_of(recipe))) << id_of(recipe);
   }
   for (const Recipe& recipe : recipes(p0)) (recipe.source == Source::shape_family ? families : others).insert(recipe.name);
@@ -84,6 +86,24 @@ TEST(Plan, LevelsOfShapesAreAChainOfTheirOwn) {
   EXPECT_GT(recipes(p0).size(), 400u);
   EXPECT_LT(recipes(p0).size(), 800u);
   EXPECT_GT(recipes(p1).size(), 4000u);
+}
+
+TEST(Plan, TheLevelOfUnionsStandsAlone) {
+  const auto u0 = plan(Level::U0, 1);
+  EXPECT_GT(u0.size(), 1u) << "so that a run can be stopped between shards";
+  std::set<std::string> families, others, ids;
+  for (const Level level : {Level::L0, Level::P0})
+    for (const Recipe& recipe : recipes(plan(level, 1))) ids.insert(id_of(recipe));
+  for (const ShardPlan& shard : u0) EXPECT_EQ(shard.level, Level::U0);
+  for (const Recipe& recipe : recipes(u0)) {
+    EXPECT_EQ(kind_of(recipe.source), Kind::unions);
+    EXPECT_TRUE(ids.insert(id_of(recipe)).second) << id_of(recipe);
+    (recipe.source == Source::union_family ? families : others).insert(recipe.name);
+  }
+  EXPECT_EQ(families.size(), families::union_families().size());
+  EXPECT_EQ(others.size(), families::union_catalogue().size());
+  EXPECT_GT(recipes(u0).size(), 100u);
+  EXPECT_LT(recipes(u0).size(), 200u);
 }
 
 TEST(Plan, SizesAndCountsAreThoseOfTheLevel) {
@@ -157,9 +177,11 @@ TEST(Plan, FamiliesThatIgnoreTheSeedHaveOneCaseOfASize) {
 }
 
 TEST(Plan, LevelsHaveNames) {
-  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1}) EXPECT_EQ(find_level(name_of(level)), level);
+  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0})
+    EXPECT_EQ(find_level(name_of(level)), level);
   EXPECT_FALSE(find_level("L4"));
   EXPECT_FALSE(find_level("P2"));
+  EXPECT_FALSE(find_level("U1"));
   EXPECT_FALSE(find_level(""));
 }
 
@@ -169,8 +191,11 @@ TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
   EXPECT_EQ(id_of({Source::real, "fcl-545"}, Form::binary32), "real-fcl-545.b32");
   EXPECT_EQ(id_of({Source::shape_family, "cones", 8, 12}, Form::binary32), "cones-n8-s12.b32");
   EXPECT_EQ(id_of({Source::shape_catalogue, "cone_on_plane"}), "shape_catalogue-cone_on_plane");
+  EXPECT_EQ(id_of({Source::union_family, "combs", 4, 12}, Form::binary64), "combs-n4-s12.b64");
+  EXPECT_EQ(id_of({Source::union_catalogue, "slot_filled"}), "union_catalogue-slot_filled");
   EXPECT_EQ(base_case({Source::real, "fcl-545"}).id, "real-fcl-545");
-  for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue})
+  for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue, Source::union_family,
+                              Source::union_catalogue})
     EXPECT_THROW(base_case({source, "no_such_thing", 8, 1}), std::invalid_argument);
 }
 

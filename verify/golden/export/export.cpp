@@ -30,8 +30,9 @@ Dataset dataset_in(const fs::path& folder) {
   const fs::path page = folder / dataset_name;
   std::optional<Dataset> dataset = parse_dataset(read_small_file(page));
   if (!dataset) throw FileError(page.string() + ": this is not the page of a release");
-  if (of_shapes(dataset->level))
-    throw FolderError(fmt::format("{} holds shapes, and exports are of polytopes: levels L0 to L3", folder.string()));
+  if (const Kind kind = kind_of(dataset->level); kind != Kind::polytopes)
+    throw FolderError(fmt::format("{} holds {}, and exports are of polytopes: levels L0 to L3", folder.string(),
+                                  kind == Kind::shapes ? "shapes" : "unions"));
   return *std::move(dataset);
 }
 

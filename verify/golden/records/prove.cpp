@@ -13,6 +13,7 @@
 #include "verify/golden/records/record_line.hpp"
 #include "verify/golden/shapes/shape_facts.hpp"
 #include "verify/golden/shapes/shape_prove.hpp"
+#include "verify/golden/unions/union_prove.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -130,8 +131,12 @@ void Prover::make_cases(const Claimed& claimed) {
   recipe_.reset();
   cases_.clear();
   shape_cases_.clear();
-  if (of_shapes(claimed.recipe.source)) shape_cases_ = shape_cases_of(claimed.recipe);
-  else cases_ = cases_of(claimed.recipe);
+  union_cases_.clear();
+  switch (kind_of(claimed.recipe.source)) {
+    case Kind::polytopes: cases_ = cases_of(claimed.recipe); break;
+    case Kind::shapes: shape_cases_ = shape_cases_of(claimed.recipe); break;
+    case Kind::unions: union_cases_ = union_cases_of(claimed.recipe); break;
+  }
   recipe_ = claimed.recipe;
 }
 
@@ -174,10 +179,26 @@ std::string Prover::line_of_shapes(const Claimed& claimed, std::string_view cert
   return line_of(ShapeFacts{claimed.recipe, *made, proved_truth(made->shapes, certificate), digest::digest_of(certificate).sha256});
 }
 
+std::string Prover::line_of_unions(const Claimed& claimed, std::string_view certificate) {
+  make_cases(claimed);
+  const auto made = std::ranges::find(union_cases_, claimed.form, &FormedUnions::form);
+  if (made == union_cases_.end()) throw NotProved("source: it has no such form");
+  row_.clear();
+  return line_of(UnionFacts{claimed.recipe, *made, proved_truth(*made, certificate), digest::digest_of(certificate).sha256});
+}
+
+std::string Prover::line_as_proved(const Claimed& claimed, std::string_view certificate) {
+  switch (kind_of(claimed.recipe.source)) {
+    case Kind::polytopes: break;
+    case Kind::shapes: return line_of_shapes(claimed, certificate);
+    case Kind::unions: return line_of_unions(claimed, certificate);
+  }
+  return line_of_points(claimed, certificate);
+}
+
 std::optional<std::string> Prover::faults(std::string_view line, std::string_view certificate) {
   const Claimed claimed = read_record(line);
-  const std::string expected =
-      of_shapes(claimed.recipe.source) ? line_of_shapes(claimed, certificate) : line_of_points(claimed, certificate);
+  const std::string expected = line_as_proved(claimed, certificate);
   if (expected != line) return first_difference(expected, line);
   id_ = claimed.points.id;
   return std::nullopt;
@@ -195,6 +216,7 @@ std::vector<std::string> Prover::ids() const {
   std::vector<std::string> ids;
   for (const FormedCase& made : cases_) ids.push_back(made.points.id);
   for (const FormedShapes& made : shape_cases_) ids.push_back(made.shapes.id);
+  for (const FormedUnions& made : union_cases_) ids.push_back(made.unions.id);
   return ids;
 }
 

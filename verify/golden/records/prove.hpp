@@ -12,6 +12,7 @@
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_reader.hpp"
 #include "verify/golden/shapes/shape_recipe.hpp"
+#include "verify/golden/unions/union_recipe.hpp"
 
 namespace fathom::golden {
 
@@ -37,13 +38,16 @@ class Prover {
   const Case& prove_source(const Claimed& claimed);
   Facts facts_from(const Claimed& claimed, std::string_view certificate);
   /// The line as it has to be.
+  std::string line_as_proved(const Claimed& claimed, std::string_view certificate);
   std::string line_of_points(const Claimed& claimed, std::string_view certificate);
   std::string line_of_shapes(const Claimed& claimed, std::string_view certificate);
+  std::string line_of_unions(const Claimed& claimed, std::string_view certificate);
 
   Workspace workspace_;
   std::optional<Recipe> recipe_;
   std::vector<FormedCase> cases_;          // of the recipe, if it is of points
-  std::vector<FormedShapes> shape_cases_;  // else
+  std::vector<FormedShapes> shape_cases_;  // if it is of shapes
+  std::vector<FormedUnions> union_cases_;  // if it is of unions
   std::string id_;
   std::string row_;
 };

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/dyadic.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/golden/records/nearest.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
@@ -24,9 +24,6 @@ using Triple = std::array<double, 3>;
 
 bool in_binary32(double value) { return kernels::nearest_binary32(value) == value; }
 
-double nearest(const mpq_class& value, Form format) {
-  return format == Form::binary32 ? double{round_binary32(value, fathom::Rounding::rn)} : round_binary64(value, fathom::Rounding::rn);
-}
 double nearest(double value, Form format) { return format == Form::binary32 ? kernels::nearest_binary32(value) : value; }
 
 /// Not finite where a coordinate overflows.
@@ -60,9 +57,11 @@ std::string_view name_of(Source source) {
     case Source::catalogue: return "catalogue";
     case Source::real: return "real";
     case Source::shape_family: return "shape_family";
-    case Source::shape_catalogue: break;
+    case Source::shape_catalogue: return "shape_catalogue";
+    case Source::union_family: return "union_family";
+    case Source::union_catalogue: break;
   }
-  return "shape_catalogue";
+  return "union_catalogue";
 }
 
 std::string id_of(const Recipe& recipe, Form form) {
@@ -95,6 +94,8 @@ Case base_case(const Recipe& recipe) {
     case Source::real: result = *named(find_real_case(recipe.name)); break;
     case Source::shape_family:
     case Source::shape_catalogue: throw std::invalid_argument("'" + recipe.name + "' names shapes, not points");
+    case Source::union_family:
+    case Source::union_catalogue: throw std::invalid_argument("'" + recipe.name + "' names unions, not points");
   }
   result.id = id_of(recipe);
   for (Body* body : {&result.a, &result.b}) body->points = in_simplest_form(body->points);

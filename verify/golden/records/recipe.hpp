@@ -14,18 +14,39 @@ namespace fathom::golden {
 
 /// Where base cases come from.
 enum class Source {
-  family,          ///< a family of verify/families
-  catalogue,       ///< an entry of the catalogue of degenerate pairs
-  real,            ///< a pair from the issue tracker or the test suite of a library [tests/data/real_cases.jsonl]
-  shape_family,    ///< a family of shapes
-  shape_catalogue  ///< an entry of the catalogue of shapes
+  family,           ///< a family of verify/families
+  catalogue,        ///< an entry of the catalogue of degenerate pairs
+  real,             ///< a pair from the issue tracker or the test suite of a library [tests/data/real_cases.jsonl]
+  shape_family,     ///< a family of shapes
+  shape_catalogue,  ///< an entry of the catalogue of shapes
+  union_family,     ///< a family of unions of convex pieces
+  union_catalogue   ///< an entry of the catalogue of these
 };
 
-/// Whether the bodies are shapes: shape_recipe.hpp makes these, and all functions below that tell of points throw for them.
-constexpr bool of_shapes(Source source) { return source == Source::shape_family || source == Source::shape_catalogue; }
+/// What the bodies are.
+enum class Kind {
+  polytopes,  ///< hulls of points, which the functions below make
+  shapes,     ///< shape_recipe.hpp makes these, and all functions below that tell of points throw for them
+  unions      ///< likewise union_recipe.hpp
+};
+
+constexpr Kind kind_of(Source source) {
+  switch (source) {
+    case Source::family:
+    case Source::catalogue:
+    case Source::real: break;
+    case Source::shape_family:
+    case Source::shape_catalogue: return Kind::shapes;
+    case Source::union_family:
+    case Source::union_catalogue: return Kind::unions;
+  }
+  return Kind::polytopes;
+}
 
 /// Whether a case has a size and a seed.
-constexpr bool from_family(Source source) { return source == Source::family || source == Source::shape_family; }
+constexpr bool from_family(Source source) {
+  return source == Source::family || source == Source::shape_family || source == Source::union_family;
+}
 
 struct Recipe {
   Source source = Source::family;
@@ -42,11 +63,11 @@ enum class Form {
   binary32   ///< likewise to binary32, from the exact coordinate
 };
 
-/// "family", "catalogue", "real", "shape_family" or "shape_catalogue".
+/// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family" or "union_catalogue".
 std::string_view name_of(Source source);
 
-/// "<name>-n<size>-s<seed>", "catalogue-<name>", "real-<name>" or "shape_catalogue-<name>": no two recipes share one, and no id is ever given
-/// to other bodies. With ".b64" or ".b32" after it for rounded ones.
+/// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share one, and no id is ever given to other
+/// bodies. With ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
 /// Returns the points, with the recipe's id; a body's are in binary64 if all of its coordinates are. Throws std::invalid_argument if nothing has that name.

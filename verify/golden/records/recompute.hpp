@@ -11,8 +11,8 @@
 namespace fathom::golden {
 
 /// Computes the answer about the record's points by `method` alone, and from it every field of the record, except which certificate goes
-/// with it; of shapes what shape_recompute.hpp says. Returns nullopt if the line is the same, else one sentence on the first difference. Throws Interrupted, and nothing on bad
-/// input.                                                                                                            [proofs/golden.md]
+/// with it; of shapes and unions what shape_recompute.hpp and union_recompute.hpp say. Returns nullopt if the line is the same, else one
+/// sentence on the first difference. Throws Interrupted, and nothing on bad input.                                     [proofs/golden.md]
 std::optional<std::string> disagreement_with(Method method, std::string_view line, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -15,6 +15,7 @@
 #include "verify/golden/records/record_facts.hpp"
 #include "verify/golden/records/record_line.hpp"
 #include "verify/golden/shapes/shape_facts.hpp"
+#include "verify/golden/unions/union_facts.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -73,16 +74,41 @@ Record record_of(const Recipe& recipe, const FormedShapes& bodies, Monitor* moni
   return record;
 }
 
+Record record_of(const Recipe& recipe, const FormedUnions& bodies, Monitor* monitor) {
+  const Pieces &a = *bodies.unions.a.pieces, &b = *bodies.unions.b.pieces;
+  const std::string& id = bodies.unions.id;
+  const UnionDepth answer = answer_about(bodies.unions, monitor);
+  Record record;
+  record.id = id;
+  record.certificate = certificate_text(a, b, answer, id, monitor);
+  record.line = line_of(UnionFacts{recipe, bodies, truth_of(answer), digest::digest_of(record.certificate).sha256});
+  if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
+  record.in_binary64 = unions_in_format(bodies.unions, Form::binary64);
+  record.in_binary32 = unions_in_format(bodies.unions, Form::binary32);
+  return record;
+}
+
+namespace {
+
+/// Of each of the cases, which are all of one recipe.
+template <class Formed>
+std::vector<Record> records_of_all(const Recipe& recipe, const std::vector<Formed>& cases, kernels::Context& context,
+                                   Monitor* monitor) {
+  std::vector<Record> records;
+  for (const Formed& bodies : cases) {
+    context.check();
+    records.push_back(record_of(recipe, bodies, monitor));
+  }
+  return records;
+}
+
+}  // namespace
+
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace* workspace) {
   kernels::Context context(monitor);
+  if (kind_of(recipe.source) == Kind::shapes) return records_of_all(recipe, shape_cases_of(recipe), context, monitor);
+  if (kind_of(recipe.source) == Kind::unions) return records_of_all(recipe, union_cases_of(recipe), context, monitor);
   std::vector<Record> records;
-  if (of_shapes(recipe.source)) {
-    for (const FormedShapes& bodies : shape_cases_of(recipe)) {
-      context.check();
-      records.push_back(record_of(recipe, bodies, monitor));
-    }
-    return records;
-  }
   for (const auto& [form, points] : cases_of(recipe)) {
     context.check();
     records.push_back(record_of(recipe, form, points, monitor, workspace));

@@ -12,6 +12,7 @@
 #include "verify/golden/records/csv.hpp"
 #include "verify/golden/records/recipe.hpp"
 #include "verify/golden/shapes/shape_recipe.hpp"
+#include "verify/golden/unions/union_recipe.hpp"
 
 namespace fathom::golden {
 
@@ -27,8 +28,9 @@ struct Record {
 /// anything else than the record says, and Interrupted.
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
-/// Returns the record of the base case in one form: of points, or of shapes.
+/// Returns the record of the base case in one form: of points, of shapes, or of unions.
 Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 Record record_of(const Recipe& recipe, const FormedShapes& bodies, Monitor* monitor = nullptr);
+Record record_of(const Recipe& recipe, const FormedUnions& bodies, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -56,7 +56,8 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
 
 void read_source(const Json& source, Claimed& claimed) {
   Recipe& recipe = claimed.recipe;
-  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue},
+  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
+                                   Source::union_family, Source::union_catalogue},
                         text(source.at("kind"), "a kind"));
   recipe.name = text(source.at("name"), "a name");
   if (from_family(recipe.source)) {
@@ -95,7 +96,7 @@ Claimed read_record(std::string_view line) {
     Claimed claimed;
     read_source(record.at("source"), claimed);
     claimed.points.id = text(record.at("id"), "an id");
-    if (!of_shapes(claimed.recipe.source)) {
+    if (kind_of(claimed.recipe.source) == Kind::polytopes) {
       claimed.points.a = body(record.at("a"));
       claimed.points.b = body(record.at("b"));
       claimed.witness = read_witness(record.at("expected"));
@@ -118,7 +119,7 @@ std::string first_difference(std::string_view expected, std::string_view found) 
 }
 
 std::string_view id_in(std::string_view line) {
-  for (const std::string_view kind : {"fathom/golden/1", "fathom/golden-shapes/1"}) {
+  for (const std::string_view kind : {"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"}) {
     const std::string before = R"({"schema":"fathom/case/1","golden":")" + std::string(kind) + R"(","id":")";
     if (!line.starts_with(before)) continue;
     line.remove_prefix(before.size());

@@ -19,7 +19,7 @@ struct NotARecord : std::runtime_error {
 struct Claimed {
   Recipe recipe;
   Form form = Form::given;
-  Case points;                     ///< of shapes the id alone: what else they are their source says
+  Case points;                     ///< of shapes and unions the id alone: what else they are their source says
   std::optional<Witness> witness;  ///< of polytopes, or of their distance
   std::string certificate_sha256;
 };

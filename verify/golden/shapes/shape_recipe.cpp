@@ -2,13 +2,12 @@
 #include "verify/golden/shapes/shape_recipe.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "verify/families/shape_catalogue.hpp"
+#include "verify/golden/records/nearest.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -26,23 +25,10 @@ void for_each_number(Named& body, const Visit& visit) {
   for (auto& term : body.terms) for_each_number(term, visit);
 }
 
-double nearest(const mpq_class& value, Form format) {
-  return format == Form::binary32 ? double{round_binary32(value)} : round_binary64(value);
-}
-
-bool is_in(const mpq_class& value, Form format) {
-  const double closest = nearest(value, format);
-  return std::isfinite(closest) && exact_value(closest) == value;
-}
-
 /// Returns whether no number overflows.
 bool round(families::NamedBody& body, Form format) {
   bool finite = true;
-  for_each_number(body, [&](mpq_class& value) {
-    const double closest = nearest(value, format);
-    if (std::isfinite(closest)) value = exact_value(closest);
-    else finite = false;
-  });
+  for_each_number(body, [&](mpq_class& value) { finite = round_to_nearest(value, format) && finite; });
   return finite;
 }
 

@@ -12,23 +12,25 @@
 #include "verify/families/random.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
+#include "verify/families/union_catalogue.hpp"
+#include "verify/families/union_families.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1};
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0};
 
 /// The levels up to this one, in its chain.
 std::vector<Level> chain_to(Level level) {
   std::vector<Level> chain;
   for (const Level other : levels)
-    if (of_shapes(other) == of_shapes(level) && other <= level) chain.push_back(other);
+    if (kind_of(other) == kind_of(level) && other <= level) chain.push_back(other);
   return chain;
 }
 
-// About 250 records; in L3 about 3000, so that one folder can hold all files.
-constexpr std::size_t recipes_in_a_shard(Level level) { return level == Level::L3 ? 1500 : 150; }
+// About 250 records; in L3 about 3000, so that one folder can hold all files; of U0, whose certificates are long, about 75.
+constexpr std::size_t recipes_in_a_shard(Level level) { return level == Level::L3 ? 1500 : level == Level::U0 ? 50 : 150; }
 
 constexpr unsigned least_size = 4;
 
@@ -46,9 +48,10 @@ constexpr Share share_of(Level level) {
     case Level::L2: return {780, 40, 10};
     case Level::L3: return {45'000, 40, 10};
     case Level::P0: return {8, 8, 0};
-    case Level::P1: break;
+    case Level::P1: return {80, 30, 0};
+    case Level::U0: break;
   }
-  return {80, 30, 0};
+  return {6, 6, 0};
 }
 
 // Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows with the square of the size.
@@ -75,7 +78,10 @@ struct Habit {
 Case made(const families::Family& family, std::uint64_t seed, unsigned size) { return family.make(seed, size); }
 Case made(const families::ShapeFamily& family, std::uint64_t seed, unsigned size) { return family.make(seed, size).read(); }
 
-bool same_body(const Body& p, const Body& q) { return p.points == q.points && p.shape == q.shape; }
+Case made(const families::UnionFamily& family, std::uint64_t seed, unsigned size) { return family.make(seed, size); }
+
+bool same_pieces(const Body& p, const Body& q) { return p.pieces && q.pieces ? *p.pieces == *q.pieces : p.pieces == q.pieces; }
+bool same_body(const Body& p, const Body& q) { return p.points == q.points && p.shape == q.shape && same_pieces(p, q); }
 bool same_bodies(const Case& p, const Case& q) { return same_body(p.a, q.a) && same_body(p.b, q.b); }
 
 template <class AnyFamily>
@@ -90,14 +96,20 @@ Habit habit_of(Source source, const AnyFamily& family) {
 
 using Habits = std::vector<Habit>;
 
-Habits habits(bool shapes) {
+Habits habits(Kind kind) {
   Habits result;
-  if (shapes) {
-    for (const families::ShapeFamily& family : families::shape_families()) result.push_back(habit_of(Source::shape_family, family));
-    return result;
+  switch (kind) {
+    case Kind::polytopes:
+      for (const families::Family& family : families::families())
+        if (family.name != "catalogue") result.push_back(habit_of(Source::family, family));  // its entries are all there by name
+      break;
+    case Kind::shapes:
+      for (const families::ShapeFamily& family : families::shape_families()) result.push_back(habit_of(Source::shape_family, family));
+      break;
+    case Kind::unions:
+      for (const families::UnionFamily& family : families::union_families()) result.push_back(habit_of(Source::union_family, family));
+      break;
   }
-  for (const families::Family& family : families::families())
-    if (family.name != "catalogue") result.push_back(habit_of(Source::family, family));  // its entries are all there by name
   return result;
 }
 
@@ -139,6 +151,7 @@ class Additions {
       if (below != level) first_ += share_of(below).each;
     if (level == Level::L0) add_named();
     if (level == Level::P0) add_named_shapes();
+    if (level == Level::U0) add_named_unions();
     starts_.push_back(head_.size());
     for (unsigned i = 0; i < share_.each; ++i) starts_.push_back(starts_.back() + cases_of(i));
     if (level == Level::L2) add_giants();
@@ -164,6 +177,9 @@ class Additions {
   void add_named_shapes() {
     for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
       head_.push_back({Source::shape_catalogue, entry.shapes.id});
+  }
+  void add_named_unions() {
+    for (const families::UnionCatalogueEntry& entry : families::union_catalogue()) head_.push_back({Source::union_catalogue, entry.pair.id});
   }
   void add_giants() {
     for (const unsigned size : giant_sizes) {
@@ -203,7 +219,7 @@ std::string shard_name(Level level, std::size_t number) {
 }  // namespace
 
 std::string_view name_of(Level level) {
-  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1"};
+  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1", "U0"};
   return names[static_cast<std::size_t>(level)];
 }
 
@@ -215,7 +231,7 @@ std::optional<Level> find_level(std::string_view name) {
 std::vector<Recipe> ShardPlan::recipes() const { return additions->part(begin, end); }
 
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed) {
-  const auto families = std::make_shared<const Habits>(habits(of_shapes(level)));
+  const auto families = std::make_shared<const Habits>(habits(kind_of(level)));
   std::vector<ShardPlan> shards;
   for (const Level part : chain_to(level)) {
     const auto additions = std::make_shared<const Additions>(part, seed, families);

@@ -14,21 +14,21 @@
 
 namespace fathom::golden {
 
-/// Two chains, of polytopes and of shapes; in each a level's cases are among those of the next. Judging a fast library takes about a second
-/// for L0 and P0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
+/// Three chains, of polytopes, of shapes and of unions; in each a level's cases are among those of the next. Judging a fast library takes about a second
+/// for L0 and P0, seconds for U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
   L2,  ///< about a hundred and fifty thousand, to 200 points, a few to 1000
   L3,  ///< about ten million, to 200 points: for clusters
   P0,  ///< primitives: about a thousand records of shapes, hulls of 4 to 8 points among them
-  P1   ///< about ten thousand, hulls to 30 points
+  P1,  ///< about ten thousand, hulls to 30 points
+  U0   ///< unions: hundreds of records, bodies of some 2 to 12 pieces
 };
 
-/// "L0", "L1", "L2", "L3", "P0", "P1".
+/// "L0", "L1", "L2", "L3", "P0", "P1", "U0".
 std::string_view name_of(Level level);
-/// Returns whether the level is one of shapes.
-constexpr bool of_shapes(Level level) { return level == Level::P0 || level == Level::P1; }
+constexpr Kind kind_of(Level level) { return level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions; }
 std::optional<Level> find_level(std::string_view name);
 
 class Additions;

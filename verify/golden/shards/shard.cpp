@@ -24,9 +24,9 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   write_csv(csv_header());
 }
 
-/// Shapes have none.
+/// Polytopes alone have one.
 void ShardWriter::write_csv(std::string_view text) {
-  if (!of_shapes(manifest_.level)) writers_[2]->write(text);
+  if (kind_of(manifest_.level) == Kind::polytopes) writers_[2]->write(text);
 }
 
 void ShardWriter::add(const Record& record) {
