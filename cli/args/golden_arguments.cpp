@@ -67,7 +67,8 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
   app.add_option_function<std::string>(
          "--level", [&request](const std::string& text) { request.level = *golden::find_level(text); },
          "L0, L1, L2 or L3, of polytopes: hundreds of records, about ten thousand,\nover a hundred thousand, about ten million; P0 or P1, "
-         "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it;\nU0, of unions of convex pieces: hundreds")
+         "of shapes: about a\nthousand, about ten thousand; each holds the shards of those below it;\nU0, of unions of convex pieces: "
+         "hundreds")
       ->check(one_of({"L0", "L1", "L2", "L3", "P0", "P1", "U0"}, check_level))
       ->type_name("LEVEL")
       ->required();

@@ -39,7 +39,7 @@ class Record(NamedTuple):
     b: Body
     status: str
     depth_squared: Fraction | None  #: None where it may be irrational
-    flags: list[str]  #: what is special about it: "flat_a", "huge", ...
+    flags: list[str]  #: what is special about polytopes: "flat_a", "huge_coordinates", ...; of others none
     fields: dict[str, Any]  #: the whole record, as it is written
 
 
@@ -72,5 +72,5 @@ def _record(line: str, file: str, number: int) -> Record:
     if "expected" not in fields:
         raise ValueError(f"{file}:{number}: expected a golden record, found a case without 'expected'")
     squared = fields["expected"].get("depth", {}).get("squared")
-    return Record(case.id, case.a, case.b, fields["expected"]["status"], None if squared is None else Fraction(squared), fields["flags"],
-                  fields)
+    return Record(case.id, case.a, case.b, fields["expected"]["status"], None if squared is None else Fraction(squared),
+                  fields.get("flags", []), fields)

@@ -92,8 +92,7 @@ namespace {
 
 /// Of each of the cases, which are all of one recipe.
 template <class Formed>
-std::vector<Record> records_of_all(const Recipe& recipe, const std::vector<Formed>& cases, kernels::Context& context,
-                                   Monitor* monitor) {
+std::vector<Record> records_of_all(const Recipe& recipe, const std::vector<Formed>& cases, kernels::Context& context, Monitor* monitor) {
   std::vector<Record> records;
   for (const Formed& bodies : cases) {
     context.check();

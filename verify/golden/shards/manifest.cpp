@@ -30,7 +30,9 @@ ShardFile file_of(const Json& json) {
 
 }  // namespace
 
-std::span<const std::string_view> suffixes_of(Level level) { return std::span(shard_suffixes).first(kind_of(level) == Kind::polytopes ? 3 : 2); }
+std::span<const std::string_view> suffixes_of(Level level) {
+  return std::span(shard_suffixes).first(kind_of(level) == Kind::polytopes ? 3 : 2);
+}
 
 nlohmann::ordered_json manifest_json(const Manifest& manifest) {
   Json files = Json::array();

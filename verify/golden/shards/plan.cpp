@@ -179,7 +179,8 @@ class Additions {
       head_.push_back({Source::shape_catalogue, entry.shapes.id});
   }
   void add_named_unions() {
-    for (const families::UnionCatalogueEntry& entry : families::union_catalogue()) head_.push_back({Source::union_catalogue, entry.pair.id});
+    for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
+      head_.push_back({Source::union_catalogue, entry.pair.id});
   }
   void add_giants() {
     for (const unsigned size : giant_sizes) {

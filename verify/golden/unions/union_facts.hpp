@@ -22,9 +22,9 @@ struct UnionGap {
 /// What an answer about two unions tells, whoever gives it.
 struct UnionStatement {
   Status status = Status::disjoint;
-  mpq_class squared;           ///< depth^2, 0 unless they penetrate
-  std::vector<Point> optima;   ///< all shortest translations in lexicographic order, none unless they penetrate
-  std::optional<UnionGap> gap; ///< if they are disjoint
+  mpq_class squared;            ///< depth^2, 0 unless they penetrate
+  std::vector<Point> optima;    ///< all shortest translations in lexicographic order, none unless they penetrate
+  std::optional<UnionGap> gap;  ///< if they are disjoint
 };
 
 UnionStatement truth_of(const UnionDepth& answer);
