@@ -44,7 +44,7 @@ class Record(NamedTuple):
 
 
 def golden(path: str | os.PathLike[str]) -> Iterator[Record]:
-    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder.
+    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder: of polytopes or shapes, not of unions.
 
     >>> import fathom
     >>> sum(record.status == "touching" for record in fathom.golden("tests/data/golden")) > 50

@@ -244,3 +244,21 @@ def test_contacts_and_counters():
 def test_extents():
     assert fathom.cylinder(1, 2).extent.tolist() == [2, 2, 4] and fathom.halfspace((0, 0, 1), 0).extent is None
     assert fathom.Body(CUBE).extent.tolist() == [1, 1, 1]
+
+
+def golden_data(folder, level):
+    if FATHOM is None:
+        pytest.skip("no FATHOM_EXECUTABLE")
+    subprocess.run([FATHOM, "golden", "generate", "--level", level, "--out", folder], check=True, stdout=subprocess.PIPE)
+    return fathom.golden(folder)
+
+
+def test_golden_records_of_shapes_have_no_flags(tmp_path):
+    records = list(golden_data(tmp_path, "P0"))
+    assert len(records) > 800
+    assert all(record.flags == [] and record.depth_squared is None for record in records)
+
+
+def test_golden_records_of_unions_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="a: expected a convex body, found a union of pieces"):
+        list(golden_data(tmp_path, "U0"))

@@ -15,7 +15,7 @@ namespace fathom::golden {
 /// How far apart two unions are.
 struct UnionGap {
   mpq_class squared;
-  std::uint32_t a = 0, b = 0;  ///< the first pair of pieces that are nearest
+  std::uint32_t a = 0, b = 0;  ///< pieces that are nearest; others may be as near
   Point translation;           ///< moving A by it, no shorter way, these touch
 };
 
