@@ -20,7 +20,6 @@
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
-#include "fathom/union.hpp"
 #include "fathom/width.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
@@ -334,6 +333,7 @@ TEST(FloatEnvironment, Judging) {
   reply.depth = 0.404;
   reply.direction = Triple{-0.57, -0.57, -0.57};
   expect_the_same("judge", [&] { return judge(a, b, reply).sentence; });
+  expect_the_same("judge of unions", [&] { return judge(truth_about(Pieces{GivenPoints(a)}, Pieces(2, GivenPoints(b))), reply).sentence; });
   expect_the_same("the library for C", [&] {
     using namespace testing;  // handles
     const BodyHandle first = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}), second = body_of({0.1, 0.1, 5e-324, 1, 0, 0, 0, 1, 0, 0, 0, 1});

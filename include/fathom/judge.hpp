@@ -16,6 +16,7 @@
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 
 namespace fathom {
 
@@ -177,6 +178,10 @@ struct Judgement {
   std::optional<mpq_class> contact_a_squared, contact_b_squared;  ///< of polytopes
   std::optional<Between> contact_a_distance, contact_b_distance;  ///< of shapes
   std::optional<double> deepest;                                  ///< the largest depth of a contact less the claimed depth
+  // Of unions there is no price and no travel; `overlap_left` is the depth after the claimed translation, and `inconsistency` its negative,
+  // or the distance then. These two are the least that the way from a root to a rational allows, if that matters to their rounding.
+  std::optional<UnionBounds> bounds;        ///< of unions that overlap: what the deepest pair of pieces, and the hulls, would say
+  std::optional<mpq_class> deeper_squared;  ///< (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };
@@ -220,5 +225,21 @@ ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {})
 /// where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
 Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
                 const Tolerance& tolerance = {});
+
+// ---- unions of convex pieces ----
+
+/// Two unions as the implementation saw them, and the exact answer.
+struct UnionTruth {
+  Pieces a, b;       ///< the pieces that it saw
+  UnionDepth depth;  ///< the exact answer, complete and with its bounds
+};
+
+/// Returns the truth about two unions, to judge several replies by. Throws as union_depth does, and Interrupted if the search is stopped.
+UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options = {});
+
+/// Judges the reply by a truth that is known. A claimed translation is judged by what it leaves: the depth or the distance after it is found
+/// anew, which may take as long as the truth did, and may be stopped by the monitor; then Interrupted is thrown.
+Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
+                const Tolerance& tolerance = {}, Monitor* monitor = nullptr);
 
 }  // namespace fathom

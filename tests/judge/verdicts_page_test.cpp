@@ -79,9 +79,12 @@ Judgement judged(const Json& example, const Json& usual_case) {
   const Precision precision = example.value("precision", "binary64") == "binary32" ? Precision::binary32 : Precision::binary64;
   Tolerance tolerance;
   if (example.contains("tolerance")) tolerance.relative = mpq_class(example["tolerance"].at("relative").get<std::string>());
+  const Reply reply = reply_of(example.at("reply"), precision);
+  const Conventions conventions = conventions_of(example.value("conventions", Json::object()));
+  if (item.value().b.pieces)
+    return judge(truth_about(pieces_of(item.value().a), pieces_of(item.value().b)), reply, conventions, precision, tolerance);
   const Truth truth = truth_about(*seen(item.value().a.points, precision), *seen(item.value().b.points, precision));
-  return judge(truth, reply_of(example.at("reply"), precision), conventions_of(example.value("conventions", Json::object())), precision,
-               tolerance);
+  return judge(truth, reply, conventions, precision, tolerance);
 }
 
 TEST(VerdictsPage, HasASectionForEachVerdictInOrder) {

@@ -101,6 +101,7 @@ class Judge {
     if (claim_.direction_length && !is_direction(*claim_.direction_length)) found(Verdict::not_a_direction);
     if (!claim_.direction || !claim_.length) return;
     Vector& u = *claim_.direction;
+    const bool overlaps = claim_.overlap && truth_.is_not_separating(u, *claim_.length);
     if (truth_.is_inconsistent(u, claim_.way())) {
       if (!truth_.is_inconsistent(-u, claim_.way())) {  // the travel is no more than the price: -u separates too
         remarks_.direction_sign = true;
@@ -108,10 +109,10 @@ class Judge {
         u = -u;
         return;
       }
-      remarks_.price = true;
-      found(Verdict::inconsistent);
+      remarks_.price = !(overlaps && truth_.is_one_question());
+      if (remarks_.price) found(Verdict::inconsistent);
     }
-    if (claim_.overlap && truth_.is_not_separating(u, *claim_.length)) found(Verdict::not_separating);
+    if (overlaps) found(Verdict::not_separating);
   }
 
   /// A depth is as deep as the policy allows if it is the price of its own direction.
@@ -196,6 +197,13 @@ Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& 
     Judgement judgement = judging::Judge(*measures, reply, conventions, format, tolerance).run();
     if (!measures->open() || bits >= judging::most_bits) return judgement;
   }
+}
+
+Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                const Tolerance& tolerance, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, monitor);
+  return judging::Judge(*measures, reply, conventions, format, tolerance).run();
 }
 
 }  // namespace fathom

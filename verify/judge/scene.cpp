@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "kernels/number/ratio.hpp"
 #include "reference/approximate/body_pair.hpp"
@@ -33,6 +35,15 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
   return sizes;
 }
 
+Sizes sizes_of(const Pieces& a, const Pieces& b) {
+  const auto joined = [](const Pieces& pieces) {
+    std::vector<Point> all;
+    for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+    return all;
+  };
+  return sizes_of(joined(a), joined(b));
+}
+
 Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
   Sizes sizes;
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
@@ -50,7 +61,7 @@ Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
   return sizes;
 }
 
-Scene::Scene(const Truth& truth) : truth_(truth), placed_(polytope::place(truth.a, truth.b)), sizes_(sizes_of(truth.a, truth.b)) {}
+Scene::Scene(const Truth& truth) : truth_(truth), placed_(polytope::place(truth.a, truth.b)) {}
 Scene::~Scene() = default;
 
 mpq_class Scene::price(const Vector& u) const {
@@ -80,6 +91,15 @@ mpq_class squared_distance(const Point& point, std::span<const Point> body) {
   if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return 0;
   const polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
   return kernels::ratio(nearest.height * nearest.height, placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
+}
+
+mpq_class squared_distance(const Point& point, const Pieces& body) {
+  std::optional<mpq_class> least;
+  for (const std::vector<Point>& piece : body) {
+    mpq_class squared = squared_distance(point, std::span<const Point>(piece));
+    if (!least || squared < *least) least = std::move(squared);
+  }
+  return *least;
 }
 
 }  // namespace fathom::judging

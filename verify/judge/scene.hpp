@@ -28,6 +28,8 @@ struct Sizes {
 
 /// The bodies are not empty.
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b);
+/// Those of unions.
+Sizes sizes_of(const Pieces& a, const Pieces& b);
 /// Those of shapes, rounded up, with roots of so many bits. A half-space counts as the point O.
 Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits);
 
@@ -37,7 +39,6 @@ class Scene {
   explicit Scene(const Truth& truth);
   ~Scene();
 
-  [[nodiscard]] const Sizes& sizes() const { return sizes_; }
   /// h(u) / |u|, as a signed square. The direction is not zero.
   [[nodiscard]] mpq_class price(const Vector& u) const;
   /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are disjoint already.
@@ -46,11 +47,12 @@ class Scene {
  private:
   const Truth& truth_;
   polytope::PlacedPair placed_;
-  Sizes sizes_;
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };
 
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);
+/// The same of the union of pieces.
+mpq_class squared_distance(const Point& point, const Pieces& body);
 
 }  // namespace fathom::judging

@@ -57,7 +57,7 @@ class Teller {
       case Verdict::not_a_direction: return not_a_direction();
       case Verdict::wrong_sign: return wrong_sign();
       case Verdict::too_deep: return off("deep");
-      case Verdict::too_shallow: return off("shallow");
+      case Verdict::too_shallow: return off("shallow") + truth_.times(*claim_.length);
       case Verdict::too_far: return off("far");
       case Verdict::too_near: return off("near");
       case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.length);

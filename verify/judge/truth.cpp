@@ -68,6 +68,14 @@ ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options) {
   return {std::move(a), std::move(b), std::move(depth)};
 }
 
+UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options) {
+  UnionOptions all = options;
+  all.bounds = true;
+  UnionDepth depth = union_depth(a, b, all);
+  if (!depth.complete) throw Interrupted();
+  return {std::move(a), std::move(b), std::move(depth)};
+}
+
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,
                 const NumberFormat& format, const Tolerance& tolerance) {
   return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format, tolerance);
