@@ -45,8 +45,9 @@ struct Pair {
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::nullopt);
 
 /// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with it. `a` and `b` are what it is about. With
-/// several contacts two of the planes between pieces are seen from their edges.
-PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0);
+/// several contacts two of the planes between pieces are seen from their edges. `claimed` is another way, which is then in the picture's plane.
+PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0,
+                   const std::optional<Point>& claimed = std::nullopt);
 
 /// Shapes of which one at most is a half-space; `depth` is theirs.
 PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth);

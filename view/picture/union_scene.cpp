@@ -33,6 +33,17 @@ std::optional<Point> second_of(const std::vector<PieceContact>& contacts, const 
   return best;
 }
 
+/// A way that is at most three times as long as the bodies are far apart in any coordinate.
+Point in_proportion(const Pieces& a, const Pieces& b, const Point& way) {
+  const auto size = [](const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); };
+  mpq_class extent = 0;
+  for (const Pieces* body : {&a, &b})
+    for (const Points& piece : *body)
+      for (const Point& p : piece) extent = std::max(extent, size(sum(p, scaled(b.front().front(), -1))));
+  const mpq_class longest = 3 * extent;
+  return size(way) > longest ? scaled(way, mpq_class(longest / size(way))) : way;
+}
+
 /// The edges in contact: a look along one of them would show nothing.
 Points edges_of(const PairScene& scene) {
   Points result;
@@ -87,13 +98,17 @@ Touching add_distance(const Pieces& a, const Pieces& b, const UnionDistance& apa
 
 }  // namespace
 
-PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum) {
+PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum, const std::optional<Point>& claimed) {
   if (!depth.complete) throw std::invalid_argument("a search that was stopped has no picture");
   PairScene scene{depth.status, View({1, 0, 0}, std::nullopt), Wires{}, Wires{}, {}, {}, std::nullopt, false, {}, {}};
   const Touching touching = depth.apart ? add_distance(a, b, *depth.apart, scene) : add_optimum(a, b, depth.optima.at(optimum), scene);
   const std::vector<PieceContact> contacts = depth.apart ? std::vector<PieceContact>{} : depth.optima[optimum].contacts;
   const Point along = is_zero(scene.way) ? point_of(contacts.front().direction) : scene.way;
-  scene.view = View(along, second_of(contacts, along), edges_of(scene));
+  if (claimed) {
+    scene.claimed = in_proportion(a, b, *claimed);
+    scene.cut = *scene.claimed != *claimed;
+  }
+  scene.view = View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along), edges_of(scene));
   Compound of_a = compound_of(a, scene.view), of_b = compound_of(b, scene.view);
   of_a.in_contact = touching.a;
   of_b.in_contact = touching.b;
