@@ -89,6 +89,11 @@ class Kit(unittest.TestCase):
             self.assertEqual((matrix["depth"], matrix["direction"]), (1, [1, 0, 0]))
             self.assertEqual(matrix["witness"], {"a": [4, 5, 6], "b": POINTS["vertices"][-1]})
 
+    def test_pieces(self):
+        for [reply], _ in self.replies((POINTS, {"pieces": [marked(1), marked(9), marked(4)]}),):
+            self.assertGreater(reply.pop("microseconds"), 0)
+            self.assertEqual(reply, {"overlap": True, "depth": 3, "witness": {"a": [0, 0, 0], "b": [1, 1, 1]}})
+
     def test_hulls(self):
         for [reply], _ in self.replies((marked(6), POINTS)):
             self.assertGreater(reply.pop("microseconds"), 0)

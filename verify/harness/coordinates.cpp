@@ -88,6 +88,10 @@ bool representable(const mpq_class& value, const NumberFormat& format) { return 
 Case in_unit(Case pair, long exponent) {
   if (exponent == 0) return pair;
   for (Body* body : {&pair.a, &pair.b}) {
+    if (body->pieces) {
+      for_each_hull(*body, [&](std::vector<Point>& points) { points = scaled(GivenPoints(std::move(points)), exponent); });
+      continue;
+    }
     if (!body->words) {
       body->points = scaled(body->points, exponent);
       continue;

@@ -5,8 +5,10 @@
 #include <gmpxx.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
@@ -40,6 +42,20 @@ void for_each_length(files::NamedBody& words, const std::function<void(mpq_class
 /// The number that says where a named body is along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 
+/// Applies change(std::vector<Point>&) to the points of a body without words; to those of each piece of a union.
+template <class Change>
+void for_each_hull(Body& body, Change change) {
+  if (!body.pieces) return change(body.points.edit());
+  Pieces pieces = *body.pieces;
+  for (std::vector<Point>& piece : pieces) change(piece);
+  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+}
+template <class Look>
+void for_each_hull(const Body& body, Look look) {
+  if (!body.pieces) return look(body.points.exact());
+  for (const std::vector<Point>& piece : *body.pieces) look(piece);
+}
+
 /// Applies change(mpq_class&) to every coordinate of both bodies; to the lengths of a body that has words, which must stay a body.
 template <class Change>
 void for_each_coordinate(Case& pair, Change change) {
@@ -50,8 +66,10 @@ void for_each_coordinate(Case& pair, Change change) {
       *body = files::body_of(std::move(words));
       continue;
     }
-    for (Point& p : body->points.edit())
-      for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
+    for_each_hull(*body, [&](std::vector<Point>& points) {
+      for (Point& p : points)
+        for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
+    });
   }
 }
 template <class Look>
@@ -62,8 +80,10 @@ void for_each_coordinate(const Case& pair, Look look) {
       for_each_length(words, look);
       continue;
     }
-    for (const Point& p : body->points)
-      for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
+    for_each_hull(*body, [&](const std::vector<Point>& points) {
+      for (const Point& p : points)
+        for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
+    });
   }
 }
 

@@ -12,6 +12,7 @@
 #include "reference/files/source.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
+#include "verify/harness/piece_pairs.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
@@ -121,8 +122,17 @@ Outcome Examiner::examine(const Case& pair) { return examine(pair, exponent_to_f
 Outcome Examiner::examine(const Case& pair, long exponent) {
   std::string why;
   const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
-  return seen ? ask(*seen, exponent) : declined(pair, why);
+  if (!seen) return declined(pair, why);
+  if (const std::string obstacle = obstacle_to(*seen, info_); !obstacle.empty()) return declined(pair, obstacle);
+  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
+  if (is_asked_in_pairs(*seen, info_)) return examine_pairs(*seen, exponent, info_, judging(), ask_pair);
+  std::optional<SubjectAnswer> answer;
+  Outcome outcome = ask(*seen, exponent, answer);
+  if (answer) judge_answer(outcome, *seen, *answer, info_, judging());
+  return outcome;
 }
+
+Judging Examiner::judging() { return {settings_.tolerance, settings_.second, settings_.stop, &workspace_}; }
 
 void Examiner::start_again() {
   process_.reset();
@@ -137,12 +147,12 @@ void Examiner::start_again() {
 }
 
 /// A failure is the case's if it happens twice, the second time in a fresh process.
-Outcome Examiner::ask(const Case& seen, long exponent) {
+Outcome Examiner::ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer) {
   std::optional<Fault> before;
   for (int faults = 1;; ++faults) {
     if (!process_) start_again();
     Outcome outcome = outcome_for(seen, exponent);
-    const std::optional<Fault> found = ask_once(seen, outcome);
+    const std::optional<Fault> found = ask_once(seen, outcome, answer);
     if (found) process_.reset();
     const bool leftover_before = before && before->after;
     const bool again = before && found && before->verdict == found->verdict && (!leftover_before || before->seen == found->seen);
@@ -179,8 +189,8 @@ void Examiner::tell(const Fault& fault, const char* when) {
     settings_.unattributed({fault.after, when + fault.seen + (fault.verdict == Verdict::garbage ? "" : fault.words)});
 }
 
-/// Returns nullopt if the case was answered: then the outcome is judged.
-std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome) {
+/// Returns nullopt if the case was answered.
+std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer) {
   const std::string message = run_message(std::to_string(++tickets_), in_unit(seen, outcome.fit), info_.format.points, info_.wants_faces);
   const Clock::time_point begin = Clock::now();
   process_->send(message);
@@ -188,7 +198,7 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
   const Process::Got got = process_->read_line(line, begin + duration(settings_.time_out));
   outcome.seconds = seconds_since(begin);
   switch (got) {
-    case Process::Got::line: return understand(line, seen, outcome);
+    case Process::Got::line: return understand(line, seen, answer);
     case Process::Got::stopped: throw Interrupted();
     case Process::Got::end: return fault_of_end(line);
     case Process::Got::too_long:
@@ -201,7 +211,7 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
   return fault(Verdict::time_out, detail + unfinished_line());
 }
 
-std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, Outcome& outcome) {
+std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, std::optional<SubjectAnswer>& understood) {
   const std::string what = "wrote " + quoted(line), ticket = std::to_string(tickets_);
   std::optional<SubjectAnswer> answer;
   try {
@@ -217,7 +227,7 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
         fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), quoted(line)));
   answered_ = seen.id;
   unread_ = 0;
-  judge_answer(outcome, seen, *answer, info_, {settings_.tolerance, settings_.second, settings_.stop, &workspace_});
+  understood = std::move(answer);
   return std::nullopt;
 }
 

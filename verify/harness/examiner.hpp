@@ -14,6 +14,7 @@
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/process.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
@@ -52,7 +53,8 @@ class Examiner {
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Throws Interrupted,
+  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Of unions it puts each
+  /// pair of pieces, unless the subject takes them in pieces; each pair may take the time of a case. Throws Interrupted,
   /// Disagreement, and SubjectError if a subject that ended cannot be started again, ends each time before it reads the case, or sends a
   /// different hello.
   Outcome examine(const Case& pair);
@@ -75,9 +77,10 @@ class Examiner {
 
   void start();
   void start_again();
-  Outcome ask(const Case& seen, long exponent);
-  std::optional<Fault> ask_once(const Case& seen, Outcome& outcome);
-  std::optional<Fault> understand(const std::string& line, const Case& seen, Outcome& outcome);
+  [[nodiscard]] Judging judging();
+  Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer);
+  std::optional<Fault> ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer);
+  std::optional<Fault> understand(const std::string& line, const Case& seen, std::optional<SubjectAnswer>& answer);
   Fault fault(Verdict verdict, std::string seen, std::string reason = "");
   Fault fault_of_end(const std::string& rest);
   bool is_nobodys(const Fault& fault);

@@ -43,6 +43,19 @@ void HullCount::add(const Outcome& outcome) {
   grown.add(root_binary64(outcome.hulls->grown_squared, Rounding::rn), name_of(outcome));
 }
 
+void UnionCount::add(const Outcome& outcome) {
+  if (!outcome.judgement || !outcome.judgement->bounds) return;
+  const Judgement& judgement = *outcome.judgement;
+  ++count;
+  enough += judgement.bounds->deepest_pair == judgement.depth_squared ? 1 : 0;
+  if (!judgement.deeper_squared) return;
+  ++answers;
+  if (std::ranges::find(judgement.findings, Verdict::too_shallow) == judgement.findings.end()) return;
+  ++deeper;
+  times.add(root_binary64(*judgement.deeper_squared, Rounding::rn), name_of(outcome));
+  by.add(-*judgement.error, name_of(outcome));
+}
+
 std::vector<std::string> time_entries(const Times& times) {
   if (times.empty()) return {};
   return {fmt::format("median {:.4g} us", times.median()), fmt::format("worst {:.4g} us ({})", times.worst().amount, times.worst().id)};
@@ -52,6 +65,17 @@ std::vector<std::string> hull_entries(const HullCount& hulls) {
   if (hulls.count == 0) return {};
   return {fmt::format("told in {} answers", hulls.count), fmt::format("by them {} pass", hulls.passed), "lost at most " + at(hulls.lost),
           "grown at most " + at(hulls.grown)};
+}
+
+std::vector<std::string> union_entries(const UnionCount& unions) {
+  if (unions.count == 0) return {};
+  std::vector<std::string> result{fmt::format("the deepest pair of pieces is enough in {} of {}", unions.enough, unions.count)};
+  if (unions.answers == 0) return result;
+  result.push_back(fmt::format("deeper than {} of {} answers", unions.deeper, unions.answers));
+  if (unions.deeper == 0) return result;
+  result.push_back(fmt::format("up to {:.4g} times as deep ({})", unions.times.amount, unions.times.id));
+  result.push_back("deeper by up to " + at(unions.by));
+  return result;
 }
 
 }  // namespace fathom::harness

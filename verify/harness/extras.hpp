@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What answers say beside their verdicts, counted: the time they took, and the hulls that they are about.            [docs/certify.md]
+// What answers say beside their verdicts, counted: the time they took, the hulls that they are about, and how much deeper unions are than
+// they say.                                                                                                          [docs/certify.md]
 #pragma once
 
 #include <cstddef>
@@ -39,9 +40,20 @@ struct HullCount {
   void add(const Outcome& outcome);
 };
 
+/// Judged answers about unions that overlap.
+struct UnionCount {
+  std::size_t count = 0, enough = 0;  ///< enough: the deepest pair of pieces is exactly as deep as the unions
+  std::size_t answers = 0;            ///< that say a depth above 0
+  std::size_t deeper = 0;             ///< of these: the unions are deeper by more than what is allowed
+  Most times, by;                     ///< of those: the depth over the answer, and less the answer
+  void add(const Outcome& outcome);
+};
+
 /// "median 3.1 us", "worst 250 us (boxes-n8-s3)"; nothing without times.
 std::vector<std::string> time_entries(const Times& times);
 /// "told in 9 of 12 answers"... ; nothing without hulls.
 std::vector<std::string> hull_entries(const HullCount& hulls);
+/// "the deepest pair is enough in 7 of 12", "deeper than the answer in 5", "1.581 times (key) at most"...; nothing without unions.
+std::vector<std::string> union_entries(const UnionCount& unions);
 
 }  // namespace fathom::harness

@@ -50,8 +50,9 @@ std::set<std::string> shapes_in(const Json& list) {
   for (const Json& word : list) {
     const std::string name = word.is_string() ? word.get<std::string>() : "";
     const files::NamedShape named = files::named_shape(name);
-    if (name != margin_word && (!named.shape || named.rounded))
-      refuse(fmt::format("{}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word), shown_json(word));
+    if (name != margin_word && name != pieces_word && (!named.shape || named.rounded))
+      refuse(fmt::format("{}, {}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word, pieces_word),
+             shown_json(word));
     shapes.insert(name);
   }
   return shapes;

@@ -33,10 +33,11 @@ bool same_run(std::string_view header, std::string_view other);
 struct Totals {
   std::size_t cases = 0, passed = 0, failed = 0, unsupported = 0, unattributed = 0;
   Coverage judged = {};
-  const Times* times = nullptr;      ///< may be null
-  const HullCount* hulls = nullptr;  ///< may be null
-  const TallyRow* all = nullptr;     ///< may be null
-  std::vector<Tally::Line> parts{};  ///< by name, such as "solid"
+  const Times* times = nullptr;        ///< may be null
+  const HullCount* hulls = nullptr;    ///< may be null
+  const UnionCount* unions = nullptr;  ///< may be null
+  const TallyRow* all = nullptr;       ///< may be null
+  std::vector<Tally::Line> parts{};    ///< by name, such as "solid"
 };
 std::string summary_line(const Totals& totals);
 

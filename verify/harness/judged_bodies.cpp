@@ -49,14 +49,17 @@ mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
   return 0;
 }
 
+bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
+
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
-  if (info.rounding.empty()) return seen;
+  if (info.rounding.empty() || seen.a.pieces) return seen;
   return {seen.id, grown(seen.a, info, exponent), grown(seen.b, info, exponent)};
 }
 
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
   const auto demand = [](const Body& body, bool told, const char* name) {
     if (told && body.words) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent as a shape", name));
+    if (told && body.pieces) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent in pieces", name));
   };
   demand(seen.a, answer.hull_a.has_value(), "a");
   demand(seen.b, answer.hull_b.has_value(), "b");

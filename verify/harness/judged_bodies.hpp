@@ -9,13 +9,16 @@
 namespace fathom::harness {
 
 /// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose lengths are 2^exponent times those of the
-/// case. What has a radius is a shape without words.
+/// case. What has a radius is a shape without words. Unions are as they are: see rounds_pieces.
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Returns the radius by which the subject rounds such a body, in the subject's unit.
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info);
 
-/// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices.
+/// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
+bool rounds_pieces(const SubjectInfo& info);
+
+/// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices: as a shape, or in pieces.
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
 
 /// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of the case.

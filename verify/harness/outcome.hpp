@@ -2,6 +2,8 @@
 // What became of one case in the hands of one subject.                                                 [docs/certify.md]
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,6 +19,8 @@ namespace fathom::harness {
 inline constexpr const char* margin_word = "margin";
 /// In the place of a shape's name: bodies that are sent as vertices.
 inline constexpr const char* vertices_word = "vertices";
+/// In the place of a shape's name: unions, as lists of pieces.
+inline constexpr const char* pieces_word = "pieces";
 
 /// What a subject says of itself in its hello.
 struct SubjectInfo {
@@ -24,8 +28,9 @@ struct SubjectInfo {
   std::string library;        ///< whose calls a snippet makes: "libccd", "fcl", "bullet", "ode"; may be empty
   NumberFormat format;        ///< of points and of answers, in the unit of the cases
   Conventions conventions;
-  std::set<std::string> shapes = {};  ///< the names that it takes bodies by, and "margin"; others it gets as vertices, or not at all
-  bool wants_faces = false;           ///< each case comes with the facets of the hulls, as polygons of point indices
+  /// The names that it takes bodies by, "margin", and "pieces" for unions; others it gets as vertices, by pairs of pieces, or not at all.
+  std::set<std::string> shapes = {};
+  bool wants_faces = false;  ///< each case comes with the facets of the hulls, as polygons of point indices
   /// Fields that each reply that claims an overlap holds: "depth", "direction", "witness", "contacts"; and "distance", each other reply.
   std::set<std::string> promises;
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices", a shape's name, or "" for all.
@@ -37,6 +42,13 @@ struct SubjectInfo {
 struct AboutHulls {
   Judgement query;                        ///< of the answer, by the used hulls
   mpq_class lost_squared, grown_squared;  ///< the largest distance of an asked vertex from the used hull; of a used one from the asked body
+};
+
+/// An answer about unions that is the deepest, or nearest, of those about their pieces.
+struct AboutPieces {
+  std::size_t pairs = 0;       ///< how many pairs of pieces the subject was asked about
+  std::uint32_t a = 0, b = 0;  ///< the pieces of the pair whose answer it is
+  Judgement query;             ///< of the answer, as one about these two
 };
 
 struct Outcome {
@@ -51,7 +63,8 @@ struct Outcome {
   long fit = 0;                ///< the subject saw all lengths times 2^fit
   std::optional<Judgement> judgement;  ///< if the reply was judged
   std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
-  double seconds = 0;                  ///< wall time until the answer
+  std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs
+  double seconds = 0;                  ///< wall time until the answer, or all answers
   std::optional<double> microseconds;  ///< the same without the protocol, as the subject measured it
 };
 

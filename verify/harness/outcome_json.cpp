@@ -83,6 +83,16 @@ Json judgement_json(const Judgement& j) {
   put(json, "deepest", j.deepest);
   put(json, "dearer", j.dearer);
   if (j.longer) json["longer"] = true;
+  if (j.bounds) {
+    const UnionBounds& bounds = *j.bounds;
+    json["deepest_pair"] = {{"squared", exact_text(bounds.deepest_pair)}, {"pieces", {bounds.a, bounds.b}}};
+    json["hulls_squared"] = exact_text(bounds.hulls);
+    json["deeper_than_pair"] = number(root_binary64(j.depth_squared / bounds.deepest_pair, Rounding::rn));
+  }
+  if (j.deeper_squared) {
+    json["deeper"] = number(root_binary64(*j.deeper_squared, Rounding::rn));
+    json["deeper_squared"] = exact_text(*j.deeper_squared);
+  }
   json["sentence"] = j.sentence;
   return json;
 }
@@ -118,6 +128,10 @@ std::string outcome_line(const Outcome& outcome) {
                      {"lost_squared", exact_text(hulls.lost_squared)},
                      {"grown", number(root_binary64(hulls.grown_squared, Rounding::rn))},
                      {"grown_squared", exact_text(hulls.grown_squared)}};
+  }
+  if (outcome.pieces) {
+    const AboutPieces& pieces = *outcome.pieces;
+    json["pieces"] = {{"pairs", pieces.pairs}, {"answer_of", {pieces.a, pieces.b}}, {"query", judgement_json(pieces.query)}};
   }
   return dumped(json);
 }
@@ -163,6 +177,13 @@ std::string summary_line(const Totals& totals) {
     json["hulls"] = {{"answers", hulls.count}, {"query_passed", hulls.passed}};
     for (const auto& [name, most] : {std::pair("lost", &hulls.lost), {"grown", &hulls.grown}})
       json["hulls"][name] = {{"length", number(most->amount)}, {"case", most->id}};
+  }
+  if (totals.unions && totals.unions->count > 0) {
+    const UnionCount& unions = *totals.unions;
+    json["unions"] = {
+        {"overlapping", unions.count}, {"pair_enough", unions.enough}, {"answers", unions.answers}, {"deeper", unions.deeper}};
+    for (const auto& [name, most] : {std::pair("times", &unions.times), {"by", &unions.by}})
+      if (!most->id.empty()) json["unions"][name] = {{"amount", number(most->amount)}, {"case", most->id}};
   }
   if (totals.all && !totals.all->dearer.empty())
     json["dearer"] = {{"answers", totals.all->dearer.size()},

@@ -114,6 +114,13 @@ Judgement judgement(const Json& json) {
   take(json, "deepest", j.deepest);
   take(json, "dearer", j.dearer);
   j.longer = json.value("longer", false);
+  if (json.contains("deepest_pair")) {
+    const Json& pair = json.at("deepest_pair");
+    const Json& pieces = pair.at("pieces");
+    j.bounds = {exact(pair.at("squared")), pieces.at(0).get<std::uint32_t>(), pieces.at(1).get<std::uint32_t>(),
+                exact(json.at("hulls_squared"))};
+  }
+  take(json, "deeper_squared", j.deeper_squared);
   j.sentence = json.at("sentence").get<std::string>();
   return j;
 }
@@ -136,6 +143,12 @@ Outcome outcome(const Json& json) {
   if (json.contains("hulls")) {
     const Json& hulls = json.at("hulls");
     outcome.hulls = {judgement(hulls.at("query")), exact(hulls.at("lost_squared")), exact(hulls.at("grown_squared"))};
+  }
+  if (json.contains("pieces")) {
+    const Json& pieces = json.at("pieces");
+    const Json& pair = pieces.at("answer_of");
+    outcome.pieces = {pieces.at("pairs").get<std::size_t>(), pair.at(0).get<std::uint32_t>(), pair.at(1).get<std::uint32_t>(),
+                      judgement(pieces.at("query"))};
   }
   return outcome;
 }

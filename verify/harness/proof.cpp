@@ -46,7 +46,25 @@ std::string accepted_certificate(const std::string& id, const ShapeTruth& truth,
   return text;
 }
 
+std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor) {
+  const UnionDepth& depth = truth.depth;
+  std::string text = certificate_text(truth.a, truth.b, depth, id, monitor);
+  const fathom_check::Verdict verdict = fathom_check::verify(text);
+  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  const bool same = depth.apart ? verdict.distance_squared == exact_text(depth.apart->distance.squared)
+                                : verdict.depth_squared == exact_text(depth.squared());
+  const std::size_t optima = depth.status == Status::penetrating ? depth.optima.size() : 0;
+  if (!same || verdict.status != name(depth.status) || verdict.optima != optima)
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", id));
+  return text;
+}
+
 std::string accepted_certificate(const Case& pair, Monitor* monitor) {
+  if (pair.a.pieces || pair.b.pieces) {
+    UnionOptions options;
+    options.monitor = monitor;
+    return accepted_certificate(pair.id, truth_about(pieces_of(pair.a), pieces_of(pair.b), options), monitor);
+  }
   if (pair.a.shape || pair.b.shape) {
     SignedDepthOptions options;
     options.cores.monitor = monitor;

@@ -16,6 +16,8 @@ namespace fathom::harness {
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
 /// The same for shapes: of the signed depth, or of its bounds.
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
+/// The same for unions: of the status, the depth and how many optima it has, or the distance.
+std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor = nullptr);
 /// The truth about a case, solved anew, and accepted.
 std::string accepted_certificate(const Case& pair, Monitor* monitor);
 

@@ -22,6 +22,16 @@ void add_point(std::string& text, const std::array<double, 3>& p) {
 }
 
 void add_body(std::string& text, const Body& body, Precision precision, bool with_faces) {
+  if (body.pieces) {  // a single one is a polytope
+    if (body.pieces->size() > 1) text += "{\"pieces\":[";
+    const char* before = "";
+    for (const std::vector<Point>& piece : *body.pieces) {
+      text += std::exchange(before, ",");
+      add_body(text, Body{piece}, precision, with_faces);
+    }
+    if (body.pieces->size() > 1) text += "]}";
+    return;
+  }
   if (body.words) {
     text += files::body_json(*body.words, files::Defaults::written);
     return;

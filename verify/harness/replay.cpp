@@ -12,6 +12,7 @@
 #include "reference/files/source.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
+#include "verify/harness/piece_pairs.hpp"
 
 namespace fathom::harness {
 
@@ -51,29 +52,40 @@ void Replay::take(std::string_view line, const std::string& path, std::size_t nu
   }
 }
 
-Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging) const {
-  const auto found = answers_.find(pair.id);
-  if (found == answers_.end()) throw NoReply("no reply to case " + kernels::shown(pair.id));
-  std::string why;
-  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
-  if (!seen) return declined(pair, why);
-  Outcome outcome = outcome_for(*seen, exponent);
+Outcome Replay::ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer) const {
+  const auto found = answers_.find(seen.id);
+  if (found == answers_.end()) throw NoReply("no reply to case " + kernels::shown(seen.id));
+  Outcome outcome = outcome_for(seen, exponent);
   outcome.detail = fmt::format("{} replies to one case", found->second.size());  // the verdict stays garbage
   if (found->second.size() > 1) return outcome;
   try {
-    demand_sent_as_vertices(*seen, found->second[0]);
+    demand_sent_as_vertices(seen, found->second[0]);
   } catch (const ProtocolError& error) {
     outcome.detail = error.what();
     return outcome;
   }
-  judge_answer(outcome, *seen, found->second[0], info_, judging);
+  outcome.detail.clear();
+  answer = found->second[0];
   return outcome;
 }
 
-std::vector<std::string> Replay::unasked(const std::set<std::string>& ids) const {
+Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging) const {
+  std::string why;
+  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
+  if (!seen) return declined(pair, why);
+  if (const std::string obstacle = obstacle_to(*seen, info_); !obstacle.empty()) return declined(pair, obstacle);
+  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
+  if (is_asked_in_pairs(*seen, info_) && !answers_.contains(seen->id)) return examine_pairs(*seen, exponent, info_, judging, ask_pair);
+  std::optional<SubjectAnswer> answer;
+  Outcome outcome = ask(*seen, exponent, answer);
+  if (answer) judge_answer(outcome, *seen, *answer, info_, judging);
+  return outcome;
+}
+
+std::vector<std::string> Replay::unasked(const std::function<bool(const std::string&)>& is_asked) const {
   std::vector<std::string> result;
   for (const auto& [id, answers] : answers_)
-    if (!ids.contains(id)) result.push_back(id);
+    if (!is_asked(id)) result.push_back(id);
   return result;
 }
 

@@ -2,8 +2,9 @@
 // Replies that a subject gave earlier, from a file: an optional hello, then replies in any order. [verify/PROTOCOL.md]
 #pragma once
 
+#include <functional>
 #include <map>
-#include <set>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,14 +32,15 @@ class Replay {
   /// A sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage.
-  /// Throws NoReply, Disagreement and Interrupted. Any thread may call it.
+  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage. Of unions
+  /// without a reply of their own, the replies to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and Interrupted. Any thread may call it.
   [[nodiscard]] Outcome examine(const Case& pair, long exponent, const Judging& judging) const;
 
-  /// The ids of replies to none of these cases, sorted.
-  [[nodiscard]] std::vector<std::string> unasked(const std::set<std::string>& ids) const;
+  /// The ids of replies to what was not asked, sorted.
+  [[nodiscard]] std::vector<std::string> unasked(const std::function<bool(const std::string&)>& is_asked) const;
 
  private:
+  Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer) const;
   void take(std::string_view line, const std::string& path, std::size_t number);
 
   SubjectInfo info_;

@@ -46,6 +46,20 @@ struct Eyes {
   const std::set<std::string>& shapes;
   std::string& why;  ///< it does not see one
 
+  /// Piece by piece; a polytope is one.
+  [[nodiscard]] std::optional<Body> see_pieces(const Body& body, const char* name) const {
+    Pieces pieces = pieces_of(body);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::optional<Body> rounded = see(Body{GivenPoints(std::move(pieces[i]))});
+      if (!rounded) return std::nullopt;
+      pieces[i] = rounded->points.exact();
+      if (is_flat(hull(pieces[i])))
+        return nothing(
+            fmt::format("piece {} of {} has no interior in {}, the precision of the subject", i, name, fathom::name(format.points)));
+    }
+    return Body{.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))};
+  }
+
   [[nodiscard]] std::optional<Body> see(const Body& body) const {
     if (body.words) {
       const std::string word = lacking(*body.words);
@@ -103,27 +117,15 @@ std::vector<std::string> missing(const Reply& reply, const std::set<std::string>
   return result;
 }
 
-/// An answer without what the hello promises contradicts it.
-void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
-  const std::vector<std::string> lacking = missing(reply, promises);
-  if (lacking.empty()) return;
-  const std::string sentence = fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
-  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
-  judgement.accuracy.reset();
-  std::vector<Verdict>& all = judgement.findings;
-  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
-  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
-  judgement.verdict = all.front();
-}
-
 }  // namespace
 
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes, std::string* why) {
   std::string reason;
   const Eyes eyes{format, shapes, why ? *why : reason};
-  std::optional<Body> a = eyes.see(pair.a);
+  const bool of_unions = has_union(pair);
+  std::optional<Body> a = of_unions ? eyes.see_pieces(pair.a, "A") : eyes.see(pair.a);
   if (!a) return std::nullopt;
-  std::optional<Body> b = eyes.see(pair.b);
+  std::optional<Body> b = of_unions ? eyes.see_pieces(pair.b, "B") : eyes.see(pair.b);
   if (!b) return std::nullopt;
   if (is_halfspace(*a) && is_halfspace(*b)) {
     eyes.why = "both bodies are half-spaces, which have no depth";
@@ -137,7 +139,10 @@ std::string digest_of(const Case& pair) {
   for (const Body* body : {&pair.a, &pair.b}) {
     if (body->words) hash.take(files::body_json(*body->words, files::Defaults::written));
     else
-      for (const Point& p : body->points) hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + ' ' + exact_text(p.z) + '\n');
+      for_each_hull(*body, [&](const std::vector<Point>& points) {
+        if (body->pieces) hash.take("piece\n");
+        for (const Point& p : points) hash.take(exact_text(p.x) + ' ' + exact_text(p.y) + ' ' + exact_text(p.z) + '\n');
+      });
     hash.take("\n");
   }
   return fmt::format("{:016x}", hash.value());
@@ -154,6 +159,7 @@ long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size) {
 }
 
 judging::Sizes sizes_of(const Case& pair) {
+  if (has_union(pair)) return judging::sizes_of(pieces_of(pair.a), pieces_of(pair.b));
   if (!pair.a.shape && !pair.b.shape) return judging::sizes_of(pair.a.points, pair.b.points);
   return judging::sizes_of(files::shape_of(pair.a), files::shape_of(pair.b), judging::usual_bits);
 }
@@ -215,7 +221,28 @@ Judgement judged_shapes(const Case& seen, const Reply& reply, const SubjectInfo&
   return judge(truth, reply, info.conventions, format, judging.tolerance);
 }
 
+Judgement judged_unions(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
+  StopWhen stopping(judging.stop);
+  UnionOptions options;
+  options.monitor = &stopping;
+  const UnionTruth truth = truth_about(pieces_of(seen.a), pieces_of(seen.b), options);
+  if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
+  return judge(truth, reply, info.conventions, format, judging.tolerance, &stopping);
+}
+
 }  // namespace
+
+void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
+  const std::vector<std::string> lacking = missing(reply, promises);
+  if (lacking.empty()) return;
+  const std::string sentence = fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
+  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
+  judgement.accuracy.reset();
+  std::vector<Verdict>& all = judgement.findings;
+  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
+  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
+  judgement.verdict = all.front();
+}
 
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
@@ -232,6 +259,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   outcome.microseconds = answer.microseconds;
   const NumberFormat format = in_unit(info.format, outcome.fit);
   const auto judged = [&](const Case& asked) {
+    if (has_union(asked)) return judged_unions(asked, *outcome.reply, info, format, judging);
     const Case bodies = judged_bodies(asked, info, outcome.fit);
     return bodies.a.shape || bodies.b.shape ? judged_shapes(bodies, *outcome.reply, info, format, judging)
                                             : judged_points(bodies, *outcome.reply, info, format, judging);

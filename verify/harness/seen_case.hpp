@@ -18,7 +18,8 @@ namespace fathom::harness {
 /// Returns the case as a subject of this format sees it, in the unit of the case, which takes bodies by the names in `shapes`. A body that
 /// was given by such a name has its parameters, its margin and its pose rounded, and is the body of these. Any other has its points
 /// rounded, and no words. Returns nullopt, and the reason in `why`, if a number overflows the format, rounding leaves no body, a body is no
-/// polytope and its name is not in `shapes`, or both are half-spaces. What was seen is seen again as it is.
+/// polytope and its name is not in `shapes`, or both are half-spaces. What was seen is seen again as it is. If a body is a union, both are
+/// seen as pieces, without words; then nullopt is returned too if rounding leaves a piece without interior.
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes = {},
                             std::string* why = nullptr);
 
@@ -28,6 +29,9 @@ long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
 
 /// The lengths of the bodies, those of shapes rounded up.
 judging::Sizes sizes_of(const Case& pair);
+
+/// Whether a body of the case is a union of pieces.
+inline bool has_union(const Case& pair) { return pair.a.pieces || pair.b.pieces; }
 
 /// Whether a body of the case has words, by which a subject is given it.
 inline bool has_words(const Case& pair) { return pair.a.words || pair.b.words; }
@@ -50,7 +54,10 @@ struct Judging {
 
 /// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement if one of the second ways leads to
 /// another truth, or to another judgement in any field. Of shapes there is one second way, whatever was asked for: the certificate of the
-/// truth, which the checker must accept as a proof of it, or std::logic_error is thrown.
+/// truth, which the checker must accept as a proof of it, or std::logic_error is thrown; and so it is of unions.
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging);
+
+/// Adds to the judgement that the reply lacks what the hello promises, if it does.
+void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises);
 
 }  // namespace fathom::harness

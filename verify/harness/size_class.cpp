@@ -11,16 +11,24 @@
 namespace fathom::harness {
 namespace {
 
+mpq_class extent_of(const Body& body) {
+  if (body.pieces) return judging::sizes_of(*body.pieces, *body.pieces).extent;
+  if (body.shape) return judging::sizes_of(*body.shape, *body.shape, judging::usual_bits).extent;
+  return judging::sizes_of(body.points.exact(), body.points.exact()).extent;
+}
+
 bool has_usual_size(const Body& body) {
   if (body.shape && std::holds_alternative<HalfSpace>(body.shape->core)) return true;
-  const mpq_class longest = body.shape ? judging::sizes_of(*body.shape, *body.shape, judging::usual_bits).extent
-                                       : judging::sizes_of(body.points.exact(), body.points.exact()).extent;
+  const mpq_class longest = extent_of(body);
   return longest >= mpq_class(1, 100) && longest <= 100;
 }
 
 }  // namespace
 
-bool is_solid(const Case& pair) { return !is_flat(files::shape_of(pair.a)) && !is_flat(files::shape_of(pair.b)); }
+bool is_solid(const Case& pair) {
+  const auto is_flat = [](const Body& body) { return !body.pieces && fathom::is_flat(files::shape_of(body)); };  // pieces have interiors
+  return !is_flat(pair.a) && !is_flat(pair.b);
+}
 
 bool is_metre_sized(const Case& pair) { return has_usual_size(pair.a) && has_usual_size(pair.b); }
 

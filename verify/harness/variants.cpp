@@ -31,8 +31,11 @@ bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
       if (!fits(place_along(words, axis))) return false;
       continue;
     }
-    for (const Point& p : body->points)
-      if (!fits(p.*axes[axis])) return false;
+    bool all = true;
+    for_each_hull(*body, [&](const std::vector<Point>& points) {
+      for (const Point& p : points) all = all && fits(p.*axes[axis]);
+    });
+    if (!all) return false;
   }
   return true;
 }
@@ -74,7 +77,9 @@ std::optional<Variant> translated(Variant variant) {
           place_along(words, axis) += *step;
           *body = files::body_of(std::move(words));
         } else {
-          for (Point& p : body->points.edit()) p.*axes[axis] += *step;
+          for_each_hull(*body, [&](std::vector<Point>& points) {
+            for (Point& p : points) p.*axes[axis] += *step;
+          });
         }
       }
     }
@@ -90,7 +95,11 @@ bool shuffle(std::vector<Point>& points, families::Random& random) {
 }
 
 bool shuffle(Body& body, families::Random& random) {
-  if (!body.words) return shuffle(body.points.edit(), random);
+  if (!body.words) {
+    bool other = false;
+    for_each_hull(body, [&](std::vector<Point>& points) { other = shuffle(points, random) || other; });
+    return other;
+  }
   files::NamedBody words = *body.words;
   const bool other = shuffle(words.fields.vertices, random);
   if (other) body = files::body_of(std::move(words));

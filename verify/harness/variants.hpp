@@ -31,7 +31,7 @@ inline constexpr std::string_view variant_names[] = {"swap", "translate", "permu
 /// The variants of `as_seen` that are exact in `format`, for those of the names that are known:
 ///   swap       B for A and A for B
 ///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
-///   permute    the points of both bodies in another order, the same each time
+///   permute    the points of both bodies, or of each of their pieces, in another order, the same each time
 ///   scale      all coordinates times 2^10, or another power of two where that is not exact
 ///   repeat     the case itself: once more, for subjects whose answers depend on what they were asked before
 /// Of a body that has words, its place moves, the vertices among its words change their order, and all its lengths are scaled.

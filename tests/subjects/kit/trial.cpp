@@ -27,6 +27,11 @@ Reply solve(const Body& a, const Body& b) {
   const double what = a.vertices[0][0];
   Reply reply;
   reply.overlap = true;
+  if (!b.pieces.empty()) {
+    reply.depth = static_cast<double>(b.pieces.size());
+    reply.witness = {a.vertices[0], b.pieces.back().back()};
+    return reply;
+  }
   if (what == 1) {
     reply.depth = std::nan("");
     reply.direction = Vector{infinity, -infinity, -0.5};

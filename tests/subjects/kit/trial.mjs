@@ -8,6 +8,8 @@ run((a, b) => {
     return { overlap: true, depth: a.radius + a.margin, direction: along,
              witness: { a: a.translation, b: b.shape ? b.half : b.vertices.at(-1) } };
   }
+  if (b.pieces.length > 0)
+    return { overlap: true, depth: b.pieces.length, witness: { a: a.vertices[0], b: b.pieces.at(-1).vertices.at(-1) } };
   const what = a.vertices[0][0];
   if (what === 1) return { overlap: true, depth: NaN, direction: { x: Infinity, y: -Infinity, z: -0.5 } };
   if (what === 2) {

@@ -10,6 +10,8 @@ def solve(a, b):
     if a.shape:
         along = [row["xyz".index(a.axis)] for row in a.rotation]
         return Reply(True, a.radius + a.margin, along, (a.translation, b.half if b.shape else b.vertices[-1]))
+    if b.pieces:
+        return Reply(True, len(b.pieces), witness=(a.vertices[0], b.pieces[-1]["vertices"][-1]))
     what = a.vertices[0][0]
     if what == 1:
         return Reply(True, float("nan"), [float("inf"), float("-inf"), -0.5])

@@ -73,7 +73,36 @@ std::string status_text(const std::optional<Status>& status) {
                                          : "the bodies are apart";
 }
 
-std::string truth_list(const Outcome& outcome, const std::optional<Truth>& truth, const std::string& certificate) {
+/// What is known of a pair: one of the two, or neither.
+struct Known {
+  std::optional<Truth> truth;
+  std::optional<UnionTruth> unions;
+};
+
+std::string truth_of_unions(const UnionTruth& truth, const std::string& certificate) {
+  const UnionDepth& depth = truth.depth;
+  Facts facts;
+  facts.add("status", status_text(depth.status));
+  if (depth.status == Status::penetrating) facts.add("depth", length_text(depth.squared()));
+  if (depth.apart) facts.add("distance", length_text(depth.apart->distance.squared));
+  if (depth.status == Status::penetrating) {
+    facts.add("translation of A", rounded_text(depth.optima.front().translation));
+    if (depth.optima.size() > 1) facts.add("ties", fmt::format("{} translations are as short", depth.optima.size()));
+    if (!depth.optima.front().clearance) facts.add("clearance", "none: an exact fit");
+    const UnionBounds& bounds = *depth.bounds;
+    facts.add("depth of the deepest pair",
+              fmt::format("{}: piece {} of A, piece {} of B", length_text(bounds.deepest_pair), bounds.a, bounds.b));
+    if (bounds.deepest_pair != depth.squared())
+      facts.add("the unions are deeper", fmt::format("{} times", root_binary64(depth.squared() / bounds.deepest_pair, Rounding::rn)));
+    facts.add("depth of the hulls", length_text(bounds.hulls));
+  }
+  if (!certificate.empty()) facts.add("certificate", certificate);
+  return facts.list("Truth");
+}
+
+std::string truth_list(const Outcome& outcome, const Known& known, const std::string& certificate) {
+  if (known.unions) return truth_of_unions(*known.unions, certificate);
+  const std::optional<Truth>& truth = known.truth;
   Facts facts;
   if (outcome.judgement || truth) {
     const std::optional<Status> status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
@@ -107,6 +136,13 @@ std::string claim_list(const Reply& reply, const Conventions& conventions) {
   return facts.list("Claim");
 }
 
+/// A ratio that is known by its square.
+std::string times_text(const mpq_class& squared) {
+  const std::string text = exact_text(squared);
+  return fmt::format("{} times{}", root_binary64(squared, Rounding::rn),
+                     text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "");
+}
+
 std::string residual_list(const Judgement& judgement) {
   Facts facts;
   std::string findings;
@@ -116,6 +152,7 @@ std::string residual_list(const Judgement& judgement) {
   facts.add("relative", judgement.error_relative);
   facts.add("in ulps", judgement.error_ulps);
   facts.add("in units of uR", judgement.error_u_r);
+  facts.add("the true depth over the claimed one", judgement.deeper_squared, times_text);
   facts.add("depth of its direction", judgement.price_squared, length_text);
   facts.add("depth of its direction", judgement.price, between_text);
   facts.add("which is above the true depth, relative to it, by", judgement.dearer);
@@ -143,24 +180,34 @@ std::string hulls_list(const AboutHulls& hulls) {
   return facts.list("Hulls that it used");
 }
 
+std::string pieces_list(const AboutPieces& pieces) {
+  Facts facts;
+  facts.add("asked", fmt::format("{} pairs", pieces.pairs));
+  facts.add("the answer is that about", fmt::format("piece {} of A, piece {} of B", pieces.a, pieces.b));
+  facts.add("the same answer about these two", std::string(name(pieces.query.verdict)) + ": " + pieces.query.sentence);
+  return facts.list("Pairs of pieces");
+}
+
 /// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
-  if (seen.a.points.empty() && !has_words(seen)) return "";
+  if (seen.a.points.empty() && !has_words(seen) && !has_union(seen)) return "";
   try {
     const std::string line = case_line(seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
     if (line.size() <= longest_case)
       return picture::copied_text(anchor + "-case", "copy this case", "The case, as the subject saw it",
                                   std::string_view(line).substr(0, line.size() - 1));
-    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
-                       seen.a.points.size() + seen.b.points.size());
+    std::size_t points = 0;
+    for (const Body* body : {&seen.a, &seen.b}) for_each_hull(*body, [&](const std::vector<Point>& hull) { points += hull.size(); });
+    return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n", points);
   } catch (const std::invalid_argument&) {
     return "";
   }
 }
 
 /// Lines of the exact numbers that the lists round.
-std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& truth) {
+std::string exact_numbers(const Outcome& outcome, const Known& known) {
+  const std::optional<Truth>& truth = known.truth;
   std::string result;
   const auto add = [&](const char* what, const mpq_class& value) { result += fmt::format("{} = {}\n", what, exact(value)); };
   if (outcome.judgement) {
@@ -173,23 +220,46 @@ std::string exact_numbers(const Outcome& outcome, const std::optional<Truth>& tr
   } else if (truth) {
     add("depth^2", truth->depth.squared());
   }
+  const auto add_translation = [&](const Point& t) {
+    result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
+  };
+  if (known.unions && known.unions->depth.status == Status::penetrating) {
+    add("(depth of the deepest pair)^2", known.unions->depth.bounds->deepest_pair);
+    for (const UnionOptimum& optimum : known.unions->depth.optima) add_translation(optimum.translation);
+  }
   if (!truth) return result;
   if (truth->depth.distance()) add("distance^2", truth->depth.distance()->squared);
-  for (const Optimum& optimum : truth->depth.optima()) {
-    const Point t = optimum.translation();
-    result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
-  }
+  for (const Optimum& optimum : truth->depth.optima()) add_translation(optimum.translation());
   return result;
 }
 
-/// Solves the pair again. Returns nullopt if that fails, and for shapes: a page without one picture is better than none.
-std::optional<Truth> truth_of(const Case& seen) {
-  if (seen.a.shape || seen.b.shape) return std::nullopt;
+/// Solves the pair again. Neither is there if that fails, and for shapes: a page without one picture is better than none.
+Known known_of(const Case& seen) {
+  Known known;
+  if (seen.a.shape || seen.b.shape) return known;
   try {
-    return truth_about(seen.a.points, seen.b.points);
+    if (has_union(seen)) known.unions = truth_about(pieces_of(seen.a), pieces_of(seen.b));
+    else known.truth = truth_about(seen.a.points, seen.b.points);
   } catch (const std::exception&) {
-    return std::nullopt;
+    return {};
   }
+  return known;
+}
+
+/// What the claim is in a picture.
+std::string of_claim(const SubjectInfo& subject) {
+  const std::string result = "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
+  return subject.conventions.moves == Conventions::Body::b ? result + ", which is that of B turned round: the subject moves B" : result;
+}
+
+/// What the picture of two unions shows.
+std::string caption(const SubjectInfo& subject, const UnionTruth& truth, bool claimed) {
+  std::string result =
+      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; deeper: the pieces in contact";
+  if (truth.depth.status == Status::penetrating)
+    result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed";
+  if (truth.depth.apart) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+  return claimed ? result + of_claim(subject) : result;
 }
 
 /// What the picture of two polytopes shows.
@@ -199,24 +269,23 @@ std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed
     result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces in contact";
   if (truth.depth.distance()) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
   if (truth.depth.touch()) result += "; <span class=\"key true\">dot</span>: where they touch";
-  if (claimed) {
-    result += "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
-    if (subject.conventions.moves == Conventions::Body::b) result += ", which is that of B turned round: the subject moves B";
-  }
-  return result;
+  return claimed ? result + of_claim(subject) : result;
 }
 
 std::string figure_element(const std::string& svg, const std::string& caption) {
   return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
 }
 
-std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const Case& judged, const std::optional<Truth>& truth,
+std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const Case& judged, const Known& known,
                    const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
   const std::string of = markup(shown_id(outcome.id, outcome.variant));
-  if (truth) {
-    const std::optional<Point> claimed =
-        outcome.reply ? claimed_translation(in_unit(*outcome.reply, -outcome.fit), subject.conventions) : std::nullopt;
+  const std::optional<Point> claimed =
+      outcome.reply ? claimed_translation(in_unit(*outcome.reply, -outcome.fit), subject.conventions) : std::nullopt;
+  if (known.unions)
+    return figure_element(unions_picture(*known.unions, claimed, anchor, "Unions of " + of),
+                          caption(subject, *known.unions, claimed.has_value()));
+  if (const std::optional<Truth>& truth = known.truth) {
     return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of), caption(subject, *truth, claimed.has_value()));
   }
   if (const std::string svg = shapes_picture(judged, anchor, "Shapes of " + of); !svg.empty())
@@ -231,19 +300,20 @@ std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const
 std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Outcome& outcome = failure.outcome;
   const Case judged = judged_bodies(failure.seen, subject, outcome.fit);
-  const std::optional<Truth> truth = truth_of(judged);
+  const Known known = known_of(judged);
   std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
                                    markup(shown_id(outcome.id, outcome.variant)));
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
   std::string said = "<div class=\"facts\">\n";
   if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions);
-  said += truth_list(outcome, truth, failure.certificate_name);
+  said += truth_list(outcome, known, failure.certificate_name);
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);
+  if (outcome.pieces) said += pieces_list(*outcome.pieces);
   said += "</div>\n" + case_text(subject, failure, anchor);
-  if (const std::string exact = exact_numbers(outcome, truth); !exact.empty())
+  if (const std::string exact = exact_numbers(outcome, known); !exact.empty())
     said += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
-  return result + picture::beside(figure(subject, failure, judged, truth, anchor), said) + "</article>\n";
+  return result + picture::beside(figure(subject, failure, judged, known, anchor), said) + "</article>\n";
 }
 
 }  // namespace fathom::harness

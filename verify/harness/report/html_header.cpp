@@ -37,6 +37,8 @@ std::string settings_list(const SubjectInfo& subject, const Tally& tally, const 
     add("time", fmt::format("{}", fmt::join(times, "; ")));
   if (const std::vector<std::string> hulls = hull_entries(tally.hulls()); !hulls.empty())
     add("hulls", fmt::format("{}", fmt::join(hulls, "; ")));
+  if (const std::vector<std::string> unions = union_entries(tally.unions()); !unions.empty())
+    add("unions", fmt::format("{}", fmt::join(unions, "; ")));
   if (const std::vector<std::string> prices = price_entries(all); !prices.empty())
     add("prices of directions", fmt::format("{}", fmt::join(prices, "; ")));
   add("conventions", conventions_text(subject.conventions));

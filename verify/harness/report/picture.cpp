@@ -24,6 +24,11 @@ std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed
   return picture::scene_panels(picture::scene_of({truth.a, truth.b, truth.depth}, claimed), name, label);
 }
 
+std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name,
+                           const std::string& label) {
+  return picture::scene_panels(picture::scene_of(truth.a, truth.b, truth.depth, 0, claimed), name, label);
+}
+
 std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label) {
   if (!seen.a.shape && !seen.b.shape) return "";
   try {

@@ -18,6 +18,9 @@ std::optional<Point> claimed_translation(const Reply& reply, const Conventions& 
 /// One or two SVG elements, as view/picture paints them.
 std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label);
 
+/// The same for unions.
+std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label);
+
 /// The same for a case of shapes, without a claim; empty if its depth is not found.
 std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label);
 

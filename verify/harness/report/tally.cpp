@@ -75,6 +75,7 @@ void Tally::add(const Outcome& outcome) {
   all_.add(outcome);
   times_.add(outcome);
   hulls_.add(outcome);
+  unions_.add(outcome);
   if (outcome.solid) parts_[0].row.add(outcome);
   if (outcome.metre_sized) parts_[1].row.add(outcome);
   if (outcome.solid && outcome.metre_sized) parts_[2].row.add(outcome);

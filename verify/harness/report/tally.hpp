@@ -56,6 +56,7 @@ class Tally {
   [[nodiscard]] const TallyRow& all() const { return all_; }
   [[nodiscard]] const Times& times() const { return times_; }
   [[nodiscard]] const HullCount& hulls() const { return hulls_; }
+  [[nodiscard]] const UnionCount& unions() const { return unions_; }
 
   struct Line {
     std::string label;  ///< of outcomes without a family: "(no family)"; printable ASCII, at most 32 characters
@@ -72,6 +73,7 @@ class Tally {
   TallyRow all_;
   Times times_;
   HullCount hulls_;
+  UnionCount unions_;
   std::vector<Line> parts_{{"solid", {}}, {"metre_sized", {}}, {"solid_and_metre_sized", {}}};
   std::map<std::string, TallyRow> families_, variants_;
 };

@@ -41,13 +41,14 @@ using Matrix = std::array<Vector, 3>;  ///< rows
 
 /// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. docs/shapes.md says what its fields mean.
 struct Body {
-  std::vector<Vector> vertices;          ///< of a shape, only hulls and triangles have them
-  std::vector<std::vector<int>> faces;   ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
-  std::string shape;                     ///< "sphere", "cylinder", ...; empty for a body of vertices
-  std::map<std::string, double> number;  ///< of a shape: "radius", "half_length", "offset", ...
-  std::map<std::string, Vector> triple;  ///< of a shape: "half", "radii", "normal"
-  char axis = 'z';                       ///< along which a shape lies before it is placed
-  double margin = 0;                     ///< the radius of the ball that is added around a shape
+  std::vector<Vector> vertices;             ///< of a shape, only hulls and triangles have them
+  std::vector<std::vector<int>> faces;      ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
+  std::vector<std::vector<Vector>> pieces;  ///< of a union, if the subject declared "pieces"; it has no vertices then
+  std::string shape;                        ///< "sphere", "cylinder", ...; empty for a body of vertices
+  std::map<std::string, double> number;     ///< of a shape: "radius", "half_length", "offset", ...
+  std::map<std::string, Vector> triple;     ///< of a shape: "half", "radii", "normal"
+  char axis = 'z';                          ///< along which a shape lies before it is placed
+  double margin = 0;                        ///< the radius of the ball that is added around a shape
   std::optional<std::array<double, 4>> quaternion;     ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
   Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
   Vector translation{};
@@ -87,7 +88,7 @@ struct Subject {
   std::string moves = "a";               ///< or "b": which body |depth| * direction moves apart
   bool unit = true;                      ///< whether directions are promised to have length 1
   bool faces = false;                    ///< whether bodies of vertices need faces
-  std::vector<std::string> shapes = {};  ///< that it takes, and "margin" if they may have one; others come as vertices or not at all
+  std::vector<std::string> shapes = {};  ///< that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
   std::vector<std::string> promises =
       {};  ///< of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
@@ -263,7 +264,9 @@ inline void place(const Json& pose, Body& body) {
 inline Body body_of(const Json& from) {
   Body body;
   for (const auto& [name, value] : from.members) {
-    if (name == "vertices") {
+    if (name == "pieces") {
+      for (const Json& piece : value.items) body.pieces.push_back(body_of(piece).vertices);
+    } else if (name == "vertices") {
       for (const Json& vertex : value.items) body.vertices.push_back(numbers<3>(vertex));
     } else if (name == "faces") {
       for (const Json& face : value.items) {
@@ -284,7 +287,7 @@ inline Body body_of(const Json& from) {
       body.triple[name] = numbers<3>(value);
     }
   }
-  if (body.shape.empty() && body.vertices.empty()) throw std::invalid_argument("a body without vertices");
+  if (body.shape.empty() && body.vertices.empty() && body.pieces.empty()) throw std::invalid_argument("a body without vertices");
   return body;
 }
 

@@ -38,7 +38,7 @@ export function rotationOf(quaternion) {
  */
 function bodyOf(message) {
   const { pose, ...fields } = message;
-  const body = { vertices: [], faces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], ...fields };
+  const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], ...fields };
   if (Array.isArray(pose)) {
     body.rotation = pose.map((row) => row.slice(0, 3));
     body.translation = pose.map((row) => row[3]);
@@ -125,7 +125,8 @@ function divertPrints() {
  * moves           which body |depth| * direction moves apart: 'a' or 'b'
  * unit            whether directions are promised to have length 1
  * faces           whether bodies of vertices need faces
- * shapes          names of the shapes that it takes, and 'margin' if they may have one; others come as vertices or not at all
+ * shapes          names of the shapes that it takes, 'margin' if they may have one, 'pieces' if it takes unions; others come as vertices,
+ *                 unions in pairs of pieces, or not at all
  * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; and 'distance' of the others
  * settings        { iterations: 100, ... }: shown beside the verdicts
  * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes

@@ -33,6 +33,7 @@ class Body:
     faces        [[i, j, k, ...], ...]: facets of the hull, counter-clockwise from outside; [] unless asked for, or of a flat body
     shape        "sphere", "cylinder", ...; None for a body of vertices
     axis         "x", "y" or "z": along which a shape lies before it is placed
+    pieces       [{"vertices": ...}, ...]: of a union, if your subject declared "pieces"; [] of any other body
     margin       the radius of the ball that is added around a shape; 0 if there is none
     rotation     3 x 3, rows; a shape's point p is at rotation p + translation. Exactly what the case says, up to rounding
     translation  [x, y, z]
@@ -42,7 +43,7 @@ class Body:
     """
 
     def __init__(self, message):
-        self.vertices, self.faces, self.shape, self.margin = [], [], None, 0
+        self.vertices, self.faces, self.pieces, self.shape, self.margin = [], [], [], None, 0
         self.rotation, self.translation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
         for field, value in message.items():
             if field != "pose":
@@ -142,7 +143,8 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     moves           which body |depth| * direction moves apart: "a" or "b"
     unit            whether directions are promised to have length 1
     faces           whether bodies of vertices need faces
-    shapes          names of the shapes that it takes, and "margin" if they may have one; others come as vertices or not at all
+    shapes          names of the shapes that it takes, "margin" if they may have one, "pieces" if it takes unions; others come as vertices, unions
+                    in pairs of pieces, or not at all
     promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; and "distance" of the others
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
