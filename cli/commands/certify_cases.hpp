@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cli/io/interruptible_input.hpp"
 #include "fathom/files.hpp"
@@ -26,7 +27,8 @@ class CertifyCases {
   [[nodiscard]] std::size_t bad() const { return bad_; }
   /// The place, for messages, of the case that was read last, or that did not fit into the memory.
   [[nodiscard]] std::string place() const;
-  [[nodiscard]] const std::set<std::string>& ids() const { return ids_; }
+  /// Whether a case so far has the id, or two pieces of its unions; see harness::pair_id.
+  [[nodiscard]] bool asked(const std::string& id) const;
   /// About how many there are in a regular file; nullopt for other inputs. See cases_in.
   [[nodiscard]] std::optional<std::size_t> expected() const { return expected_; }
 
@@ -37,6 +39,7 @@ class CertifyCases {
   std::istream stdin_{&standard_input_};
   CaseStream items_;
   std::set<std::string> ids_;
+  std::vector<Case> unions_;  // of these
   std::size_t bad_ = 0;
   std::optional<std::size_t> expected_;
 };

@@ -97,7 +97,7 @@ void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
   const harness::Tally& tally = summary_.tally();
   const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), tally.all().judged,
-                                                  &tally.times(), &tally.hulls(), &tally.all(), tally.parts()});
+                                                  &tally.times(), &tally.hulls(), &tally.unions(), &tally.all(), tally.parts()});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }

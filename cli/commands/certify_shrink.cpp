@@ -36,7 +36,9 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const FailedCase*& so_far = best[{outcome.verdict, outcome.variant}];
     const auto smaller = [&](const FailedCase& than) {
-      const auto size = [](const FailedCase& of) { return std::pair(harness::has_words(of.seen), points_of(of.seen)); };
+      const auto size = [](const FailedCase& of) {
+        return std::pair(harness::has_words(of.seen) || harness::has_union(of.seen), points_of(of.seen));
+      };
       return std::pair(size(failed), outcome.id) < std::pair(size(than), found.outcomes()[than.outcome].id);
     };
     if (!so_far || smaller(*so_far)) so_far = &failed;
@@ -80,9 +82,11 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     if (verdict == Verdict::not_invariant)
       examine = harness::examine_variant(in_unit, variant, info.format, request.certify.tolerance, fit);
     std::vector<std::string> files;
-    if (harness::has_words(failed->seen)) {  // of points alone some can be left out, and the others made simpler
+    if (harness::has_words(failed->seen) ||
+        harness::has_union(failed->seen)) {  // of points alone some can be left out, and the others made simpler
       const std::string path = harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
-      talk(fmt::format("{}: cases of shapes are not made smaller; the case as it was seen: {}", title, path));
+      const char* const what = harness::has_union(failed->seen) ? "unions" : "shapes";
+      talk(fmt::format("{}: cases of {} are not made smaller; the case as it was seen: {}", title, what, path));
       continue;
     }
     const auto better = [&](const Shrunk& best) {

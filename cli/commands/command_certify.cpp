@@ -191,7 +191,7 @@ class Certify {
   ExitCode finish() {
     const harness::SubjectInfo& subject = info();
     if (replay_)
-      for (const std::string& id : replay_->unasked(cases_->ids()))
+      for (const std::string& id : replay_->unasked([this](const std::string& id) { return cases_->asked(id); }))
         tell("replies to no case", "the reply to " + kernels::shown(id) + " is to no case");
     std::optional<ExpectedFailures::Check> known;
     if (expected_) known = expected_->check(found_->outcomes());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of `fathom certify --html`, of a run with failures of every kind that has pictures.
+// The page of `fathom certify --html`, of a run with failures of every kind that has pictures, unions among them.
 import assert from 'node:assert/strict';
 import { accessible, fathom, fits, made, onPage, prints, root } from './lib.mjs';
 
@@ -9,7 +9,7 @@ let written;
 /** A run over the examples and a family each that the boxes around bodies are right and wrong about. */
 function certified() {
   if (written) return written;
-  const families = ['boxes_aligned', 'random_ball', 'polygon_solid'];
+  const families = ['boxes_aligned', 'random_ball', 'polygon_solid', 'combs', 'keys'];
   const more = families.map((family) => fathom(['cases', '--family', family, '--count', '6'])).join('');
   const cases = made('cases.jsonl', more);
   written = made('page.html');
