@@ -11,6 +11,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/union.hpp"
 #include "fathom/width.hpp"
 #include "reference/depth/gap.hpp"
 #include "reference/polytope/placed_pair.hpp"
@@ -75,6 +76,15 @@ const std::map<std::string, Door>& doors() {
       {"judge",
        [](const Points& a, const Points& b) {
          judge(Truth{a, b, testing::cubes().depth}, testing::overlap(0.5));
+       }},
+      {"unions",
+       [](const Points& a, const Points& b) {
+         union_depth({cube(5), a}, {b, cube(9)});
+       }},
+      {"truth of unions", [](const Points& a, const Points& b) { truth_about(Pieces{a}, Pieces{b}); }},
+      {"judge of unions",
+       [](const Points& a, const Points& b) {
+         judge(UnionTruth{{a}, {b}, union_depth({cube(0)}, {cube(mpq_class(1, 2))})}, testing::overlap(0.5));
        }},
       {"width", [](const Points& a, const Points& b) { width(a), width(b); }},
       {"approximate width", [](const Points& a, const Points& b) { approx_width(a, mpq_class(1, 8)), approx_width(b, mpq_class(1, 8)); }},

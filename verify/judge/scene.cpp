@@ -12,6 +12,7 @@
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/distance.hpp"
+#include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/shapes/support.hpp"
 #include "verify/judge/way_out.hpp"
@@ -19,6 +20,7 @@
 namespace fathom::judging {
 
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
+  polytope::require_bodies(a, b);
   Sizes sizes;
   for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
     const auto range = [axis](std::span<const Point> body) {
@@ -38,7 +40,10 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
 Sizes sizes_of(const Pieces& a, const Pieces& b) {
   const auto joined = [](const Pieces& pieces) {
     std::vector<Point> all;
-    for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+    for (const std::vector<Point>& piece : pieces) {
+      polytope::require_bodies(piece, piece);
+      all.insert(all.end(), piece.begin(), piece.end());
+    }
     return all;
   };
   return sizes_of(joined(a), joined(b));
