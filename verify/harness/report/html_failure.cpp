@@ -157,7 +157,8 @@ std::string residual_list(const Judgement& judgement) {
   facts.add("depth of its direction", judgement.price, between_text);
   facts.add("which is above the true depth, relative to it, by", judgement.dearer);
   facts.add("way until apart along it", judgement.travel_squared, length_text);
-  facts.add("claim less depth of its direction", judgement.inconsistency);
+  const bool has_price = judgement.price_squared || judgement.price;  // unions have none
+  facts.add(has_price ? "claim less depth of its direction" : "gap after its translation, or minus the overlap", judgement.inconsistency);
   facts.add("overlap left", judgement.overlap_left);
   facts.add("point of A is off by", judgement.witness_a_squared, length_text);
   facts.add("point of B is off by", judgement.witness_b_squared, length_text);
