@@ -48,7 +48,8 @@ Pieces half_turn_about_z(Pieces pieces) {
 UnionPair plate_at_slot(Random& random, unsigned n, const mpq_class& width) {
   const Pieces walls = slotted(n, width);
   const mpq_class slot = 2 + (2 + width) * mpq_class(random.between(0, static_cast<std::int64_t>(walls.size()) - 2));
-  const mpq_class beside = ratio(random.between(1, 48), 64) * (random.coin() ? 1 : -1);
+  const int side = random.coin() ? 1 : -1;  // drawn first: compilers differ in the order of operands
+  const mpq_class beside = side * ratio(random.between(1, 48), 64);
   const mpq_class x = slot + beside, y = between(random, -1, 0), z = between(random, -1, 0);
   return {{box_from({x, y, z}, {x + 1, y + 1, z + 1})}, walls};
 }
