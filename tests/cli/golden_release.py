@@ -2,14 +2,18 @@
 """What the tests of `fathom golden` share: a release made once, comparing folders, and forging one with all its sums made right."""
 import hashlib
 import json
+import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 
-from harness import DATA, EXECUTABLE, CliTest
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, EXECUTABLE, ROOT, CliTest
 
 COMMITTED = DATA / "golden"
-ENDS = (".jsonl.zst", ".cert.zst", ".csv.zst")
+RECORDS, CERTIFICATES = ".jsonl.zst", ".cert.zst"
+ENDS = (RECORDS, CERTIFICATES, ".csv.zst")
 
 
 def unpacked(path):
@@ -79,3 +83,78 @@ class GoldenTest(CliTest):
         ours, theirs = contents(folder), contents(self.release)
         self.assertEqual(sorted(ours), sorted(theirs))
         self.assertEqual([name for name in ours if ours[name] != theirs[name]], [])
+
+
+class LevelTests:
+    """What is asked of each level whose records are no point sets; beside GoldenTest."""
+
+    def lines(self, shard=0):
+        return unpacked(self.release / (self.shards[shard] + RECORDS)).splitlines(keepends=True)
+
+    def all_lines(self):
+        return [line for shard in range(len(self.shards)) for line in self.lines(shard)]
+
+    def records_of_whole(self):
+        """How many records there are; the release has its files, and no others."""
+        names = {"LICENSE", "NOTES.md", "SHA256SUMS", "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
+        for shard in self.shards:
+            names |= {shard + end for end in (".json", RECORDS, CERTIFICATES)}
+        self.assertEqual(set(contents(self.release)), names)
+        records = json.loads((self.release / "dataset.json").read_text())["records"]
+        return records
+
+    def validated(self):
+        """(the validator of records, a good one): all pages and records obey their schemas, which have teeth."""
+        def validator(path):
+            schema = json.loads(path.read_text())
+            jsonschema.Draft202012Validator.check_schema(schema)
+            return jsonschema.Draft202012Validator(schema)
+
+        dataset, shard, record = (validator(self.release / f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
+        case = validator(ROOT / "schemas" / "case.schema.json")
+        value = json.loads((self.release / "dataset.json").read_text())
+        dataset.validate(value)
+        for entry in value["shards"]:
+            shard.validate(entry)
+            self.assertFalse(shard.is_valid({**entry, "files": entry["files"] * 2}))
+        for line in self.all_lines():
+            record.validate(json.loads(line))
+            case.validate(json.loads(line))
+        good = json.loads(self.lines()[0])
+        for field in good:
+            self.assertFalse(record.is_valid({key: value for key, value in good.items() if key != field}), field)
+        self.assertFalse(record.is_valid({**good, "flags": []}))
+        return record, good
+
+    def test_same_bytes_on_one_thread(self):
+        folder = self.folder / "one"
+        self.assertEqual(self.generate(folder, "--jobs", "1")[0], 0)
+        self.same_as_release(folder)
+
+    def test_certificates_alone(self):
+        """By the independent checker, and where it is built the one that was extracted from the proof."""
+        stream = b"".join(unpacked(self.release / (name + CERTIFICATES)) for name in self.shards)
+        expected = [json.loads(line) for line in self.all_lines()]
+        checkers = [os.environ["FATHOM_CHECK"]] + [p for p in [os.environ.get("FATHOM_CHECK_PROVED")] if p and os.path.exists(p)]
+        for checker in checkers:
+            done = subprocess.run([checker, "-"], input=stream, capture_output=True)
+            self.assertEqual(done.returncode, 0, done.stdout[-500:])
+            verdicts = [line.split() for line in done.stdout.decode().splitlines()]
+            self.assertEqual([(v[1], v[2], v[-1]) for v in verdicts], [("VERIFIED", r["expected"]["status"], r["id"]) for r in expected])
+
+    def forged(self, number, change):
+        """A release in which one record is another, and all sums, its certificate's too, are made right; `change` gets both texts."""
+        folder = self.folder / "forged"
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(self.release, folder)
+        name = self.shards[0]
+        lines, text = self.lines(), unpacked(self.release / (name + CERTIFICATES)).decode()
+        parts = ["fathom-certificate" + part for part in text.split("fathom-certificate")[1:]]
+        record = json.loads(lines[number])
+        parts[number] = change(record, parts[number])
+        record["certificate"]["sha256"] = sha256(parts[number].encode())
+        lines[number] = json.dumps(record, separators=(",", ":")).encode() + b"\n"
+        (folder / (name + RECORDS)).write_bytes(packed(b"".join(lines)))
+        (folder / (name + CERTIFICATES)).write_bytes(packed("".join(parts).encode()))
+        repair(folder)
+        return folder

@@ -2,71 +2,24 @@
 """`fathom golden` on shapes: level P0 is the same bytes on any number of threads, proved, computed again, and refused where it is forged."""
 import collections
 import json
-import os
 import pathlib
 import shutil
-import subprocess
 import unittest
 
-import jsonschema  # Debian: python3-jsonschema
-from golden_release import GoldenTest, contents, packed, repair, sha256, unpacked
-from harness import ROOT
-
-RECORDS, CERTIFICATES = ".jsonl.zst", ".cert.zst"
+from golden_release import RECORDS, GoldenTest, LevelTests, packed, repair
 
 
-class Shapes(GoldenTest):
+class Shapes(LevelTests, GoldenTest):
     LEVEL = "P0"
 
-    def lines(self, shard=0):
-        return unpacked(self.release / (self.shards[shard] + RECORDS)).splitlines(keepends=True)
-
     def test_whole_and_proved(self):
-        names = {"LICENSE", "NOTES.md", "SHA256SUMS", "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
-        for shard in self.shards:
-            names |= {shard + end for end in (".json", RECORDS, CERTIFICATES)}
-        self.assertEqual(set(contents(self.release)), names)
-        records = json.loads((self.release / "dataset.json").read_text())["records"]
+        records = self.records_of_whole()
         self.assertGreater(records, 800)
         out = self.answer("golden", "verify", "--method", "exact", self.release)
         self.assertEqual(out, f"s VERIFIED P0 version=1.1.0 seed=1 shards={len(self.shards)} records={records} agreed=exact {self.release}\n")
 
-    def test_same_bytes_on_one_thread(self):
-        folder = self.folder / "one"
-        self.assertEqual(self.generate(folder, "--jobs", "1")[0], 0)
-        self.same_as_release(folder)
-
     def test_schemas(self):
-        def validator(path):
-            schema = json.loads(path.read_text())
-            jsonschema.Draft202012Validator.check_schema(schema)
-            return jsonschema.Draft202012Validator(schema)
-
-        dataset, shard, record = (validator(self.release / f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
-        case = validator(ROOT / "schemas" / "case.schema.json")
-        value = json.loads((self.release / "dataset.json").read_text())
-        dataset.validate(value)
-        for i, entry in enumerate(value["shards"]):
-            shard.validate(entry)
-            self.assertFalse(shard.is_valid({**entry, "files": entry["files"] * 2}))
-            for line in self.lines(i):
-                record.validate(json.loads(line))
-                case.validate(json.loads(line))
-        good = json.loads(self.lines()[0])
-        for field in good:
-            self.assertFalse(record.is_valid({key: value for key, value in good.items() if key != field}), field)
-        self.assertFalse(record.is_valid({**good, "flags": []}))
-
-    def test_certificates_alone(self):
-        """By the independent checker, and where it is built the one that was extracted from the proof."""
-        stream = b"".join(unpacked(self.release / (name + CERTIFICATES)) for name in self.shards)
-        expected = [json.loads(line) for i in range(len(self.shards)) for line in self.lines(i)]
-        checkers = [os.environ["FATHOM_CHECK"]] + [p for p in [os.environ.get("FATHOM_CHECK_PROVED")] if p and os.path.exists(p)]
-        for checker in checkers:
-            done = subprocess.run([checker, "-"], input=stream, capture_output=True)
-            self.assertEqual(done.returncode, 0, done.stdout[-500:])
-            verdicts = [line.split() for line in done.stdout.decode().splitlines()]
-            self.assertEqual([(v[1], v[2], v[-1]) for v in verdicts], [("VERIFIED", r["expected"]["status"], r["id"]) for r in expected])
+        self.validated()
 
     def test_records_are_cases(self):
         """Answered again by a command that knows nothing of golden data."""
@@ -79,23 +32,6 @@ class Shapes(GoldenTest):
                 self.assertEqual(expected["status"], result["status"], line["id"])
             self.assertLessEqual(float.fromhex(expected["signed_depth"]["low"]), found["high"], line["id"])
             self.assertGreaterEqual(float.fromhex(expected["signed_depth"]["high"]), found["low"], line["id"])
-
-    def forged(self, number, change):
-        """A release in which one record is another, and all sums, its certificate's too, are made right; `change` gets both texts."""
-        folder = self.folder / "forged"
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(self.release, folder)
-        name = self.shards[0]
-        lines, text = self.lines(), unpacked(self.release / (name + CERTIFICATES)).decode()
-        parts = ["fathom-certificate" + part for part in text.split("fathom-certificate")[1:]]
-        record = json.loads(lines[number])
-        parts[number] = change(record, parts[number])
-        record["certificate"]["sha256"] = sha256(parts[number].encode())
-        lines[number] = json.dumps(record, separators=(",", ":")).encode() + b"\n"
-        (folder / (name + RECORDS)).write_bytes(packed(b"".join(lines)))
-        (folder / (name + CERTIFICATES)).write_bytes(packed("".join(parts).encode()))
-        repair(folder)
-        return folder
 
     def test_forged(self):
         numbers = collections.defaultdict(list)

@@ -2,41 +2,20 @@
 """`fathom golden` on unions: level U0 is the same bytes on any number of threads, goes on where it was stopped, is proved, computed again, and
 refused where it is forged."""
 import json
-import os
 import shutil
-import subprocess
 import unittest
 
-import jsonschema  # Debian: python3-jsonschema
-from golden_release import GoldenTest, contents, packed, repair, sha256, unpacked
-from harness import ROOT
-
-RECORDS, CERTIFICATES = ".jsonl.zst", ".cert.zst"
+from golden_release import CERTIFICATES, RECORDS, GoldenTest, LevelTests
 
 
-class Unions(GoldenTest):
+class Unions(LevelTests, GoldenTest):
     LEVEL = "U0"
 
-    def lines(self, shard=0):
-        return unpacked(self.release / (self.shards[shard] + RECORDS)).splitlines(keepends=True)
-
-    def all_lines(self):
-        return [line for shard in range(len(self.shards)) for line in self.lines(shard)]
-
     def test_whole_and_proved(self):
-        names = {"LICENSE", "NOTES.md", "SHA256SUMS", "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
-        for shard in self.shards:
-            names |= {shard + end for end in (".json", RECORDS, CERTIFICATES)}
-        self.assertEqual(set(contents(self.release)), names)
-        records = json.loads((self.release / "dataset.json").read_text())["records"]
+        records = self.records_of_whole()
         self.assertGreater(records, 150)
         out = self.answer("golden", "verify", "--method", "exact", "--method", "naive", self.release)
         self.assertRegex(out, f"^s VERIFIED U0 version=[0-9.]+ seed=1 shards={len(self.shards)} records={records} agreed=exact,naive ")
-
-    def test_same_bytes_on_one_thread(self):
-        folder = self.folder / "one"
-        self.assertEqual(self.generate(folder, "--jobs", "1")[0], 0)
-        self.same_as_release(folder)
 
     def test_goes_on_where_it_was_stopped(self):
         """Shards that are whole stay as they are, one that is cut off or missing is made anew."""
@@ -51,37 +30,8 @@ class Unions(GoldenTest):
         self.same_as_release(folder)
 
     def test_schemas(self):
-        def validator(path):
-            schema = json.loads(path.read_text())
-            jsonschema.Draft202012Validator.check_schema(schema)
-            return jsonschema.Draft202012Validator(schema)
-
-        dataset, shard, record = (validator(self.release / f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
-        case = validator(ROOT / "schemas" / "case.schema.json")
-        value = json.loads((self.release / "dataset.json").read_text())
-        dataset.validate(value)
-        for entry in value["shards"]:
-            shard.validate(entry)
-            self.assertFalse(shard.is_valid({**entry, "files": entry["files"] * 2}))
-        for line in self.all_lines():
-            record.validate(json.loads(line))
-            case.validate(json.loads(line))
-        good = json.loads(self.lines()[0])
-        for field in good:
-            self.assertFalse(record.is_valid({key: value for key, value in good.items() if key != field}), field)
-        self.assertFalse(record.is_valid({**good, "flags": []}))
+        record, good = self.validated()
         self.assertFalse(record.is_valid({**good, "expected": {**good["expected"], "status": "disjoint"}}))
-
-    def test_certificates_alone(self):
-        """By the independent checker, and where it is built the one that was extracted from the proof."""
-        stream = b"".join(unpacked(self.release / (name + CERTIFICATES)) for name in self.shards)
-        expected = [json.loads(line) for line in self.all_lines()]
-        checkers = [os.environ["FATHOM_CHECK"]] + [p for p in [os.environ.get("FATHOM_CHECK_PROVED")] if p and os.path.exists(p)]
-        for checker in checkers:
-            done = subprocess.run([checker, "-"], input=stream, capture_output=True)
-            self.assertEqual(done.returncode, 0, done.stdout[-500:])
-            verdicts = [line.split() for line in done.stdout.decode().splitlines()]
-            self.assertEqual([(v[1], v[2], v[-1]) for v in verdicts], [("VERIFIED", r["expected"]["status"], r["id"]) for r in expected])
 
     def test_records_are_cases(self):
         """Answered again by a command that knows nothing of golden data."""
@@ -95,23 +45,6 @@ class Unions(GoldenTest):
             self.assertEqual(expected["depth"]["squared"], result["depth"]["squared"], line["id"])
             if expected["status"] == "penetrating":
                 self.assertEqual([o["translation"] for o in expected["optima"]], [o["translation"] for o in result["optima"]], line["id"])
-
-    def forged(self, number, change):
-        """A release in which one record is another, and all sums, its certificate's too, are made right; `change` gets both texts."""
-        folder = self.folder / "forged"
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(self.release, folder)
-        name = self.shards[0]
-        lines, text = self.lines(), unpacked(self.release / (name + CERTIFICATES)).decode()
-        parts = ["fathom-certificate" + part for part in text.split("fathom-certificate")[1:]]
-        record = json.loads(lines[number])
-        parts[number] = change(record, parts[number])
-        record["certificate"]["sha256"] = sha256(parts[number].encode())
-        lines[number] = json.dumps(record, separators=(",", ":")).encode() + b"\n"
-        (folder / (name + RECORDS)).write_bytes(packed(b"".join(lines)))
-        (folder / (name + CERTIFICATES)).write_bytes(packed("".join(parts).encode()))
-        repair(folder)
-        return folder
 
     def test_forged(self):
         number = [json.loads(line)["id"] for line in self.lines()].index("union_catalogue-slot_exact_fit")
