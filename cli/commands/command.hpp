@@ -29,7 +29,6 @@ ExitCode run_stages(const Request& request);
 /// study --sweep
 ExitCode run_sweep(const Request& request);
 ExitCode run_explain(const Request& request);
-/// explain --pieces
 ExitCode run_cases(const Request& request);
 ExitCode run_certify(const Request& request);
 

@@ -63,14 +63,9 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
 }
 
 std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
-  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
-  UnionAnswer answer{single.id, {}, ""};
-  try {
-    answer.depth = union_depth(a, b, {&monitor});
-  } catch (const std::invalid_argument& error) {
-    throw InputError(single.id, 0, error.what());
-  }
+  const UnionAnswer answer{single.id, union_depth_of(single, monitor), ""};
   if (!answer.depth.complete) throw Interrupted();
+  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
   stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
   stages.id = single.id;
   const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");

@@ -48,6 +48,12 @@ SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Wo
   return options;
 }
 
+UnionDepth union_depth_of(const Case& single, Monitor& monitor) try {
+  return union_depth(pieces_of(single.a), pieces_of(single.b), {&monitor});
+} catch (const std::invalid_argument& error) {
+  throw InputError(single.id, 0, error.what());
+}
+
 namespace {
 
 Depth solve(const Case& single, const Body& b, const Request& request, Monitor& monitor, Workspace& workspace) {
@@ -91,22 +97,16 @@ ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Moni
   return answer;
 }
 
-/// Throws InputError for pieces without an interior, and if the request asks for what unions do not have. A search that is interrupted answers
-/// between which bounds the depth lies, unless it is one of a stream.
+/// Throws InputError as union_depth_of does, and if the request asks for what unions do not have. A search that is interrupted answers between
+/// which bounds the depth lies, unless it is one of a stream.
 UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor) {
   const Case& single = asked;
   if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)
     throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
-  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
-  UnionAnswer answer{single.id, {}, ""};
-  try {
-    answer.depth = union_depth(a, b, {&monitor});
-  } catch (const std::invalid_argument& error) {
-    throw InputError(single.id, 0, error.what());
-  }
+  UnionAnswer answer{single.id, union_depth_of(single, monitor), ""};
   if (!answer.depth.complete) return is_stream(request) ? throw Interrupted() : answer;
   if (!request.certificate.empty() || request.embed_certificate)
-    answer.certificate = certificate_text(a, b, answer.depth, single.id, &monitor);
+    answer.certificate = certificate_text(pieces_of(single.a), pieces_of(single.b), answer.depth, single.id, &monitor);
   return answer;
 }
 
