@@ -14,7 +14,8 @@ A body is the convex hull of an array of points, of a list of points whose coord
 anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. What is given is taken as it is: floats
 stand for their exact values. Every float that comes out is the correctly rounded value; what is exact is under `.exact`.
 
-A mesh with `faces` that is not convex is answered as its hull, with a NotConvexWarning.
+A mesh with `faces` that is not convex is answered as its hull, with a NotConvexWarning. `union_depth` takes bodies that are not convex, as
+lists of convex pieces.
 
 Bad input raises ValueError, and what is no number or no body TypeError. Ctrl-C ends any call.
 """
@@ -24,8 +25,10 @@ from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, golden
 from fathom._questions import Approx, Judgement, Metric, Ray, Study, approx, judge, metric, ray, study
+from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, read_pieces, union, union_depth
 
-__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum", "Pose",
-           "Ray", "Record", "Root", "Study", "Width", "approx", "box", "capsule", "cases", "check", "cone", "convexity", "cylinder", "depth",
-           "depths", "distance", "ellipsoid", "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "sphere",
-           "study", "tapered_capsule", "width", "__version__"]
+__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum",
+           "PieceContact", "Pose", "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "Width",
+           "approx", "box", "capsule", "cases", "check", "cone", "convexity", "cylinder", "depth", "depths", "distance", "ellipsoid",
+           "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "read_pieces", "sphere", "study",
+           "tapered_capsule", "union", "union_depth", "width", "__version__"]

@@ -22,7 +22,8 @@ class Case(NamedTuple):
 def cases(path: str | os.PathLike[str]) -> Iterator[Case]:
     """Reads a file of cases, one after another: JSON Lines, or one case as a document (schemas/case.schema.json).
 
-    A case that cannot be read raises ValueError with file and line.
+    A body may be a union of convex pieces, which `union_depth` takes: then its `pieces` are not None. A case that cannot be read raises
+    ValueError with file and line.
 
     >>> import fathom
     >>> [(case.id, fathom.depth(case.a, case.b).status) for case in fathom.cases("examples/shapes.jsonl")][0]
@@ -44,7 +45,7 @@ class Record(NamedTuple):
 
 
 def golden(path: str | os.PathLike[str]) -> Iterator[Record]:
-    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder: of polytopes or shapes, not of unions.
+    """Reads a shard of golden data, a file .jsonl.zst, or all shards of a folder: of polytopes, shapes or unions.
 
     >>> import fathom
     >>> sum(record.status == "touching" for record in fathom.golden("tests/data/golden")) > 50

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Protocol, Sequence, Union
+from typing import Any, Iterable, Protocol, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,7 @@ class HasVertices(Protocol):
 
 
 BodyLike = Union["_fathom.Body", npt.NDArray[Any], Sequence[Triple], HasVertices]
+UnionLike = Union[BodyLike, Iterable[BodyLike]]
 PoseLike = Union["_fathom.Pose", str, npt.NDArray[Any], Sequence[Sequence[Number]], None]
 FloatArray = npt.NDArray[np.float64]
 FractionTriple = "tuple[Fraction, Fraction, Fraction]"

@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -56,21 +57,24 @@ bool are_binary64(const Point& p) {
   return is(p.x) && is(p.y) && is(p.z);
 }
 
+/// In binary64, if all of them are.
+GivenPoints given_form(std::vector<Point> points) {
+  if (!std::ranges::all_of(points, are_binary64)) return GivenPoints(std::move(points));
+  Triples doubles;
+  for (const Point& p : points) doubles.push_back({round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)});
+  return GivenPoints(std::move(doubles));
+}
+
 GivenPoints points_from_sequence(const py::iterable& sequence) {
   std::vector<Point> points;
-  Triples doubles;
   for (const py::handle item : sequence) {
     try {
       points.push_back(point_from(item));
     } catch (const py::value_error& fault) {
       refuse("point " + std::to_string(points.size()) + ": " + fault.what());
     }
-    const Point& p = points.back();
-    if (doubles.size() + 1 == points.size() && are_binary64(p))
-      doubles.push_back({round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)});
   }
-  if (doubles.size() == points.size()) return GivenPoints(std::move(doubles));
-  return GivenPoints(std::move(points));
+  return given_form(std::move(points));
 }
 
 /// As many indices in each face, three as trimesh has them, or more.
@@ -114,8 +118,13 @@ GivenPoints given_points(py::handle from) {
   return points_from_sequence(py::reinterpret_borrow<py::iterable>(from));
 }
 
+const Body& convex(const Body& body) {
+  if (body.pieces) refuse("expected a convex body, found a union of pieces: union_depth takes those");
+  return body;
+}
+
 Body given_body(py::handle from) {
-  if (py::isinstance<Body>(from)) return from.cast<Body>();
+  if (py::isinstance<Body>(from)) return convex(from.cast<const Body&>());
   Body body{given_points(from)};
   if (py::hasattr(from, "vertices") && has_faces(from))
     body.faces = std::make_shared<const MeshFaces>(faces_from(from.attr("faces"), body.points.size()));
@@ -150,10 +159,9 @@ Axis axis_from(const std::string& axis) {
   refuse("expected the axis 'x', 'y' or 'z', found '" + axis + "'");
 }
 
-py::object points_in_python(const Body& body) {
-  if (body.shape) return py::none();
-  if (body.points.in_binary64()) {
-    const auto points = body.points.binary64();
+py::object in_python(const GivenPoints& given) {
+  if (given.in_binary64()) {
+    const auto points = given.binary64();
     py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
     auto view = array.mutable_unchecked<2>();
     for (py::ssize_t i = 0; i < view.shape(0); ++i)
@@ -161,11 +169,29 @@ py::object points_in_python(const Body& body) {
     return array;
   }
   py::list list;
-  for (const Point& p : body.points) list.append(fractions(p));
+  for (const Point& p : given) list.append(fractions(p));
   return list;
 }
 
+py::object points_in_python(const Body& body) { return body.shape || body.pieces ? py::object(py::none()) : in_python(body.points); }
+
+py::object pieces_in_python(const Body& body) {
+  if (!body.pieces) return py::none();
+  py::list list;
+  for (const std::vector<Point>& piece : *body.pieces) list.append(in_python(given_form(piece)));
+  return py::object(std::move(list));
+}
+
+/// Of a union: whether no piece has an interior.
+bool has_no_interior(const Body& body) {
+  if (!body.pieces) return is_flat(files::shape_of(body));
+  return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
+}
+
+Shape convex_shape(const Body& body) { return files::shape_of(convex(body)); }
+
 std::string described(const Body& body) {
+  if (body.pieces) return "<fathom.Body, a union of " + std::to_string(body.pieces->size()) + " pieces>";
   if (!body.shape) return "<fathom.Body of " + std::to_string(body.points.size()) + " points>";
   if (std::holds_alternative<HalfSpace>(body.shape->core)) return "<fathom.Body, a half-space>";
   return "<fathom.Body, a shape>";
@@ -233,22 +259,31 @@ py::object convexity(const Body& body) {
 
 }  // namespace
 
-Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes) try {
-  Body body = given_body(from);
-  if (!body.shape && body.points.empty()) refuse("expected at least one point, found none");
+Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes) {
   if (pose.is_none()) return body;
-  const files::GivenPose given = pose_from(pose);
-  if (notes)
-    if (const std::string note = files::pose_note(given, body.shape && body.shape->radius > 0); !note.empty())
-      notes->push_back(std::string("pose_") + name + ": " + note);
-  files::place(body, given);
-  return body;
-} catch (const py::value_error& fault) {
-  refuse(std::string(name) + ": " + fault.what());
-} catch (const std::invalid_argument& fault) {
-  refuse(std::string(name) + ": " + fault.what());
-} catch (const py::type_error& fault) {
-  throw py::type_error(std::string(name) + ": " + fault.what());
+  return named(name, [&] {
+    const files::GivenPose given = pose_from(pose);
+    if (notes)
+      if (const std::string note = files::pose_note(given, body.shape && body.shape->radius > 0); !note.empty())
+        notes->push_back(std::string("pose_") + name + ": " + note);
+    files::place(body, given);
+    return std::move(body);
+  });
+}
+
+Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes) {
+  return posed(named(name,
+                     [&] {
+                       Body body = given_body(from);
+                       if (!body.shape && body.points.empty()) refuse("expected at least one point, found none");
+                       return body;
+                     }),
+               pose, name, notes);
+}
+
+Decimals decimals_from(const std::string& decimals) {
+  if (decimals != "binary64" && decimals != "exact") refuse("expected decimals 'binary64' or 'exact', found '" + decimals + "'");
+  return decimals == "exact" ? Decimals::exact : Decimals::binary64;
 }
 
 const GivenPoints& points_of(const Body& body, const char* name) {
@@ -277,25 +312,23 @@ void bind_bodies(py::module_& module) {
         return files::GivenPose{.turn = turn, .place = point_from(translation)};
       },
       py::arg("quaternion"), py::arg("translation"));
-  py::class_<Body>(module, "Body", "A convex body: the hull of `points`, or a shape.")
+  py::class_<Body>(module, "Body", "A convex body: the hull of `points`, or a shape; or a union of convex `pieces`.")
       .def(py::init([](const py::object& points) { return body_from(points, py::none(), "points"); }), py::arg("points"))
       .def_property_readonly("points", points_in_python)
+      .def_property_readonly("pieces", pieces_in_python)
       .def_property_readonly("is_shape", [](const Body& body) { return body.shape.has_value(); })
       .def_property_readonly("extent", extent_in_python)
-      .def_property_readonly("is_flat", [](const Body& body) { return is_flat(files::shape_of(body)); })
-      .def("moved", [](const Body& body, const py::object& pose) { return body_from(py::cast(body), pose, "body"); }, py::arg("pose"))
-      .def("with_margin", [](const Body& body, const py::object& margin) { return files::body_of(with_margin(files::shape_of(body), number_from(margin))); },
+      .def_property_readonly("is_flat", has_no_interior)
+      .def("moved", [](const Body& body, const py::object& pose) { return posed(body, pose, "body"); }, py::arg("pose"))
+      .def("with_margin", [](const Body& body, const py::object& margin) { return files::body_of(with_margin(convex_shape(body), number_from(margin))); },
            py::arg("margin"))
-      .def("__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(files::shape_of(a), files::shape_of(b))); }, py::is_operator())
+      .def("__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(convex_shape(a), convex_shape(b))); }, py::is_operator())
       .def("__repr__", described);
   module.def("convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
   bind_shapes(module);
   module.def(
       "read_mesh",
-      [](const std::string& path, const std::string& decimals) {
-        if (decimals != "binary64" && decimals != "exact") refuse("expected decimals 'binary64' or 'exact', found '" + decimals + "'");
-        return read_mesh(path, decimals == "exact" ? Decimals::exact : Decimals::binary64);
-      },
+      [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
       py::arg("path"), py::arg("decimals") = "binary64");
 }
 

@@ -6,6 +6,7 @@
 #include "python/src/answer.hpp"
 #include "python/src/bodies.hpp"
 #include "python/src/questions.hpp"
+#include "python/src/unions.hpp"
 
 PYBIND11_MODULE(_fathom, module) {
   namespace python = fathom::python;
@@ -20,4 +21,5 @@ PYBIND11_MODULE(_fathom, module) {
   python::bind_bodies(module);
   python::bind_answers(module);
   python::bind_questions(module);
+  python::bind_unions(module);
 }

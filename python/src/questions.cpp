@@ -251,9 +251,7 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
 // ---- files ----
 
 /// A case as its id and bodies.
-py::tuple convex_case(Case&& found) {
-  for (const auto& [name, body] : {std::pair("a", &found.a), std::pair("b", &found.b)})
-    if (body->pieces) throw py::value_error(std::string(name) + ": expected a convex body, found a union of pieces");
+py::tuple in_python(Case&& found) {
   return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
 }
 
@@ -266,7 +264,7 @@ class Cases {
     std::optional<CaseItem> item = stream_.next();
     if (!item) throw py::stop_iteration();
     if (!item->ok()) throw py::value_error(item->error().what());
-    return convex_case(std::get<Case>(std::move(item->outcome)));
+    return in_python(std::get<Case>(std::move(item->outcome)));
   }
 
  private:
@@ -276,7 +274,7 @@ class Cases {
 py::tuple parsed_case(const std::string& text, const std::string& name, std::size_t line) {
   CaseItem item = parse_case(text, name, line);
   if (!item.ok()) throw py::value_error(item.error().what());
-  return convex_case(std::get<Case>(std::move(item.outcome)));
+  return in_python(std::get<Case>(std::move(item.outcome)));
 }
 
 py::str next_line(golden::ZstdReader& reader) {

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <stdexcept>
+#include <utility>
 
 #include "fathom/monitor.hpp"
 
@@ -13,24 +15,35 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// Asks Python now and then whether a signal came. For the thread that called from Python, which has let the lock go.
+/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work is to end. For the thread that called from
+/// Python, which has let the lock go.
 class SignalMonitor final : public Monitor {
  public:
+  explicit SignalMonitor(py::object stop) : stop_(std::move(stop)) {}
   void report(std::string_view, double) override {}
   [[nodiscard]] bool stopped() override {
-    if (signalled_) return true;
+    if (ended_) return true;
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return false;
     next_ = now + pause;
     const py::gil_scoped_acquire lock;
-    return signalled_ = PyErr_CheckSignals() != 0;
+    return ended_ = PyErr_CheckSignals() != 0 || told();
   }
 
   static constexpr std::chrono::milliseconds pause{50};
 
  private:
+  /// What `stop` raises is left to whoever asks Python for it.
+  bool told() try {
+    return !stop_.is_none() && py::bool_(stop_());
+  } catch (py::error_already_set& raised) {
+    raised.restore();
+    return true;
+  }
+
+  py::object stop_;
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + pause;
-  bool signalled_ = false;
+  bool ended_ = false;
 };
 
 /// Stops when it is told to. For the threads of a batch.
@@ -44,15 +57,23 @@ class FlagMonitor final : public Monitor {
   const std::atomic<bool>& stop_;
 };
 
-/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler raised: KeyboardInterrupt.
+/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler raised: KeyboardInterrupt. So it does with
+/// what `stop` raises. Work that `stop` ended returns what it has, or throws std::runtime_error if that is nothing.
 template <class Work>
-auto watched(Work work) {
+auto watched(Work work, py::object stop = py::none()) {
+  const bool asked = !stop.is_none();
+  SignalMonitor monitor(std::move(stop));
   try {
-    const py::gil_scoped_release unlocked;
-    SignalMonitor monitor;
-    return work(monitor);
+    auto result = [&] {
+      const py::gil_scoped_release unlocked;
+      return work(monitor);
+    }();
+    if (PyErr_Occurred()) throw py::error_already_set();
+    return result;
   } catch (const Interrupted&) {
-    if (!PyErr_Occurred()) PyErr_SetNone(PyExc_KeyboardInterrupt);
+    if (PyErr_Occurred()) throw py::error_already_set();
+    if (asked) throw std::runtime_error("stopped before anything was known");
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();
   }
 }

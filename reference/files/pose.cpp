@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -106,6 +107,13 @@ void place(Body& body, const GivenPose& given) {
   body.words = nullptr;
   if (body.shape) {
     body.shape = moved(*body.shape, pose);
+    return;
+  }
+  if (body.pieces) {
+    Pieces pieces = *body.pieces;
+    for (std::vector<Point>& piece : pieces)
+      for (Point& point : piece) point = placed(point, pose);
+    body.pieces = std::make_shared<const Pieces>(std::move(pieces));
     return;
   }
   for (Point& point : body.points.edit()) point = placed(point, pose);

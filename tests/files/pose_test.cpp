@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,6 +50,19 @@ TEST(Pose, IsMatrixTimesPointPlusTranslation) {
 TEST(Pose, NeedNotBeARotation) {
   const Pose flattening{{{0, 0, 0, mpq_class("1/3")}, {1, 1, 1, 0}, {0, 0, -2, 0}}};
   EXPECT_EQ(placed({1, 2, 3}, flattening), (Point{mpq_class("1/3"), 6, -6}));
+}
+
+TEST(Pose, PlacesEachPointOfEachPiece) {
+  EXPECT_TRUE(rc::check([] {
+    const Pieces pieces{{random_point(), random_point()}, {random_point()}};
+    const GivenPose given{random_pose()};
+    Body body;
+    body.pieces = std::make_shared<const Pieces>(pieces);
+    place(body, given);
+    const auto at = [&](const Point& p) { return placed(p, *given.matrix); };
+    EXPECT_EQ(*body.pieces, (Pieces{{at(pieces[0][0]), at(pieces[0][1])}, {at(pieces[1][0])}}));
+    EXPECT_TRUE(body.points.empty());
+  }));
 }
 
 GivenPose read(const std::string& text, Decimals decimals = Decimals::exact) {

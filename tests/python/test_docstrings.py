@@ -29,7 +29,8 @@ def test_the_page():
 def test_there_are_examples():
     finder = doctest.DocTestFinder(exclude_empty=True)
     with_examples = {test.name.rsplit(".", 1)[-1] for name in MODULES for test in finder.find(importlib.import_module(name)) if test.examples}
-    assert {"depth", "distance", "depths", "ray", "width", "metric", "approx", "study", "judge", "check", "cases", "golden"} <= with_examples
+    assert {"depth", "distance", "depths", "ray", "width", "metric", "approx", "study", "judge", "check", "cases", "golden",
+            "union", "union_depth", "read_pieces"} <= with_examples
 
 
 def test_public_names_have_docstrings():

@@ -110,7 +110,8 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.parametrize("call", ["depth(a, b, method='exact')", "depths([(a, b)] * 8, method='exact')"])
+@pytest.mark.parametrize("call", ["depth(a, b, method='exact')", "depths([(a, b)] * 8, method='exact')",
+                                  "union_depth([ball(60) + rng.normal(size=3) for _ in range(40)], [ball(60) for _ in range(40)])"])
 def test_interrupts(call):
     process = subprocess.Popen([sys.executable, "-c", LONG.format(call=call)], stdout=subprocess.PIPE, text=True, env=os.environ)
     assert process.stdout.readline() == "ready\n"
