@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_contacts = 3;  // lines of text
 
 std::string legend(const picture::PairScene& scene) {
-  const std::string bodies = "A toned, B hatched; thin: the edges of pieces; deeper: the pieces ";
+  const std::string bodies = "A toned, B hatched; thin: the edges of pieces, hidden ones dashed; deeper: the pieces ";
   if (scene.status == Status::disjoint)
     return bodies + "that are nearest; arrow: the way of A until it touches B, and its outline there, dashed.";
   if (!scene.moves()) return bodies + "that touch; the dot: one of the places where they do.";

@@ -11,15 +11,12 @@
 #include "kernels/number/ratio.hpp"
 #include "kernels/number/surd.hpp"
 #include "kernels/vector.hpp"
+#include "tests/support/boxes.hpp"
 
 namespace fathom::testing {
 
 /// The box between two corners.
-inline std::vector<Point> box(const Point& low, const Point& high) {
-  std::vector<Point> corners;
-  for (unsigned i = 0; i < 8; ++i) corners.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  return corners;
-}
+inline std::vector<Point> box(const Point& low, const Point& high) { return box_points(low, high); }
 
 inline std::vector<Point> cube(const mpq_class& x, const mpq_class& y = 0, const mpq_class& z = 0) {
   return box({x, y, z}, {x + 1, y + 1, z + 1});

@@ -8,18 +8,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/boxes.hpp"
 #include "view/picture/paint.hpp"
 
 namespace fathom::picture {
 namespace {
 
-const PixelSize size{400, 300};
+using testing::box_points;
 
-std::vector<Point> box_points(const Point& low, const Point& high) {
-  std::vector<Point> result;
-  for (int i = 0; i < 8; ++i) result.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  return result;
-}
+const PixelSize size{400, 300};
 
 struct Cubes {
   GivenPoints a = box_points({0, 0, 0}, {1, 1, 1}), b;

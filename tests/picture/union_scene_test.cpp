@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "tests/support/boxes.hpp"
 #include "tests/support/matches.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/polygon.hpp"
@@ -16,13 +17,9 @@
 namespace fathom::picture {
 namespace {
 
-const PixelSize size{400, 300};
+using testing::box_points;
 
-std::vector<Point> box_points(const Point& low, const Point& high) {
-  std::vector<Point> result;
-  for (int i = 0; i < 8; ++i) result.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  return result;
-}
+const PixelSize size{400, 300};
 
 /// An L of two bars, and a peg in its corner.
 struct Corner {

@@ -11,15 +11,11 @@
 #include "fathom/union.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/boxes.hpp"
 
 namespace fathom::unions {
 
-inline std::vector<Point> box(const Point& low, const Point& high) {
-  std::vector<Point> corners;
-  for (int k = 0; k < 8; ++k)
-    corners.push_back({(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y, (k & 4) != 0 ? high.z : low.z});
-  return corners;
-}
+inline std::vector<Point> box(const Point& low, const Point& high) { return testing::box_points(low, high); }
 
 inline std::vector<Vector> integers(const std::vector<Point>& points) {
   std::vector<Vector> result;

@@ -10,6 +10,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 #include "view/picture/curved.hpp"
+#include "view/picture/hiding.hpp"
 #include "view/picture/rims.hpp"
 
 namespace fathom::picture {
@@ -32,29 +33,51 @@ Bounds2 box_of(const Wires& wires, const View& view) {
   return result;
 }
 
-}  // namespace
-
-Wires wires_of(const std::vector<Point>& points, const View& view) {
-  Wires result;
-  polytope::Polytope hull;
+/// nullopt if it would take too much memory, as with too many different denominators.
+std::optional<polytope::Polytope> hull_of(const std::vector<Point>& points) {
   try {
-    hull = polytope::convex_hull(polytope::place(points, points).a.points());
-  } catch (const InputError&) {  // too many different denominators
+    return polytope::convex_hull(polytope::place(points, points).a.points());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Wires wires_on(const std::vector<Point>& points, const std::optional<polytope::Polytope>& hull, const View& view) {
+  Wires result;
+  if (!hull) {
     result.corners = points;
     return result;
   }
-  for (const std::uint32_t id : hull.input_ids) result.corners.push_back(points[id]);
+  for (const std::uint32_t id : hull->input_ids) result.corners.push_back(points[id]);
   kernels::IdVector<polytope::FacetId, bool> faces_us;
-  for (const polytope::Facet& facet : hull.facets) faces_us.push_back(view.faces_us(facet.normal));
+  for (const polytope::Facet& facet : hull->facets) faces_us.push_back(view.faces_us(facet.normal));
   const auto seen = [&](polytope::FacetId f) { return f.is_none() || faces_us[f]; };
-  for (const polytope::Edge& edge : hull.edges) {
+  for (const polytope::Edge& edge : hull->edges) {
     const bool left = seen(edge.left), right = seen(edge.right);
-    const bool hidden = !left && !right && hull.rank == 3;  // a polygon, even seen from its edge, hides nothing
-    if (hull.edges.size() > (hidden ? most_hidden : most_edges) && left == right) continue;
-    result.wires.push_back({points[hull.input_ids[edge.from]], points[hull.input_ids[edge.to]], hidden});
+    const bool hidden = !left && !right && hull->rank == 3;  // a polygon, even seen from its edge, hides nothing
+    if (hull->edges.size() > (hidden ? most_hidden : most_edges) && left == right) continue;
+    result.wires.push_back({points[hull->input_ids[edge.from]], points[hull->input_ids[edge.to]], hidden});
   }
   return result;
 }
+
+/// What of each piece's edges is hidden by other pieces.
+void hide_by_others(std::vector<Wires>& pieces, const std::vector<std::optional<Cover>>& covers) {
+  for (std::size_t own = 0; own < pieces.size(); ++own) {
+    std::vector<const Cover*> others;
+    for (std::size_t i = 0; i < covers.size(); ++i)
+      if (i != own && covers[i]) others.push_back(&*covers[i]);
+    pieces[own].wires = behind(pieces[own].wires, others);
+  }
+}
+
+void erase_hidden(Wires& piece) {
+  std::erase_if(piece.wires, [](const Wires::Wire& wire) { return wire.hidden; });
+}
+
+}  // namespace
+
+Wires wires_of(const std::vector<Point>& points, const View& view) { return wires_on(points, hull_of(points), view); }
 
 Drawn drawn_shape(const Shape& shape, const View& view) {
   if (const auto* half = std::get_if<HalfSpace>(&shape.core)) {
@@ -70,16 +93,22 @@ Drawn drawn_shape(const Shape& shape, const View& view) {
 
 Compound compound_of(const std::vector<std::vector<Point>>& pieces, const View& view) {
   Compound result;
+  std::vector<std::optional<Cover>> covers;
   std::size_t hidden = 0, all = 0;
   for (const std::vector<Point>& piece : pieces) {
-    const Wires& made = result.pieces.emplace_back(wires_of(piece, view));
+    const std::optional<polytope::Polytope> hull = hull_of(piece);
+    covers.push_back(hull ? std::optional<Cover>(std::in_place, piece, *hull, view) : std::nullopt);
+    const Wires& made = result.pieces.emplace_back(wires_on(piece, hull, view));
     all += made.wires.size();
     hidden += static_cast<std::size_t>(std::ranges::count(made.wires, true, &Wires::Wire::hidden));
   }
-  for (Wires& piece : result.pieces) {
-    if (all > most_hidden) std::erase_if(piece.wires, [](const Wires::Wire& wire) { return wire.hidden; });
-    if (all - hidden > most_edges) piece.wires.clear();
+  if (all > most_hidden) std::ranges::for_each(result.pieces, erase_hidden);
+  if (all - hidden > most_edges) {
+    for (Wires& piece : result.pieces) piece.wires.clear();
+    return result;
   }
+  hide_by_others(result.pieces, covers);
+  if (all > most_hidden) std::ranges::for_each(result.pieces, erase_hidden);
   return result;
 }
 

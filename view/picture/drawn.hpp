@@ -54,7 +54,8 @@ Wires wires_of(const std::vector<Point>& points, const View& view);
 /// A half-space with a radius is moved by it, to within a rounding.
 Drawn drawn_shape(const Shape& shape, const View& view);
 
-/// Edges of all pieces together are drawn up to the numbers that hold for those of one polytope.
+/// Edges of all pieces together are drawn up to the numbers that hold for those of one polytope. What other pieces hide of an edge is hidden,
+/// as is what lies inside them.
 Compound compound_of(const std::vector<std::vector<Point>>& pieces, const View& view);
 
 /// Where the body is in the plane; nullopt of a half-space. Of curved bodies to within a few roundings.

@@ -98,6 +98,8 @@ View::View(const Point& along, const std::optional<Point>& second, std::span<con
   right_ = scaled(way, mpq_class(1 / exact_value(length(rounded(way)))));
   up_ = exact_point(up);
   towards_ = cross(right, up);
+  look_ = {mpq_class(right_.y * up_.z - right_.z * up_.y), mpq_class(right_.z * up_.x - right_.x * up_.z),
+           mpq_class(right_.x * up_.y - right_.y * up_.x)};
 }
 
 Spot View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }

@@ -47,10 +47,13 @@ class View {
   [[nodiscard]] bool sees(const Vec3<double>& unit_normal) const;
   /// From the picture to who looks at it: a unit vector.
   [[nodiscard]] const Vec3<double>& towards() const { return towards_; }
+  /// A multiple of it, exactly along what is seen as one place.
+  [[nodiscard]] const Point& look() const { return look_; }
 
  private:
   Point right_, up_;  // exact multiples of along, and of a vector that is nearly across it; their lengths are nearly 1
   Vec3<double> towards_;
+  Point look_;
 };
 
 }  // namespace fathom::picture
