@@ -10,9 +10,11 @@
 #include "cli/output/answer.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/shape_output.hpp"
+#include "cli/output/union_output.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 
@@ -25,29 +27,59 @@ using rounded::coordinates;
 
 constexpr const char* only_bounds = "only bounds of the signed depth are known: nothing follows from them exactly";
 
-const Depth* of_polytopes(const fathom_answer& answer) { return std::get_if<Depth>(&answer.found); }
-const SignedDepth& of_shapes(const fathom_answer& answer) { return std::get<SignedDepth>(answer.found); }
+constexpr const char* stopped = "the search was stopped: only bounds of the depth are known";
 
-Vector direction_of(const fathom_answer& answer) {
-  const Depth* const depth = of_polytopes(answer);
-  return depth ? depth->direction() : of_shapes(answer).direction();
-}
-
-Coordinates translation_of(const fathom_answer& answer) {
-  if (const Depth* const depth = of_polytopes(answer))
-    return coordinates(depth->distance() ? depth->distance()->translation : depth->translation());
-  const std::vector<AlongNormal> all = of_shapes(answer).translations();
+std::vector<AlongNormal> translations_of(const SignedDepth& depth) {
+  std::vector<AlongNormal> all = depth.translations();
   if (all.empty()) throw Absence(only_bounds);
-  return coordinates(all.front());
+  return all;
 }
 
-CoordinatePair witness_of(const fathom_answer& answer) {
-  if (const Depth* const depth = of_polytopes(answer))
-    return coordinates(depth->distance() ? depth->distance()->witness : depth->witness().value());
-  const std::optional<RoundedWitness> witness = of_shapes(answer).witness();
+/// What is known, unless the search was stopped.
+const UnionDepth& complete(const UnionDepth& depth) {
+  if (!depth.complete) throw Absence(stopped);
+  return depth;
+}
+
+/// The direction of a translation other than 0.
+Vector direction_of(const Point& t) {
+  const mpz_class unit = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
+  const auto times_unit = [&](const mpq_class& x) { return mpz_class(x.get_num() * (unit / x.get_den())); };
+  return primitive(Vector{times_unit(t.x), times_unit(t.y), times_unit(t.z)});
+}
+
+Vector direction_of(const Depth& depth) { return depth.direction(); }
+Vector direction_of(const SignedDepth& depth) { return depth.direction(); }
+Vector direction_of(const UnionDepth& depth) {
+  if (depth.apart) return depth.apart->distance.direction;
+  if (complete(depth).status == Status::touching) throw Absence("the unions touch: there is no one direction, but one for each two pieces");
+  return direction_of(depth.optima.front().translation);
+}
+
+Coordinates translation_of(const Depth& depth) {
+  return coordinates(depth.distance() ? depth.distance()->translation : depth.translation());
+}
+Coordinates translation_of(const SignedDepth& depth) { return coordinates(translations_of(depth).front()); }
+Coordinates translation_of(const UnionDepth& depth) {
+  return coordinates(depth.apart ? depth.apart->distance.translation : complete(depth).optima.front().translation);
+}
+
+CoordinatePair witness_of(const Depth& depth) {
+  return coordinates(depth.distance() ? depth.distance()->witness : depth.witness().value());
+}
+CoordinatePair witness_of(const SignedDepth& depth) {
+  const std::optional<RoundedWitness> witness = depth.witness();
   if (!witness) throw Absence(only_bounds);
   return coordinates(*witness);
 }
+CoordinatePair witness_of(const UnionDepth& depth) {
+  if (!depth.apart) throw Absence("unions have a pair of witness points only if they are disjoint");
+  return coordinates(depth.apart->distance.witness);
+}
+
+std::size_t optima_of(const Depth& depth) { return depth.optima().size(); }
+std::size_t optima_of(const SignedDepth& depth) { return depth.status() == Status::penetrating ? depth.translations().size() : 0; }
+std::size_t optima_of(const UnionDepth& depth) { return depth.status == Status::penetrating && depth.complete ? depth.optima.size() : 0; }
 
 /// A shortest way out.
 struct WayOut {
@@ -55,25 +87,17 @@ struct WayOut {
   Coordinates translation;
 };
 
-std::vector<AlongNormal> ways_of_shapes(const fathom_answer& answer) {
-  const SignedDepth& depth = of_shapes(answer);
-  return depth.status() == Status::penetrating ? depth.translations() : std::vector<AlongNormal>{};
+WayOut way_out(const Depth& depth, std::size_t index) {
+  const Optimum& way = depth.optima()[index];
+  return {way.direction, coordinates(way.translation())};
 }
-
-std::size_t ways_out(const fathom_answer& answer) {
-  const Depth* const depth = of_polytopes(answer);
-  return depth ? depth->optima().size() : ways_of_shapes(answer).size();
-}
-
-WayOut way_out(const fathom_answer& answer, std::size_t index) {
-  const std::size_t count = ways_out(answer);
-  if (index >= count)
-    throw std::invalid_argument("index: expected one below " + std::to_string(count) + ", the number of optima, found " +
-                                std::to_string(index));
-  if (const Depth* const depth = of_polytopes(answer))
-    return {depth->optima()[index].direction, coordinates(depth->optima()[index].translation())};
-  const AlongNormal way = ways_of_shapes(answer)[index];
+WayOut way_out(const SignedDepth& depth, std::size_t index) {
+  const AlongNormal way = depth.translations()[index];
   return {way.normal, coordinates(way)};
+}
+WayOut way_out(const UnionDepth& depth, std::size_t index) {
+  const Point& way = depth.optima[index].translation;
+  return {direction_of(way), coordinates(way)};
 }
 
 void copy(const Coordinates& from, double* to) { std::ranges::copy(rounded::nearest_binary64(from), to); }
@@ -88,43 +112,85 @@ std::string text_of(const Surd& value) {
 
 std::string text_of(const Coordinates& values) { return text_of(values[0]) + " " + text_of(values[1]) + " " + text_of(values[2]); }
 
-std::string signed_depth_text(const fathom_answer& answer) {
-  if (const Depth* const depth = of_polytopes(answer)) return text_of(Surd{0, signed_square(*depth)});
-  const SignedDepth& depth = of_shapes(answer);
+std::string signed_depth_text(const Depth& depth) { return text_of(Surd{0, signed_square(depth)}); }
+std::string signed_depth_text(const SignedDepth& depth) {
   if (const Surd* const value = depth.exact()) return text_of(*value);
   return "[" + exact_text(depth.bounds()->low) + "," + exact_text(depth.bounds()->high) + "]";
+}
+std::string signed_depth_text(const UnionDepth& depth) {
+  if (depth.apart) return text_of(Surd{0, mpq_class(-depth.apart->distance.squared)});
+  if (depth.complete) return text_of(Surd{0, depth.low});
+  return "[" + text_of(Surd{0, depth.low}) + "," + text_of(Surd{0, depth.high}) + "]";
+}
+
+/// Asks `question` of what was found.
+template <class Question>
+auto told(const fathom_answer& answer, Question question) {
+  return std::visit(question, answer.found);
 }
 
 std::string exact_of(const fathom_answer& answer, int quantity) {
   switch (quantity) {
-    case FATHOM_SIGNED_DEPTH: return signed_depth_text(answer);
+    case FATHOM_SIGNED_DEPTH: return told(answer, [](const auto& found) { return signed_depth_text(found); });
     case FATHOM_DIRECTION: {
-      const Vector n = direction_of(answer);
+      const Vector n = told(answer, [](const auto& found) { return direction_of(found); });
       return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str();
     }
-    case FATHOM_TRANSLATION: return text_of(translation_of(answer));
-    case FATHOM_WITNESS_A: return text_of(witness_of(answer)[0]);
-    case FATHOM_WITNESS_B: return text_of(witness_of(answer)[1]);
-    default: throw std::invalid_argument("quantity: expected one from 0 to 4, found " + std::to_string(quantity));
+    case FATHOM_TRANSLATION: return text_of(told(answer, [](const auto& found) { return translation_of(found); }));
+    case FATHOM_WITNESS_A: return text_of(told(answer, [](const auto& found) { return witness_of(found); })[0]);
+    case FATHOM_WITNESS_B: return text_of(told(answer, [](const auto& found) { return witness_of(found); })[1]);
+    case FATHOM_DEEPEST_PAIR: return text_of(Surd{0, bounds_of(answer).deepest_pair});
+    case FATHOM_HULLS: return text_of(Surd{0, bounds_of(answer).hulls});
+    default: throw std::invalid_argument("quantity: expected one from 0 to 6, found " + std::to_string(quantity));
   }
 }
+
+/// The answer in JSON.
+struct Json {
+  const fathom_answer& answer;
+  const std::string& id;
+  cli::Request request;
+
+  [[nodiscard]] cli::AboutBodies bodies() const { return cli::about_bodies(Case{id, *answer.a, *answer.b}, false); }
+
+  std::string operator()(const Depth& depth) const { return cli::json_result({id, depth, {}, bodies()}, request); }
+  std::string operator()(const SignedDepth& depth) const {
+    BodyFacts facts;
+    facts.flat_a = is_flat(files::shape_of(*answer.a));
+    facts.flat_b = is_flat(files::shape_of(*answer.b));
+    return cli::shape_json({id, depth, facts, {}, bodies()}, request);
+  }
+  std::string operator()(UnionDepth depth) const {
+    if (answer.listed && *answer.listed < depth.optima.size()) depth.optima.resize(*answer.listed);
+    return cli::union_json({id, std::move(depth), {}}, request);
+  }
+};
 
 std::string json_of(const fathom_answer& answer, const std::string& id) {
   cli::Request request;
   request.json = true;
   request.optima = answer.listed;
-  const cli::AboutBodies bodies = cli::about_bodies(Case{id, *answer.a, *answer.b}, false);
-  if (const Depth* const depth = of_polytopes(answer)) return cli::json_result({id, *depth, {}, bodies}, request);
-  BodyFacts facts;
-  facts.flat_a = is_flat(files::shape_of(*answer.a));
-  facts.flat_b = is_flat(files::shape_of(*answer.b));
-  return cli::shape_json({id, of_shapes(answer), facts, {}, bodies}, request);
+  return told(answer, Json{answer, id, request});
 }
+
+/// The certificate of the answer.
+struct Proof {
+  const Body &a, &b;
+  const std::string& id;
+  Monitor* monitor;
+
+  std::string operator()(const Depth& depth) const { return certificate_text(a, b, depth, id, monitor); }
+  std::string operator()(const SignedDepth& depth) const {
+    return certificate_text(files::shape_of(a), files::shape_of(b), depth, id, ShapeFormat::shortest, monitor);
+  }
+  std::string operator()(const UnionDepth& depth) const {
+    return certificate_text(pieces_of(a), pieces_of(b), complete(depth), id, monitor);
+  }
+};
 
 std::string certificate_of(const fathom_answer& answer, const std::string& id, const fathom_options& options) {
   CallersMonitor monitor(options);
-  if (const Depth* const depth = of_polytopes(answer)) return certificate_text(*answer.a, *answer.b, *depth, id, &monitor);
-  return certificate_text(files::shape_of(*answer.a), files::shape_of(*answer.b), of_shapes(answer), id, ShapeFormat::shortest, &monitor);
+  return told(answer, Proof{*answer.a, *answer.b, id, &monitor});
 }
 
 }  // namespace
@@ -141,8 +207,34 @@ RoundedDepth rounded(const SignedDepth& depth) {
   return {least == most ? least : std::numeric_limits<double>::quiet_NaN(), low, high};
 }
 
+RoundedDepth rounded(const UnionDepth& depth) {
+  const mpq_class low = depth.apart ? mpq_class(-depth.apart->distance.squared) : depth.low, high = depth.apart ? low : depth.high;
+  const double least = round_binary64(Surd{0, low}), most = round_binary64(Surd{0, high});
+  return {least == most ? least : std::numeric_limits<double>::quiet_NaN(), round_binary64(Surd{0, low}, Rounding::rd),
+          round_binary64(Surd{0, high}, Rounding::ru)};
+}
+
 int status_of(const Depth& depth) { return static_cast<int>(depth.status()); }
 int status_of(const SignedDepth& depth) { return depth.status() ? static_cast<int>(*depth.status()) : FATHOM_UNDECIDED; }
+int status_of(const UnionDepth& depth) { return static_cast<int>(depth.status); }
+
+std::size_t ways_out(const fathom_answer& answer) {
+  const std::size_t all = told(answer, [](const auto& found) { return optima_of(found); });
+  return answer.listed ? std::min(all, *answer.listed) : all;
+}
+
+void require_way_out(const fathom_answer& answer, std::size_t index) {
+  const std::size_t count = ways_out(answer);
+  if (index < count) return;
+  throw std::invalid_argument("index: expected one below " + std::to_string(count) + ", the number of optima, found " +
+                              std::to_string(index));
+}
+
+const UnionBounds& bounds_of(const fathom_answer& answer) {
+  const auto* const unions = std::get_if<UnionDepth>(&answer.found);
+  if (!unions) throw Absence("no body is a union of pieces: there is one pair, and the hulls are the bodies");
+  return unions->bounds.value();
+}
 
 }  // namespace fathom::c
 
@@ -154,13 +246,13 @@ const char* fathom_status_name(int status) {
 }
 
 int fathom_answer_status(const fathom_answer* answer) {
-  return answer ? std::visit([](const auto& found) { return status_of(found); }, answer->found) : -1;
+  return answer ? told(*answer, [](const auto& found) { return status_of(found); }) : -1;
 }
 
 int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high) {
   return guarded([&] {
     require(answer, "answer");
-    const RoundedDepth value = std::visit([](const auto& found) { return rounded(found); }, answer->found);
+    const RoundedDepth value = told(*answer, [](const auto& found) { return rounded(found); });
     if (nearest) *nearest = value.nearest;
     if (low) *low = value.low;
     if (high) *high = value.high;
@@ -171,7 +263,7 @@ int fathom_answer_direction(const fathom_answer* answer, double direction[3]) {
   return guarded([&] {
     require(answer, "answer");
     require(direction, "direction");
-    copy(fathom::rounded::unit(direction_of(*answer)), direction);
+    copy(fathom::rounded::unit(told(*answer, [](const auto& found) { return direction_of(found); })), direction);
   });
 }
 
@@ -179,7 +271,7 @@ int fathom_answer_translation(const fathom_answer* answer, double translation[3]
   return guarded([&] {
     require(answer, "answer");
     require(translation, "translation");
-    copy(translation_of(*answer), translation);
+    copy(told(*answer, [](const auto& found) { return translation_of(found); }), translation);
   });
 }
 
@@ -188,7 +280,7 @@ int fathom_answer_witness(const fathom_answer* answer, double a[3], double b[3])
     require(answer, "answer");
     require(a, "a");
     require(b, "b");
-    const CoordinatePair witness = witness_of(*answer);
+    const CoordinatePair witness = told(*answer, [](const auto& found) { return witness_of(found); });
     copy(witness[0], a);
     copy(witness[1], b);
   });
@@ -206,7 +298,8 @@ size_t fathom_answer_optima(const fathom_answer* answer) {
 int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]) {
   return guarded([&] {
     require(answer, "answer");
-    const WayOut way = way_out(*answer, index);
+    require_way_out(*answer, index);
+    const WayOut way = told(*answer, [index](const auto& found) { return way_out(found, index); });
     if (direction) copy(fathom::rounded::unit(way.direction), direction);
     if (translation) copy(way.translation, translation);
   });

@@ -14,16 +14,10 @@
 namespace fathom::c {
 namespace {
 
-constexpr std::size_t most_points = std::size_t{1} << 31;
-
-void require_count(std::size_t count) {
-  if (count < 1 || count > most_points) throw std::invalid_argument("expected from 1 to 2^31 points, found " + std::to_string(count));
-}
-
 std::string of_point(std::size_t i) { return "point " + std::to_string(i) + ": "; }
 
 GivenPoints points_from(const double* xyz, std::size_t count) {
-  require_count(count);
+  require_count(count, "points");
   require(xyz, "xyz");
   std::vector<std::array<double, 3>> points(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -42,15 +36,13 @@ mpq_class number_from(const char* text, std::size_t point) {
 }
 
 GivenPoints points_from(const char* const* xyz, std::size_t count) {
-  require_count(count);
+  require_count(count, "points");
   require(xyz, "xyz");
   std::vector<Point> points;
   for (std::size_t i = 0; i < count; ++i)
     points.push_back({number_from(xyz[3 * i], i), number_from(xyz[3 * i + 1], i), number_from(xyz[3 * i + 2], i)});
   return GivenPoints(std::move(points));
 }
-
-fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(body))}; }
 
 fathom_body placed(const fathom_body& from, const files::GivenPose& pose) {
   Body body = *from.body;
@@ -105,7 +97,6 @@ int fathom_bodies_from_case(const char* json, fathom_body** a, fathom_body** b) 
     fathom::CaseItem item = fathom::parse_case(json, "case");
     if (!item.ok()) throw item.error();
     auto& both = std::get<fathom::Case>(item.outcome);
-    if (both.a.pieces || both.b.pieces) throw std::invalid_argument("a case of unions of pieces, where convex bodies are expected");
     auto first = std::make_unique<fathom_body>(handle(std::move(both.a)));
     *b = std::make_unique<fathom_body>(handle(std::move(both.b))).release();
     *a = first.release();

@@ -32,6 +32,18 @@ char* text_for_caller(std::string_view text) {
   return copy;
 }
 
+void require_convex(const Body& body, const std::string& name) {
+  if (body.pieces) throw std::invalid_argument(name + ": expected a convex body, found a union of pieces: fathom_depth takes those");
+}
+
+void require_count(std::size_t count, const char* what) {
+  constexpr std::size_t most = std::size_t{1} << 31;
+  if (count < 1 || count > most)
+    throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
+}
+
+fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(body))}; }
+
 Decimals decimals_from(int decimals) {
   if (decimals == FATHOM_BINARY64_DECIMALS) return Decimals::binary64;
   if (decimals == FATHOM_EXACT_DECIMALS) return Decimals::exact;

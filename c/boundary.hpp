@@ -15,6 +15,7 @@
 #include "fathom/fathom.h"
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 #include "kernels/float_environment.hpp"
 
 struct fathom_body {
@@ -23,8 +24,9 @@ struct fathom_body {
 
 struct fathom_answer {
   std::shared_ptr<const fathom::Body> a, b;
-  std::variant<fathom::Depth, fathom::SignedDepth> found;  ///< the former of two polytopes
-  std::optional<std::size_t> listed;                       ///< how many optima were asked for
+  /// The first of two polytopes, the last if one is a union of pieces.
+  std::variant<fathom::Depth, fathom::SignedDepth, fathom::UnionDepth> found;
+  std::optional<std::size_t> listed;  ///< how many optima were asked for
 };
 
 namespace fathom::c {
@@ -51,6 +53,14 @@ void require_struct(const Struct* given, const char* name) {
 char* text_for_caller(std::string_view text);
 
 Decimals decimals_from(int decimals);
+
+/// Throws std::invalid_argument that begins with the name if the body is a union of pieces.
+void require_convex(const Body& body, const std::string& name);
+
+/// From 1 to 2^31 of `what`: throws std::invalid_argument else.
+void require_count(std::size_t count, const char* what);
+
+fathom_body handle(Body body);
 
 /// Does the work in the default floating-point environment and returns its code; whatever it throws becomes one, with a message.
 template <class Work>
@@ -120,9 +130,20 @@ struct RoundedDepth {
 };
 RoundedDepth rounded(const Depth& depth);
 RoundedDepth rounded(const SignedDepth& depth);
+RoundedDepth rounded(const UnionDepth& depth);
 
 /// FATHOM_PENETRATING and so on.
 int status_of(const Depth& depth);
 int status_of(const SignedDepth& depth);
+int status_of(const UnionDepth& depth);
+
+/// How many shortest ways out the answer lists.
+std::size_t ways_out(const fathom_answer& answer);
+
+/// Throws std::invalid_argument unless there are more ways out than this.
+void require_way_out(const fathom_answer& answer, std::size_t index);
+
+/// The bounds beside the depth. Throws Absence if no body is a union of pieces.
+const UnionBounds& bounds_of(const fathom_answer& answer);
 
 }  // namespace fathom::c

@@ -19,8 +19,11 @@ using fathom_check::Verdict;
 
 std::string points_json(const fathom_body& body, const char* name) {
   if (body.body->shape)
-    throw std::invalid_argument(std::string(name) + ": expected the hull of points to compare the certificate with, found a shape");
-  return files::body_json(Body{body.body->points});
+    throw std::invalid_argument(std::string(name) + ": expected points, or pieces, to compare the certificate with, found a shape");
+  Body bare;
+  if (body.body->pieces) bare.pieces = body.body->pieces;
+  else bare.points = body.body->points;
+  return files::body_json(bare);
 }
 
 /// Refuses a certificate that is not about these bodies.

@@ -21,6 +21,8 @@ Options options_of(const fathom_options& given, Monitor& monitor) {
 fathom_answer answer_about(const fathom_body& a, const fathom_body& b, const fathom_options& given) {
   CallersMonitor monitor(given);
   const Options options = options_of(given, monitor);
+  if (a.body->pieces || b.body->pieces)
+    return {a.body, b.body, union_depth(pieces_of(*a.body), pieces_of(*b.body), {&monitor}), options.optima};
   if (!a.body->shape && !b.body->shape) return {a.body, b.body, penetration_depth(*a.body, *b.body, options), options.optima};
   return {a.body, b.body, signed_depth(files::shape_of(*a.body), files::shape_of(*b.body), {.cores = options, .bits = given.bits}),
           options.optima};

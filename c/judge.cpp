@@ -173,6 +173,8 @@ void judge_by(const TheTruth& truth, const fathom_claim& claim, fathom_judgement
 
 void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
   require_claim(claim);
+  require_convex(a, "a");
+  require_convex(b, "b");
   const Precision precision = format_of(claim).points;
   if (!a.shape && !b.shape) {
     judge_by(truth_about(seen_points(a, precision, "a"), seen_points(b, precision, "b")), claim, judgement, sentence);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file
- * fathom for C, and for every language that can call C: the exact penetration depth of two convex bodies, certificates and their checker,
- * and the judge of other implementations. C99 and C++; the library is libfathom-c.so.1.
+ * fathom for C, and for every language that can call C: the exact penetration depth of two bodies, convex ones or unions of convex pieces,
+ * certificates and their checker, and the judge of other implementations. C99 and C++; the library is libfathom-c.so.1.
  *
  * Bodies and answers are handles: they are made by one function, never change after that, may be used by many threads at once, and end with
  * fathom_body_free or fathom_answer_free. An answer does not need the bodies that it is about.
@@ -55,7 +55,7 @@ FATHOM_API void fathom_text_free(char* text);
 
 /* ---- bodies ---- */
 
-/** A convex body: the hull of points, or a shape that is none, as a capsule. */
+/** A convex body: the hull of points, or a shape that is none, as a capsule; or a union of convex pieces, which need not be convex. */
 typedef struct fathom_body fathom_body;
 
 /** What a decimal in a text stands for. Integers, ratios "22/7" and hexadecimal floats are exact in any case. */
@@ -78,12 +78,22 @@ FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_bo
 /** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
 
+/** Makes the union of `count` convex pieces, from 1 to 2^31, each a body that is the hull of points. They may overlap, abut and repeat: where
+ * two meet in a common face there is no gap. A piece without interior is refused by fathom_depth, with its number, from 0. The handles of
+ * the pieces stay as they are, and may end before the union does. */
+FATHOM_API int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_body** body);
+
+/** Reads the union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there, in
+ * the natural order of names. So tools for convex decomposition write them. */
+FATHOM_API int fathom_body_from_piece_files(const char* path, int decimals, fathom_body** body);
+
 /** Makes both bodies of a case as JSON, schema fathom/case/1: {"a": {"vertices": [[0, 0, 0], ...]}, "b": {"shape": "sphere", "radius": 1}}.
- * JSON numbers are binary64, texts exact; hulls with margins, sums and triangles are given in this way. Both are made, or none. */
+ * JSON numbers are binary64, texts exact; hulls with margins, sums and triangles are given in this way, and "pieces" make a union. Both are
+ * made, or none. */
 FATHOM_API int fathom_bodies_from_case(const char* json, fathom_body** a, fathom_body** b);
 
 /** Makes the body where a pose puts it, exactly: x goes to M x + t for the three rows of four numbers (M | t). M need not be a rotation,
- * but regular for shapes. The radius of a shape is a length in the world, and stays. */
+ * but regular for shapes. The radius of a shape is a length in the world, and stays. A union is moved as a whole. */
 FATHOM_API int fathom_body_moved(const fathom_body* body, const double pose[12], fathom_body** moved);
 
 /** The same of a pose as text, as the option --pose-a takes it: twelve or sixteen numbers, or "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W
@@ -121,11 +131,13 @@ typedef struct fathom_options {
 FATHOM_API void fathom_options_init(fathom_options* options);
 
 /** The answer about two bodies. The signed depth is their depth if they penetrate, 0 if they touch, minus their distance if they are
- * disjoint. It is exact for polytopes, spheres and capsules, everything rounded among them, and half-spaces; bounds are proved for curved
- * shapes. */
+ * disjoint. It is exact for polytopes, unions of them, spheres and capsules, everything rounded among them, and half-spaces; bounds are
+ * proved for curved shapes. */
 typedef struct fathom_answer fathom_answer;
 
-/** Finds the answer about A and B. `options` may be NULL. */
+/** Finds the answer about A and B. `options` may be NULL. If a body is a union of pieces, the other is one too, or the hull of points, which
+ * is one piece: A moved by t and B overlap if their interiors have a common point, and a path to the shortest t for which they do not is
+ * not asked for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone, once these are known. */
 FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
 
 /** Ends an answer. NULL is allowed. */
@@ -138,13 +150,14 @@ FATHOM_API int fathom_answer_status(const fathom_answer* answer);
  * known and a double. Each pointer may be NULL. */
 FATHOM_API int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high);
 
-/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. */
+/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. FATHOM_ABSENT of unions that touch. */
 FATHOM_API int fathom_answer_direction(const fathom_answer* answer, double direction[3]);
 
 /** Sets the shortest translation of A after which the bodies touch: out of B if they penetrate, towards it if they are disjoint. */
 FATHOM_API int fathom_answer_translation(const fathom_answer* answer, double translation[3]);
 
-/** Sets a point of A and a point of B with b - a = the translation: a pair of nearest points if the bodies are disjoint. */
+/** Sets a point of A and a point of B with b - a = the translation: a pair of nearest points if the bodies are disjoint. FATHOM_ABSENT of
+ * unions that are not. */
 FATHOM_API int fathom_answer_witness(const fathom_answer* answer, double a[3], double b[3]);
 
 /** How many shortest ways out are listed: 0 unless the bodies penetrate, and where only bounds are known. */
@@ -153,13 +166,26 @@ FATHOM_API size_t fathom_answer_optima(const fathom_answer* answer);
 /** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of the functions above. */
 FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]);
 
+/** Sets whether translations as near as one likes to one of these ways out leave a gap between the bodies: 1, or 0 for an exact fit, as that
+ * of a key in a slot of its own width. Always 1 of convex bodies. */
+FATHOM_API int fathom_answer_clearance(const fathom_answer* answer, size_t index, int* clearance);
+
+/** Of unions, sets the depth of the deepest pair of a piece of A and a piece of B, which is at most that of the unions, and the numbers of the
+ * two, the first of several; 0 if no two overlap. Of a search that was stopped, of those that it came to. Each pointer may be NULL. */
+FATHOM_API int fathom_answer_deepest_pair(const fathom_answer* answer, double* depth, size_t pieces[2]);
+
+/** Of unions, sets the depth of their convex hulls, which is at least that of the unions. */
+FATHOM_API int fathom_answer_hulls(const fathom_answer* answer, double* depth);
+
 /** What fathom_answer_exact tells. */
 enum {
-  FATHOM_SIGNED_DEPTH = 0, /**< a number; "[LOW,HIGH]", two rationals, where only bounds are known */
+  FATHOM_SIGNED_DEPTH = 0, /**< a number; "[LOW,HIGH]", two numbers, where only bounds are known */
   FATHOM_DIRECTION = 1,    /**< three integers without a common factor, not of unit length */
   FATHOM_TRANSLATION = 2,  /**< three numbers, and so are the points */
   FATHOM_WITNESS_A = 3,
-  FATHOM_WITNESS_B = 4
+  FATHOM_WITNESS_B = 4,
+  FATHOM_DEEPEST_PAIR = 5, /**< of unions: the depth of the deepest pair of pieces */
+  FATHOM_HULLS = 6         /**< of unions: the depth of their hulls */
 };
 
 /** Makes the text of an exact quantity: numbers in lowest terms, joined by blanks, each "3/5", or "sqrt(2)", "-sqrt(1/3)", or a sum of
@@ -167,7 +193,7 @@ enum {
 FATHOM_API int fathom_answer_exact(const fathom_answer* answer, int quantity, char** text);
 
 /** Makes one line of JSON with everything that is known, schema fathom/result/2, as `fathom depth --json` prints it. `id` names the case,
- * and may be NULL. */
+ * and may be NULL. Of unions the schema is fathom/union/1. */
 FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, char** text);
 
 /** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other checkers. `id` and `options` may be NULL;
@@ -184,7 +210,7 @@ enum {
 };
 
 /** Checks whether a text of `length` bytes is a proof, by a checker that shares nothing with what makes certificates. What acceptance
- * proves is written in FORMAT.md. With both bodies, which have to be hulls of points, it is refused too unless it is about the same
+ * proves is written in FORMAT.md. With both bodies, hulls of points or unions of them, it is refused too unless it is about the same
  * points in the same order; without them, NULL, it is taken on its own. `line` gets what the checker prints, "s VERIFIED penetrating
  * depth_squared=9/25 certificate", or the line and the reason; it may be NULL. FATHOM_OK says that the text was checked, not that it is
  * a proof. */

@@ -119,7 +119,7 @@ TEST(CBadInput, NullAndForeignOptions) {
   const AnswerHandle good = answer_about(a, a);
   char* text = nullptr;
   EXPECT_EQ(fathom_answer_direction(good.get(), nullptr), FATHOM_BAD_INPUT);
-  EXPECT_EQ(fathom_answer_exact(good.get(), 5, &text), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_answer_exact(good.get(), 7, &text), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_answer_exact(good.get(), FATHOM_DIRECTION, nullptr), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_answer_json(nullptr, nullptr, &text), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_answer_certificate(nullptr, nullptr, nullptr, &text), FATHOM_BAD_INPUT);
