@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-two-ways: what users get, with its proof checked, against AGHRS's pipeline.
+// fathom-two-ways: what users get, with its proof checked, against AGHRS's pipeline; of unions against their parts.
 #include "tests/nightly/two_ways.hpp"
+#include "tests/nightly/unions_by_parts.hpp"
 
 int main(int argc, char** argv) {
-  using namespace fathom;
-  return nightly::two_ways(argc, argv, harness::solver_with_proof(), harness::solver_by(Method::exact));
+  return fathom::nightly::two_ways(argc, argv, fathom::harness::solver_with_proof(), fathom::nightly::second_solver());
 }

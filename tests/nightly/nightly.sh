@@ -3,10 +3,10 @@
 # tests/nightly/nightly.sh [--until 10min | --cases N] [--seed N] [--from K] [--level L1] [--work DIR] [--built DIR]
 #
 # Computes everything in two ways that share nothing, and compares every field: the golden data of L1, made and verified by the exact method
-# too; then a random stream of cases of all families for 10 minutes, or as long as one likes. The seed is printed; --seed and --from go on
-# with a stream, and golden data that is there already is not made again. The first difference is made small and kept as
-# DIR/differences/difference.case.json; DIR is build/nightly unless given. Builds what it needs, unless --built names a folder with the
-# programs.
+# too; then a random stream of cases of all families for 10 minutes, or as long as one likes. Every fifth case is one of unions, whose second
+# way are pairs of pieces, convex wholes and a naive search. The seed is printed; --seed and --from go on with a stream, and golden data that
+# is there already is not made again. The first difference is made small and kept as DIR/differences/difference.case.json; DIR is
+# build/nightly unless given. Builds what it needs, unless --built names a folder with the programs.
 #
 # Exit codes: 0 all agree; 1 a difference, and what was printed says where; 2 wrong arguments; 3 something that this script needs failed.
 set -u

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""nightly.sh and fathom-two-ways, on a few hundred cases: they agree; a planted difference is found, made smaller and kept."""
+"""nightly.sh and fathom-two-ways, on a few hundred cases: they agree; planted differences are found, made smaller and kept."""
 import json
 import os
 import pathlib
@@ -68,6 +68,30 @@ class Nightly(unittest.TestCase):
             self.assertEqual(code, 1)
             self.assertIn(f"seed 7, case {number}, {found[2]}: ", out)
             self.assertEqual((self.folder / jobs / kept.name).read_bytes(), kept.read_bytes())
+
+    def test_unions(self):
+        code, out, err = self.run_words(TWO_WAYS, "--seed", "7", "--cases", "72", "--unions")
+        self.assertEqual(code, 0, out + err)
+        self.assertIn("seed 7, cases 0 to 72: automatic and exact agree in every field; goes on: --seed 7 --from 72 --unions\n", out)
+
+    def test_a_planted_difference_of_unions(self):
+        code, out, err = self.run_words(PLANTED, "--seed", "7", "--cases", "72", "--unions", "--keep", self.folder)
+        self.assertEqual(code, 1, out + err)
+        found = re.search(r"^seed 7, case (\d+), (\S+): automatic and exact differ: translations: \S.* and \S.*$", out, re.MULTILINE)
+        self.assertTrue(found, out)
+        kept = self.folder / "difference.case.json"
+        pair = json.loads(kept.read_text())
+        self.assertEqual(pair["id"], found[2])
+        # The plant needs three pieces of B and a tie; of A one piece is left, or as many as a tie takes.
+        self.assertEqual(len(pair["b"]["pieces"]), 3)
+        self.assertIn(f"kept as {kept}, {len(pair['a']['pieces'])} and 3 pieces: automatic and exact differ: translations: ", out)
+        self.assertIn(f"goes on: --seed 7 --from {int(found[1]) + 1} --unions\n", out)
+        self.assertEqual(self.run_words(FATHOM, "depth", kept)[0], 0)
+        # Every fifth case of the whole stream is one of unions: there the plant is found too.
+        fifth = 5 * int(found[1]) + 4
+        code, out, _ = self.run_words(PLANTED, "--seed", "7", "--from", fifth, "--cases", "1", "--keep", self.folder / "fifth")
+        self.assertEqual(code, 1, out)
+        self.assertIn(f"seed 7, case {fifth}, {found[2]}: ", out)
 
     def test_a_time(self):
         code, out, _ = self.run_words(TWO_WAYS, "--seed", "3", "--until", "1s", "--jobs", "1")

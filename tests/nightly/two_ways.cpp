@@ -29,6 +29,7 @@ struct Wanted {
   std::optional<Clock::duration> until;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string keep = "differences";
+  bool unions = false;
 };
 
 /// "90s", "10min", "8h".
@@ -66,12 +67,24 @@ void add_options(CLI::App& app, Wanted& wanted) {
       ->type_name("10min");
   app.add_option("--jobs", wanted.jobs, "threads; as many as there are cores unless given")->check(CLI::Range(1U, 1024U))->type_name("N");
   app.add_option("--keep", wanted.keep, "the folder for a case with a difference; 'differences' unless given")->type_name("DIR");
+  app.add_flag("--unions", wanted.unions, "cases of unions alone");
 }
+
+/// Every fifth case is one of unions.
+Case case_of(const Wanted& wanted, std::uint64_t number) {
+  constexpr std::uint64_t turn = 5;
+  if (wanted.unions) return harness::random_unions(wanted.seed, number);
+  const std::uint64_t round = number / turn, place = number % turn;
+  if (place + 1 == turn) return harness::random_unions(wanted.seed, round);
+  return harness::random_case(wanted.seed, round * (turn - 1) + place);
+}
+
+std::size_t size_of(const Body& body) { return body.pieces ? body.pieces->size() : body.points.size(); }
 
 harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, const harness::Solver& x, const harness::Solver& y) {
   const Clock::time_point begin = Clock::now();
   harness::StreamPlan plan;
-  plan.make = [&](std::uint64_t number) { return harness::random_case(wanted.seed, number); };
+  plan.make = [&](std::uint64_t number) { return case_of(wanted, number); };
   plan.from = wanted.from;
   plan.count = wanted.count;
   plan.jobs = wanted.jobs;
@@ -86,7 +99,8 @@ int run(const Wanted& wanted, const harness::Solver& x, const harness::Solver& y
   cli::Progress progress;
   const harness::StreamResult result = compare(wanted, progress, x, y);
   progress.clear();
-  const std::string goes_on = fmt::format("goes on: --seed {} --from {}", wanted.seed, result.end + (result.first ? 1 : 0));
+  const std::string goes_on =
+      fmt::format("goes on: --seed {} --from {}{}", wanted.seed, result.end + (result.first ? 1 : 0), wanted.unions ? " --unions" : "");
   if (!result.first) {
     cli::print(fmt::format("seed {}, cases {} to {}: {} and {} agree in every field; {}", wanted.seed, wanted.from, result.end, x.name,
                            y.name, goes_on));
@@ -97,8 +111,8 @@ int run(const Wanted& wanted, const harness::Solver& x, const harness::Solver& y
   const auto stop = [&] { return progress.stopped(); };
   const harness::KeptDifference kept = harness::keep_difference(wanted.keep, result.first->pair, result.first->sentence, x, y, stop);
   progress.clear();
-  cli::print(fmt::format("kept as {}, {} and {} points: {}; {}", kept.path, kept.pair.a.points.size(), kept.pair.b.points.size(),
-                         kept.sentence, goes_on));
+  cli::print(fmt::format("kept as {}, {} and {} {}: {}; {}", kept.path, size_of(kept.pair.a), size_of(kept.pair.b),
+                         kept.pair.a.pieces ? "pieces" : "points", kept.sentence, goes_on));
   return differed;
 }
 
@@ -108,10 +122,10 @@ int two_ways(int argc, char** argv, const harness::Solver& x, const harness::Sol
   cli::install_signal_handlers();
   Wanted wanted;
   wanted.seed = std::random_device()();
-  CLI::App app(
-      fmt::format("Random cases of all families by {} and by {}, every field compared. The first difference is made small and kept.",
-                  x.name, y.name),
-      "fathom-two-ways");
+  CLI::App app(fmt::format("Random cases of all families, of unions too, by {} and by {}, every field compared. The first difference is "
+                           "made small and kept.",
+                           x.name, y.name),
+               "fathom-two-ways");
   add_options(app, wanted);
   try {
     app.parse(argc, argv);

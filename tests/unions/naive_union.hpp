@@ -28,6 +28,9 @@ class NaiveSearch {
       for (const std::vector<Point>& q : b) add(integers(p), integers(q));
   }
 
+  /// How many different planes there are: the time grows with the third power.
+  [[nodiscard]] std::size_t planes() const { return distinct_.size(); }
+
   NaiveUnion run() {
     if (free({0, 0, 0}, 1)) return {};
     const std::vector<Plane> all(distinct_.begin(), distinct_.end());

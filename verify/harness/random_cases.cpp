@@ -6,14 +6,18 @@
 
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
+#include "verify/families/union_families.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 
-Case random_case(std::uint64_t seed, std::uint64_t number) {
-  const auto families = families::families();
+namespace {
+
+/// Of these families, whose cases have a size and a seed of their own.
+template <class Families>
+Case random_of(const Families& families, std::uint64_t seed, std::uint64_t number, unsigned least, unsigned most) {
   families::Random random(families::Random(seed).next() + number);
-  const auto size = static_cast<unsigned>(random.between(least_random_size, most_random_size));
+  const auto size = static_cast<unsigned>(random.between(least, most));
   const std::uint64_t of_family = random.next();
   Case pair = families[number % families.size()].make(of_family, size);
   const std::int64_t form = random.between(0, 2);
@@ -23,6 +27,16 @@ Case random_case(std::uint64_t seed, std::uint64_t number) {
   if (!rounded) return pair;
   rounded->id += precision == Precision::binary64 ? ".b64" : ".b32";
   return *std::move(rounded);
+}
+
+}  // namespace
+
+Case random_case(std::uint64_t seed, std::uint64_t number) {
+  return random_of(families::families(), seed, number, least_random_size, most_random_size);
+}
+
+Case random_unions(std::uint64_t seed, std::uint64_t number) {
+  return random_of(families::union_families(), seed, number, 1, most_random_pieces);
 }
 
 }  // namespace fathom::harness
