@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "reference/polytope/joined.hpp"
 #include "reference/shapes/dents.hpp"
 
 namespace fathom::shapes {
@@ -78,11 +79,7 @@ std::string text_of(const std::optional<Lengths>& lengths) {
 }  // namespace
 
 std::optional<Lengths> extent(const Body& body) {
-  if (body.pieces) {
-    std::vector<Point> all;
-    for (const std::vector<Point>& piece : *body.pieces) all.insert(all.end(), piece.begin(), piece.end());
-    return extent_of(all);
-  }
+  if (body.pieces) return extent_of(polytope::joined(*body.pieces));
   if (!body.shape) return body.points.in_binary64() ? extent_of(body.points.binary64()) : extent_of(body.points.exact());
   const auto* const terms = std::get_if<std::vector<Term>>(&body.shape->core);
   return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;

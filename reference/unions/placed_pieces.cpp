@@ -8,19 +8,16 @@
 #include <utility>
 
 #include "kernels/number/ratio.hpp"
+#include "reference/polytope/joined.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::unions {
 namespace {
 
-std::vector<Point> joined(const Pieces& pieces, const std::string& body) {
+void require_points(const Pieces& pieces, const std::string& body) {
   if (pieces.empty()) throw std::invalid_argument("body " + body + " has no pieces");
-  std::vector<Point> all;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.size(); ++i)
     if (pieces[i].empty()) throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " has no points");
-    all.insert(all.end(), pieces[i].begin(), pieces[i].end());
-  }
-  return all;
 }
 
 std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const Pieces& pieces, const std::string& body) {
@@ -40,8 +37,10 @@ std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const 
 }  // namespace
 
 PlacedPieces place_pieces(const Pieces& a, const Pieces& b) {
+  require_points(a, "A");
+  require_points(b, "B");
   PlacedPieces placed;
-  placed.whole = polytope::place(joined(a, "A"), joined(b, "B"));
+  placed.whole = polytope::place(polytope::joined(a), polytope::joined(b));
   placed.a = parted(placed.whole.a, a, "A");
   placed.b = parted(placed.whole.b, b, "B");
   return placed;

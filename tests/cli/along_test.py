@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom depth --along: one exact continuous curve, the same as text, CSV, JSON and chart."""
-import copy
 import csv
 import io
 import json
@@ -13,7 +12,7 @@ from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest, box, case
+from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest, box, case, changed
 
 SCHEMA = json.loads((ROOT / "schemas" / "along.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -59,12 +58,7 @@ class Along(CliTest):
         good = self.curve(*PATHS[0])
         for path, value in ((["steps"], 0), (["values", 0, "s"], "0.5"), (["values", 0, "status"], "inside"), (["values", 0, "value"], "1"),
                             (["values", 0, "signed_depth", "exact", "root"], "-1"), (["values", 0, "more"], 1), (["along"], ["1", "0"])):
-            wrong = copy.deepcopy(good)
-            place = wrong
-            for step in path[:-1]:
-                place = place[step]
-            place[path[-1]] = value
-            self.assertFalse(VALIDATOR.is_valid(wrong), path)
+            self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
         for field in good:
             self.assertFalse(VALIDATOR.is_valid({key: good[key] for key in good if key != field}), field)
 

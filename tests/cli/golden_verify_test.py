@@ -8,6 +8,7 @@ import subprocess
 import unittest
 
 from golden_release import ENDS, GoldenTest, contents, packed, page, repair, unpacked, write_sums
+from harness import changed
 
 RECORDS, CERTIFICATES, CSV = ENDS
 
@@ -119,11 +120,7 @@ class Verify(GoldenTest):
             with self.subTest(path):
                 record = json.loads(lines[number])
                 self.assertEqual(json.dumps(record, separators=(",", ":")).encode() + b"\n", lines[number])
-                place = record
-                for step in path[:-1]:
-                    place = place[step]
-                place[path[-1]] = value
-                wrong = json.dumps(record, separators=(",", ":")).encode() + b"\n"
+                wrong = json.dumps(changed(record, path, value), separators=(",", ":")).encode() + b"\n"
                 folder = self.forged(RECORDS, lambda _: b"".join([*lines[:number], wrong, *lines[number + 1:]]))
                 self.refusal(folder, f"{name}:{number + 1}")
 

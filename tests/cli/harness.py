@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the command line share: running it, small bodies, temporary files."""
+import copy
 import json
 import os
 import pathlib
@@ -25,6 +26,16 @@ UNIT = box([0, 0, 0], [1, 1, 1])
 def case(a, b, **fields):
     """One line of a stream."""
     return json.dumps({"schema": "fathom/case/1", **fields, "a": {"vertices": a}, "b": {"vertices": b}}) + "\n"
+
+
+def changed(value, path, new):
+    """A copy of a JSON value with another one at the end of the path, of keys and indices."""
+    result = copy.deepcopy(value)
+    place = result
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = new
+    return result
 
 
 class CliTest(unittest.TestCase):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom depth --pieces: unions of convex pieces, from OBJ files with groups; the same as text and JSON; bad input."""
-import copy
 import json
 import pathlib
 import unittest
@@ -8,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, ROOT, CliTest, box
+from harness import DATA, ROOT, CliTest, box, changed
 
 SCHEMA = json.loads((ROOT / "schemas" / "union.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -48,12 +47,7 @@ class Pieces(CliTest):
         good = self.pieces(PLATE, SLOT)
         for path, value in ((["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["optima", 0, "translation", 0], 0.5),
                             (["deepest_pair", "pieces"], [0]), (["extra"], 1)):
-            bad = copy.deepcopy(good)
-            place = bad
-            for key in path[:-1]:
-                place = place[key]
-            place[path[-1]] = value
-            self.assertFalse(VALIDATOR.is_valid(bad), path)
+            self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
 
     def test_an_exact_fit(self):
         found = self.pieces(PLATE, SLOT)

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom study: tables, JSON under schemas/study.schema.json, a row of CSV for every case."""
-import copy
 import csv
 import io
 import json
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, ROOT, UNIT, CliTest, box, case
+from harness import DATA, ROOT, UNIT, CliTest, box, case, changed
 
 SCHEMA = json.loads((ROOT / "schemas" / "study.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -42,12 +41,7 @@ class Json(CliTest):
         for path, value in ((["status"], "inside"), (["squared"], "0.5"), (["predicates", "x_order", "zero"], -1), (["more"], 1),
                             (["coincidences", "ties", "listed"], [{"a": [[]], "b": []}]), (["bodies", "a", "rank"], 4),
                             (["predicates", "x_order", "decided_by"], [{"monomial": "e1", "name": "E44", "count": 1}])):
-            wrong = copy.deepcopy(good)
-            place = wrong
-            for step in path[:-1]:
-                place = place[step]
-            place[path[-1]] = value
-            self.assertFalse(VALIDATOR.is_valid(wrong), path)
+            self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
         for field in good:
             self.assertFalse(VALIDATOR.is_valid({key: good[key] for key in good if key != field}), field)
 

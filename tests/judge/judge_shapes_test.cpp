@@ -8,7 +8,9 @@
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
+#include "tests/judge/shape_pairs.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/shape_families.hpp"
 #include "verify/judge/measures.hpp"
@@ -16,49 +18,34 @@
 namespace fathom::judging {
 namespace {
 
+using testing::at;
+using testing::balls;
+using testing::cylinders;
+using testing::diagonal;
+using testing::down;
+using testing::Findings;
+using testing::findings;
+using testing::left;
 using testing::opposite;
 using testing::overlap;
-using Findings = std::vector<Verdict>;
+using testing::right;
+using testing::up;
+using testing::with_witness;
 
-constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 0, 1}, down{0, 0, -1};
 const Tolerance none{0, 0, 0};  // half an ulp of each number
 
-Shape at(const Shape& shape, const mpq_class& x, const mpq_class& y = 0, const mpq_class& z = 0) {
-  return moved(shape, rigid_pose({1, 0, 0, 0}, {x, y, z}));
-}
-
-/// Unit balls, the depth is 1/2.
-ShapeTruth balls() { return truth_about(sphere(1), at(sphere(1), mpq_class(3, 2))); }
 /// Parallel capsules with axes sqrt(1/2) apart: the depth is 1 - sqrt(1/2).
 ShapeTruth capsules() {
   const Shape one = capsule(mpq_class(1, 2), 2);
   return truth_about(one, at(one, mpq_class(1, 2), mpq_class(1, 2)));
 }
-/// Parallel cylinders with axes 5/4 sqrt(2) apart: the depth is 2 - 5/4 sqrt(2).
-ShapeTruth cylinders() {
-  const Shape one = cylinder(1, 1);
-  return truth_about(one, at(one, mpq_class(5, 4), mpq_class(5, 4)));
-}
-const Triple diagonal{-std::sqrt(0.5), -std::sqrt(0.5), 0};
 
 double capsule_depth() { return kernels::nearest_binary64({1, mpq_class(-1, 2)}); }
 double cylinder_depth() { return kernels::nearest_binary64({2, mpq_class(-25, 8)}); }
 
-Findings findings(const ShapeTruth& truth, const Reply& reply, const Tolerance& tolerance = {}, const Conventions& conventions = {}) {
-  const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
-  EXPECT_FALSE(result.sentence.empty());
-  EXPECT_EQ(fails(result.verdict), !result.findings.empty());
-  return result.findings;
-}
-
-Reply with_witness(Reply reply, const Triple& a, const Triple& b) {
-  reply.witness_a = a;
-  reply.witness_b = b;
-  return reply;
-}
-
 TEST(JudgeShapes, RightAnswersAreCorrectlyRounded) {
-  const Judgement ball = judge(balls(), with_witness(overlap(0.5, left), {1, 0, 0}, {0.5, 0, 0}), {}, Precision::binary64, none);
+  const Judgement ball =
+      judge(balls(), with_witness(overlap(0.5, left), Triple{1, 0, 0}, Triple{0.5, 0, 0}), {}, Precision::binary64, none);
   EXPECT_EQ(ball.sentence, "right: 0.5 is claimed, the depth is 0.5 (correctly rounded)");
   EXPECT_EQ(ball.status, Status::penetrating);
   EXPECT_EQ(ball.signed_depth, (Between{0.5, 0.5}));
@@ -102,9 +89,9 @@ TEST(JudgeShapes, DirectionsArePricedAndTried) {
   EXPECT_EQ(slanted.findings, Findings{Verdict::too_deep}) << "consistent with its own direction: " << slanted.sentence;
   EXPECT_EQ(slanted.price, (Between{0.5, 0.5}));
   const double way = kernels::nearest_binary64({mpq_class(-1, 2), mpq_class(3, 4)});
-  EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), none), (Findings{Verdict::too_deep, Verdict::inconsistent}))
+  EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), {}, none), (Findings{Verdict::too_deep, Verdict::inconsistent}))
       << "but it separates";
-  EXPECT_EQ(findings(capsules(), overlap(way - 1e-9, left), none),
+  EXPECT_EQ(findings(capsules(), overlap(way - 1e-9, left), {}, none),
             (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
   const Judgement short_way = judge(cylinders(), overlap(cylinder_depth(), up));
   EXPECT_GT(*short_way.overlap_left, 1.766) << "2 - 0.2322...";
@@ -118,11 +105,11 @@ TEST(JudgeShapes, WitnessPoints) {
   const double h = std::sqrt(0.5), far = 1.25;
   const Triple a{h, h, 0}, b{far - h, far - h, 0};
   const Reply reply = overlap(cylinder_depth(), diagonal);
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, b), {0, 0, 8}), Findings{});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, {1, 1, 0}, b)), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, {far - h, far - h, 1.1})), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, {0.5, 0.5, 0}, b)), Findings{Verdict::witness_off}) << "inside, but not across";
-  const Judgement off = judge(cylinders(), with_witness(reply, {2, 0, 0}, b));
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, b), {}, {0, 0, 8}), Findings{});
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{1, 1, 0}, b)), Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, Triple{far - h, far - h, 1.1})), Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{0.5, 0.5, 0}, b)), Findings{Verdict::witness_off}) << "inside, but not across";
+  const Judgement off = judge(cylinders(), with_witness(reply, Triple{2, 0, 0}, b));
   EXPECT_LE(off.witness_a_distance->low, 1);
   EXPECT_GE(off.witness_a_distance->high, 1);
   EXPECT_LT(off.witness_a_distance->high - off.witness_a_distance->low, 1e-11);
@@ -141,16 +128,16 @@ TEST(JudgeShapes, ApartAndTouching) {
   EXPECT_EQ(judge(touching, Reply{}).verdict, Verdict::touching_by_convention);
   Conventions conventions;
   conventions.touching = Touching::overlap;
-  EXPECT_EQ(findings(touching, Reply{}, {}, conventions), Findings{Verdict::false_separation});
+  EXPECT_EQ(findings(touching, Reply{}, conventions), Findings{Verdict::false_separation});
   conventions.touching = Touching::separate;
-  EXPECT_EQ(findings(touching, overlap(0), {}, conventions), Findings{Verdict::false_overlap});
+  EXPECT_EQ(findings(touching, overlap(0), conventions), Findings{Verdict::false_overlap});
   EXPECT_EQ(findings(touching, overlap(0.1)), Findings{Verdict::too_deep});
   EXPECT_EQ(findings(touching, overlap(0, left)), Findings{});
   EXPECT_EQ(findings(touching, overlap(0, up)), Findings{Verdict::inconsistent});
   const ShapeTruth hardly = truth_about(one, at(one, 2 + mpq_class(1, 10'000'000)));
   EXPECT_EQ(findings(hardly, overlap({})), Findings{});
   EXPECT_EQ(judge(hardly, overlap({})).accuracy, Accuracy::tolerance);
-  EXPECT_EQ(findings(hardly, overlap({}), none), Findings{Verdict::false_overlap});
+  EXPECT_EQ(findings(hardly, overlap({}), {}, none), Findings{Verdict::false_overlap});
 }
 
 TEST(JudgeShapes, OutOfAHalfSpaceTheWayCounts) {
@@ -184,7 +171,7 @@ TEST(JudgeShapes, ClaimsInsideTheBoundsAreNeitherTooDeepNorTooShallow) {
     EXPECT_EQ(closer->too_long(exact_value(claim)), claim > depth);
     EXPECT_EQ(closer->too_short(exact_value(claim)), claim < depth);
     EXPECT_FALSE(closer->open());
-    EXPECT_EQ(findings(truth, overlap(claim), none), Findings{claim > depth ? Verdict::too_deep : Verdict::too_shallow});
+    EXPECT_EQ(findings(truth, overlap(claim), {}, none), Findings{claim > depth ? Verdict::too_deep : Verdict::too_shallow});
   }
   // A truth that knows next to nothing: every answer but the absurd is within it, until more bits are asked for.
   SignedDepthOptions hasty;
@@ -228,15 +215,15 @@ TEST(JudgeShapes, WhatIsUndecidedIsNobodysFault) {
                     (reply.overlap ? "do" : "do not"));
     }
   }
-  EXPECT_EQ(findings(truth, overlap(1e-9), none), Findings{Verdict::too_deep});
+  EXPECT_EQ(findings(truth, overlap(1e-9), {}, none), Findings{Verdict::too_deep});
 }
 
 // A depth of 3e-14, of which 40 bits tell little.
 TEST(JudgeShapes, MoreBitsTellHowDeepTheyOverlap) {
   const ShapeTruth truth = of_family("inverse_tapered_sides", 1);
-  EXPECT_EQ(findings(truth, Reply{}, none), Findings{Verdict::false_separation});
-  EXPECT_EQ(findings(truth, overlap({}), none), Findings{});
-  EXPECT_EQ(findings(truth, overlap(0), none), Findings{Verdict::too_shallow});
+  EXPECT_EQ(findings(truth, Reply{}, {}, none), Findings{Verdict::false_separation});
+  EXPECT_EQ(findings(truth, overlap({}), {}, none), Findings{});
+  EXPECT_EQ(findings(truth, overlap(0), {}, none), Findings{Verdict::too_shallow});
   EXPECT_EQ(findings(truth, Reply{}), Findings{}) << "within the usual tolerance";
 }
 
@@ -244,7 +231,8 @@ TEST(JudgeShapes, MoreBitsTellHowDeepTheyOverlap) {
 TEST(JudgeShapes, AHalfSpaceFarFromO) {
   const ShapeTruth truth = truth_about(sphere(1), halfspace({1, 1, 1}, 1000));
   const double depth = kernels::nearest_binary64(*truth.depth.exact()), h = std::sqrt(1.0 / 3), foot = 1000.0 / 3;
-  EXPECT_EQ(findings(truth, with_witness(overlap(depth, Triple{h, h, h}), {-h, -h, -h}, {foot, foot, foot}), none), Findings{});
+  EXPECT_EQ(findings(truth, with_witness(overlap(depth, Triple{h, h, h}), Triple{-h, -h, -h}, Triple{foot, foot, foot}), {}, none),
+            Findings{});
   const Judgement shallow = judge(truth, overlap(depth - 1, Triple{h, h, h}));
   EXPECT_EQ(shallow.findings, (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_NEAR(*shallow.overlap_left, 1, 1e-9);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
 
 namespace fathom::judging {
@@ -17,28 +18,16 @@ using testing::box;
 using testing::cube;
 using testing::cubes;
 using testing::disjoint_cubes;
+using testing::Findings;
+using testing::findings;
+using testing::left;
 using testing::overlap;
+using testing::right;
 using testing::touching_cubes;
-using Findings = std::vector<Verdict>;
+using testing::with_witness;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 0, 1};
-
-Reply with_witness(Reply reply, std::optional<Triple> a, std::optional<Triple> b) {
-  reply.witness_a = a;
-  reply.witness_b = b;
-  return reply;
-}
-
-Findings findings(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, const Tolerance& tolerance = {}) {
-  const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
-  EXPECT_EQ(result.verdict, !result.findings.empty()                   ? result.findings.front()
-                            : truth.depth.status() == Status::touching ? Verdict::touching_by_convention
-                                                                       : Verdict::pass);
-  EXPECT_EQ(result.sentence.find('\n'), std::string::npos);
-  EXPECT_FALSE(result.sentence.empty());
-  return result.findings;
-}
+constexpr Triple up{0, 0, 1};
 
 TEST(Judge, ARightAnswerPassesWithItsClass) {
   const Judgement result = judge(cubes(), overlap(0.6, left));

@@ -13,6 +13,7 @@
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
@@ -21,12 +22,15 @@ namespace fathom::judging {
 namespace {
 
 using testing::apart;
+using testing::Findings;
+using testing::findings;
+using testing::left;
 using testing::overlap;
+using testing::right;
 using unions::box;
 using unions::moved;
-using Findings = std::vector<Verdict>;
 
-constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 1, 0}, down{0, -1, 0}, back{0, 0, 1};
+constexpr Triple up{0, 1, 0}, down{0, -1, 0}, back{0, 0, 1};
 
 /// A plate between two blocks, 1/2 deep in the one on its right; the slot is as wide as it, and it comes to lie there exactly.
 const UnionTruth& slot() {
@@ -46,13 +50,6 @@ const UnionTruth& far_away() {
   static const UnionTruth truth =
       truth_about({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 5}, {1, 1, 6})}, {box({3, 0, 0}, {4, 1, 1}), box({2, 0, 5}, {4, 1, 6})});
   return truth;
-}
-
-Findings findings(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {}, const Tolerance& tolerance = {}) {
-  const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
-  EXPECT_EQ(result.sentence.find('\n'), std::string::npos);
-  EXPECT_FALSE(result.sentence.empty());
-  return result.findings;
 }
 
 TEST(JudgeUnions, ARightAnswerPassesThoughNoTranslationBesideItDoes) {

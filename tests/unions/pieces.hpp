@@ -10,10 +10,13 @@
 
 #include "fathom/union.hpp"
 #include "kernels/vector.hpp"
+#include "reference/polytope/joined.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/boxes.hpp"
 
 namespace fathom::unions {
+
+using polytope::joined;
 
 inline std::vector<Point> box(const Point& low, const Point& high) { return testing::box_points(low, high); }
 
@@ -121,12 +124,6 @@ inline Pieces ring(int wedges, bool upright, const mpq_class& shift) {
     }
   }
   return pieces;
-}
-
-inline std::vector<Point> joined(const Pieces& pieces) {
-  std::vector<Point> all;
-  for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
-  return all;
 }
 
 }  // namespace fathom::unions

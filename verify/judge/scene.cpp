@@ -12,6 +12,7 @@
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/distance.hpp"
+#include "reference/polytope/joined.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/shapes/support.hpp"
@@ -38,15 +39,9 @@ Sizes sizes_of(std::span<const Point> a, std::span<const Point> b) {
 }
 
 Sizes sizes_of(const Pieces& a, const Pieces& b) {
-  const auto joined = [](const Pieces& pieces) {
-    std::vector<Point> all;
-    for (const std::vector<Point>& piece : pieces) {
-      polytope::require_bodies(piece, piece);
-      all.insert(all.end(), piece.begin(), piece.end());
-    }
-    return all;
-  };
-  return sizes_of(joined(a), joined(b));
+  for (const Pieces* body : {&a, &b})
+    for (const std::vector<Point>& piece : *body) polytope::require_bodies(piece, piece);
+  return sizes_of(polytope::joined(a), polytope::joined(b));
 }
 
 Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {

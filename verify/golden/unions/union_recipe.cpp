@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
+#include "reference/polytope/joined.hpp"
 #include "verify/families/union_catalogue.hpp"
 #include "verify/families/union_cuts.hpp"
 #include "verify/families/union_families.hpp"
@@ -16,11 +17,7 @@ namespace fathom::golden {
 namespace {
 
 /// The hull of all pieces.
-Body hull_of(const Body& body) {
-  std::vector<Point> points;
-  for (const std::vector<Point>& piece : *body.pieces) points.insert(points.end(), piece.begin(), piece.end());
-  return {std::move(points)};
-}
+Body hull_of(const Body& body) { return {polytope::joined(*body.pieces)}; }
 
 KnownUnion known_of_hulls(const Case& unions) {
   const Depth depth = penetration_depth(hull_of(unions.a), hull_of(unions.b));
