@@ -36,44 +36,40 @@ Vec3<double> scaled(double s, const Vec3<double>& v) { return {s * v.x, s * v.y,
 
 }  // namespace
 
-PointImage foot_image(const OrientedPlane& g) {
-  const Vec3<double>& n = g.image_normal;
-  const double height = std::fabs(g.image_height);
-  return quotient(scaled(g.image_height, n), of_plane_foot * height, dot(n, n), of_normal, height);
+PointImage foot_image(const PlaneImage& g) {
+  const Vec3<double>& n = g.normal;
+  const double height = std::fabs(g.height);
+  return quotient(scaled(g.height, n), of_plane_foot * height, dot(n, n), of_normal, height);
 }
 
-MeetingLine::MeetingLine(const OrientedPlane& g, const OrientedPlane& h)
-    : g_(g), h_(h), direction_(cross(g.image_normal, h.image_normal)) {}
+MeetingLine::MeetingLine(const PlaneImage& g, const PlaneImage& h) : g_(g), h_(h), direction_(cross(g.normal, h.normal)) {}
 
 bool MeetingLine::surely_exists() const { return largest(direction_) > of_direction; }
 
 PointImage MeetingLine::foot() const {
-  const Vec3<double> v =
-      scaled(g_.image_height, cross(h_.image_normal, direction_)) + scaled(h_.image_height, cross(direction_, g_.image_normal));
-  const double heights = std::fabs(g_.image_height) + std::fabs(h_.image_height);
+  const Vec3<double> v = scaled(g_.height, cross(h_.normal, direction_)) + scaled(h_.height, cross(direction_, g_.normal));
+  const double heights = std::fabs(g_.height) + std::fabs(h_.height);
   return quotient(v, of_line_foot * heights, dot(direction_, direction_), of_square, heights);
 }
 
-std::optional<Sign> MeetingLine::leads_beyond(const OrientedPlane& e) const {
-  return sure_sign(dot(direction_, e.image_normal), of_determinant);
+std::optional<Sign> MeetingLine::leads_beyond(const PlaneImage& e) const { return sure_sign(dot(direction_, e.normal), of_determinant); }
+
+PointImage MeetingLine::meeting(const PlaneImage& e) const {
+  const Vec3<double> v =
+      scaled(g_.height, cross(h_.normal, e.normal)) + scaled(h_.height, cross(e.normal, g_.normal)) + scaled(e.height, direction_);
+  const double heights = std::fabs(g_.height) + std::fabs(h_.height) + std::fabs(e.height);
+  return quotient(v, of_meeting * heights, dot(direction_, e.normal), of_determinant, heights);
 }
 
-PointImage MeetingLine::meeting(const OrientedPlane& e) const {
-  const Vec3<double> v = scaled(g_.image_height, cross(h_.image_normal, e.image_normal)) +
-                         scaled(h_.image_height, cross(e.image_normal, g_.image_normal)) + scaled(e.image_height, direction_);
-  const double heights = std::fabs(g_.image_height) + std::fabs(h_.image_height) + std::fabs(e.image_height);
-  return quotient(v, of_meeting * heights, dot(direction_, e.image_normal), of_determinant, heights);
+std::optional<Sign> sure_side(const PlaneImage& plane, const PointImage& p) {
+  const double x = plane.normal.x * p.at.x, y = plane.normal.y * p.at.y, z = plane.normal.z * p.at.z;
+  const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(plane.height);
+  return sure_sign(x + y + z - plane.height, of_side * size + 4 * p.error + of_underflow);
 }
 
-std::optional<Sign> sure_side(const OrientedPlane& plane, const PointImage& p) {
-  const double x = plane.image_normal.x * p.at.x, y = plane.image_normal.y * p.at.y, z = plane.image_normal.z * p.at.z;
-  const double size = std::fabs(x) + std::fabs(y) + std::fabs(z) + std::fabs(plane.image_height);
-  return sure_sign(x + y + z - plane.image_height, of_side * size + 4 * p.error + of_underflow);
-}
-
-std::optional<Sign> sure_order(const PointImage& p, const SquaredDistance& squared) {
+std::optional<Sign> sure_order(const PointImage& p, double squared) {
   const double square = dot(p.at, p.at), error = 8 * p.error * (largest(p.at) + p.error);
-  return sure_sign(square - squared.image, of_order * (square + squared.image) + error + of_underflow);
+  return sure_sign(square - squared, of_order * (square + squared) + error + of_underflow);
 }
 
 }  // namespace fathom::kernels

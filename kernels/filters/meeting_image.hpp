@@ -17,30 +17,30 @@ struct PointImage {
 };
 
 /// The point of a plane that is nearest to O.
-PointImage foot_image(const OrientedPlane& g);
+PointImage foot_image(const PlaneImage& g);
 
 /// The line in which two planes meet, which must outlive it, by their images alone.
 class MeetingLine {
  public:
-  MeetingLine(const OrientedPlane& g, const OrientedPlane& h);
+  MeetingLine(const PlaneImage& g, const PlaneImage& h);
 
   /// True only if the planes are not parallel.
   [[nodiscard]] bool surely_exists() const;
   /// Its point nearest to O.
   [[nodiscard]] PointImage foot() const;
   /// The sign of <g x h, e> for the normals; nullopt if unsure.
-  [[nodiscard]] std::optional<Sign> leads_beyond(const OrientedPlane& e) const;
+  [[nodiscard]] std::optional<Sign> leads_beyond(const PlaneImage& e) const;
   /// The point where all three meet.
-  [[nodiscard]] PointImage meeting(const OrientedPlane& e) const;
+  [[nodiscard]] PointImage meeting(const PlaneImage& e) const;
 
  private:
-  const OrientedPlane &g_, &h_;
+  const PlaneImage &g_, &h_;
   Vec3<double> direction_;
 };
 
 /// The sign of <normal, p> - height; nullopt if unsure.
-std::optional<Sign> sure_side(const OrientedPlane& plane, const PointImage& p);
+std::optional<Sign> sure_side(const PlaneImage& plane, const PointImage& p);
 /// The sign of |p|^2 - squared; nullopt if unsure.
-std::optional<Sign> sure_order(const PointImage& p, const SquaredDistance& squared);
+std::optional<Sign> sure_order(const PointImage& p, double squared);
 
 }  // namespace fathom::kernels

@@ -4,47 +4,71 @@
 #pragma once
 
 #include "kernels/filters/error_bounds.hpp"
+#include "kernels/filters/meeting_numbers.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 
-/// The plane <normal, x> = height, and its image: both sides of the equation scaled by powers of 2.
-struct OrientedPlane {
-  Vector normal;  ///< primitive
-  mpz_class height;
-  Vec3<double> image_normal{};
-  double image_height = 0;
-
-  [[nodiscard]] OrientedPlane reversed() const { return {-normal, -height, -image_normal, -image_height}; }
+/// Both sides of a plane's equation, scaled by powers of 2; the largest component of the normal lies in [1/2, 1].
+struct PlaneImage {
+  Vec3<double> normal{};
+  double height = 0;
 };
+
+/// The plane <normal, x> = height, and its image.
+template <class Numbers>
+struct OrientedPlaneIn {
+  Vec3<typename Numbers::OfPlane> normal;  ///< primitive
+  typename Numbers::OfPlane height;
+  PlaneImage image;
+
+  [[nodiscard]] OrientedPlaneIn reversed() const { return {-normal, -height, {-image.normal, -image.height}}; }
+};
+using OrientedPlane = OrientedPlaneIn<AnyNumbers>;
 
 /// The plane with its normal made primitive; the plane goes through a lattice point, so that height stays an integer. Points that it is
 /// asked about have coordinates of size about 2^exponent.
-OrientedPlane oriented_plane(Vector normal, mpz_class height, long exponent);
+template <class Numbers = AnyNumbers>
+OrientedPlaneIn<Numbers> oriented_plane(Vec3<typename Numbers::OfPlane> normal, typename Numbers::OfPlane height, long exponent);
 
 /// The point v / w, w > 0, and its image, scaled by 2^-exponent: each coordinate errs by at most 2^-49 of itself, and 2^-450.
-struct RationalPoint {
-  Vector v;
-  mpz_class w = 1;
+template <class Numbers>
+struct RationalPointIn {
+  Vec3<typename Numbers::OfPoint> v;
+  typename Numbers::OfPoint w = 1;
   Vec3<double> image{};
   double image_square = 0;  ///< |image|^2
 };
+using RationalPoint = RationalPointIn<AnyNumbers>;
 
-RationalPoint rational_point(Vector v, mpz_class w, long exponent);
+template <class Numbers = AnyNumbers>
+RationalPointIn<Numbers> rational_point(const Vec3<typename Numbers::Product>& v, const typename Numbers::Product& w, long exponent);
+
+/// The same point in other integers.
+template <class To, class From>
+RationalPointIn<To> converted(const RationalPointIn<From>& p) {
+  return {as<typename To::OfPoint>(p.v), as<typename To::OfPoint>(p.w), p.image, p.image_square};
+}
 
 /// A squared distance from O.
-struct SquaredDistance {
-  mpz_class numerator, denominator;
+template <class Numbers>
+struct SquaredDistanceIn {
+  typename Numbers::Product numerator, denominator;
   double image;
 };
+using SquaredDistance = SquaredDistanceIn<AnyNumbers>;
 
-SquaredDistance squared_distance(const RationalPoint& p);
+template <class Numbers>
+SquaredDistanceIn<Numbers> squared_distance(const RationalPointIn<Numbers>& p);
 
 /// The sign of <normal, p> - height. Exact.
-int side(const OrientedPlane& plane, const RationalPoint& p);
+template <class Numbers>
+int side(const OrientedPlaneIn<Numbers>& plane, const RationalPointIn<Numbers>& p);
 /// The sign of |p|^2 - squared. Exact.
-int compare(const RationalPoint& p, const SquaredDistance& squared);
+template <class Numbers>
+int compare(const RationalPointIn<Numbers>& p, const SquaredDistanceIn<Numbers>& squared);
 /// Whether the plane has O strictly below it, farther away than the distance. Exact.
-bool farther(const OrientedPlane& plane, const SquaredDistance& squared);
+template <class Numbers>
+bool farther(const OrientedPlaneIn<Numbers>& plane, const SquaredDistanceIn<Numbers>& squared);
 
 }  // namespace fathom::kernels

@@ -16,9 +16,9 @@ class Covering {
   explicit Covering(const std::vector<TangentCone>& cones) {
     for (const TangentCone& cone : cones) {
       std::vector<Facet>& facets = cones_.emplace_back();
-      for (const kernels::OrientedPlane* plane : cone) {
-        kernels::OrientedPlane through = kernels::oriented_plane(plane->normal, 0, 0);
-        facets.push_back({through, kernels::oriented_plane(plane->normal, 1, 0), through.reversed()});
+      for (const Vector& normal : cone) {
+        kernels::OrientedPlane through = kernels::oriented_plane(normal, 0, 0);
+        facets.push_back({through, kernels::oriented_plane(normal, 1, 0), through.reversed()});
       }
     }
   }

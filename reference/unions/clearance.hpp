@@ -6,12 +6,12 @@
 
 #include <vector>
 
-#include "kernels/filters/rational_point.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::unions {
 
-/// The planes through O of a cone's facets, with outward normals. Without planes it is the whole space.
-using TangentCone = std::vector<const kernels::OrientedPlane*>;
+/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
+using TangentCone = std::vector<Vector>;
 
 /// Whether every point lies in one of the cones. Exact.
 bool cover_space(const std::vector<TangentCone>& cones);

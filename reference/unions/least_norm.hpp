@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "kernels/filters/rational_point.hpp"
@@ -13,7 +14,14 @@
 namespace fathom::unions {
 
 /// The point set { x : <normal, x> >= height }.
-using Barrier = const kernels::OrientedPlane*;
+template <class Numbers>
+using BarrierIn = const kernels::OrientedPlaneIn<Numbers>*;
+using Barrier = BarrierIn<kernels::AnyNumbers>;
+template <class Numbers>
+using BarriersIn = std::type_identity_t<std::span<const BarrierIn<Numbers>>>;
+/// A squared distance, or null.
+template <class Numbers>
+using LimitIn = const std::type_identity_t<kernels::SquaredDistanceIn<Numbers>>*;
 
 /// What a search for the nearest point found.
 enum class CellEnd {
@@ -23,13 +31,16 @@ enum class CellEnd {
 };
 
 /// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of the cell that they and `wall` make, if
-/// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. Otherwise `nearest` is
-/// not the cell's. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four
+/// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. `nearest` is set if the
+/// point is found. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four
 /// of the half-spaces, `wall` among them, that have no common point by themselves.
-CellEnd nearest_on_wall(Barrier wall, std::span<const Barrier> barriers, const kernels::SquaredDistance* limit, long exponent,
-                        kernels::RationalPoint& nearest, std::vector<Barrier>* conflict = nullptr);
+template <class Numbers>
+CellEnd nearest_on_wall(BarrierIn<Numbers> wall, BarriersIn<Numbers> barriers, LimitIn<Numbers> limit, long exponent,
+                        kernels::RationalPointIn<Numbers>& nearest,
+                        std::type_identity_t<std::vector<BarrierIn<Numbers>>>* conflict = nullptr);
 
 /// Finds the point nearest to O in all `barriers`.
-CellEnd nearest_in_cell(std::span<const Barrier> barriers, long exponent, kernels::RationalPoint& nearest);
+template <class Numbers>
+CellEnd nearest_in_cell(BarriersIn<Numbers> barriers, long exponent, kernels::RationalPointIn<Numbers>& nearest);
 
 }  // namespace fathom::unions

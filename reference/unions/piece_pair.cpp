@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernels/filters/double_images.hpp"
+#include "kernels/filters/fixed_images.hpp"
 #include "reference/expanding/start.hpp"
 
 namespace fathom::unions {
@@ -15,26 +16,48 @@ namespace {
 
 constexpr std::size_t most_separations = 14;
 
-Vector axis(int k, long sign) { return {k == 0 ? sign : 0, k == 1 ? sign : 0, k == 2 ? sign : 0}; }
+using kernels::AnyNumbers;
+using kernels::as;
+using kernels::FixedNumbers;
+
+template <class Integer>
+Vec3<Integer> axis(int k, long sign) {
+  return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)};
+}
+
+polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b, kernels::ScanMemory&) {
+  return {a, b};
+}
+polytope::NarrowDifferences differences_of(FixedNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                           kernels::ScanMemory& memory) {
+  return {a, b, memory};
+}
 
 }  // namespace
 
-PiecePair::PiecePair(const kernels::PointCloud& a, const kernels::PointCloud& b) : differences_{a, b} {
+template <class Numbers>
+PiecePairIn<Numbers>::PiecePairIn(const kernels::PointCloud& a, const kernels::PointCloud& b)
+    : differences_(differences_of(Numbers{}, a, b, memory_)) {
+  using Integer = typename DifferencesIn<Numbers>::Integer;
   for (int k = 0; k < 3; ++k) {
     for (const long sign : {1L, -1L}) {
-      const Vector u = axis(k, sign);
-      separations_.push_back(kernels::oriented_plane(u, dot(u, differences_[differences_.extreme(u)]), a.exponent()));
+      const Vec3<Integer> u = axis<Integer>(k, sign);
+      const Integer height = dot(u, differences_[differences_.extreme(u)]);
+      using OfPlane = typename Numbers::OfPlane;
+      separations_.push_back(kernels::oriented_plane<Numbers>(as<OfPlane>(u), as<OfPlane>(height), a.exponent()));
     }
   }
 }
 
-PiecePair::Corner PiecePair::corner(polytope::Difference d) const {
-  Vector exact = differences_[d];
+template <class Numbers>
+typename PiecePairIn<Numbers>::Corner PiecePairIn<Numbers>::corner(polytope::Difference d) const {
+  Vec3<typename Numbers::OfPlane> exact = as<typename Numbers::OfPlane>(differences_[d]);
   const Vec3<double> rounded = kernels::image(exact, differences_.exponent());
   return {d, std::move(exact), rounded};
 }
 
-void PiecePair::start() {
+template <class Numbers>
+void PiecePairIn<Numbers>::start() {
   if (std::exchange(started_, true)) return;
   const auto first = expanding::starting_tetrahedron(differences_);
   if (!first) throw std::logic_error("a piece of a union is flat");
@@ -42,27 +65,30 @@ void PiecePair::start() {
   for (const expanding::TriangleId t : surface_.triangles().ids()) add(t);
 }
 
-void PiecePair::add(expanding::TriangleId triangle) {
-  const expanding::ExactPlane<mpz_class>& exact = surface_.plane(triangle);
-  kernels::OrientedPlane plane = kernels::oriented_plane(exact.normal, exact.height, differences_.exponent());
-  kernels::OrientedPlane reversed = plane.reversed();
-  facets_.push_back(&all_.emplace_back(PieceFacet{triangle, std::move(plane), std::move(reversed)}));
+template <class Numbers>
+void PiecePairIn<Numbers>::add(expanding::TriangleId triangle) {
+  const expanding::ExactPlane<typename Numbers::OfPlane>& exact = surface_.plane(triangle);
+  Plane plane = kernels::oriented_plane<Numbers>(exact.normal, exact.height, differences_.exponent());
+  Plane reversed = plane.reversed();
+  facets_.push_back(&all_.emplace_back(Facet{triangle, std::move(plane), std::move(reversed)}));
 }
 
-void PiecePair::grow(const Corner& corner, const PieceFacet& facet) {
+template <class Numbers>
+void PiecePairIn<Numbers>::grow(const Corner& corner, const Facet& facet) {
   const std::vector<expanding::TriangleId>& fresh = surface_.insert(corner, facet.triangle);
-  std::erase_if(facets_, [&](const PieceFacet* f) { return !surface_.triangles()[f->triangle].alive; });
+  std::erase_if(facets_, [&](const Facet* f) { return !surface_.triangles()[f->triangle].alive; });
   for (const expanding::TriangleId t : fresh) add(t);
 }
 
 // The facet that the point is farthest above, by its image, of those that do not have it strictly below.
-PieceFacet* PiecePair::worst(const kernels::RationalPoint& p) {
-  PieceFacet* found = nullptr;
+template <class Numbers>
+typename PiecePairIn<Numbers>::Facet* PiecePairIn<Numbers>::worst(const Place& p) {
+  Facet* found = nullptr;
   double most = -std::numeric_limits<double>::infinity();
-  for (PieceFacet* f : facets_) {
+  for (Facet* f : facets_) {
     if (kernels::side(f->plane, p) < 0) continue;
-    const Vec3<double>& n = f->plane.image_normal;
-    const double height = (dot(n, p.image) - f->plane.image_height) / std::sqrt(dot(n, n));
+    const Vec3<double>& n = f->plane.image.normal;
+    const double height = (dot(n, p.image) - f->plane.image.height) / std::sqrt(dot(n, n));
     if (found == nullptr || height > most) {
       found = f;
       most = height;
@@ -71,7 +97,8 @@ PieceFacet* PiecePair::worst(const kernels::RationalPoint& p) {
   return found;
 }
 
-bool PiecePair::separated(const kernels::RationalPoint& p) {
+template <class Numbers>
+bool PiecePairIn<Numbers>::separated(const Place& p) {
   for (std::size_t i = 0; i < separations_.size(); ++i) {
     if (kernels::side(separations_[i], p) < 0) continue;
     if (i > 0) std::swap(separations_[0], separations_[i]);
@@ -80,25 +107,28 @@ bool PiecePair::separated(const kernels::RationalPoint& p) {
   return false;
 }
 
-void PiecePair::remember(kernels::OrientedPlane plane) {
+template <class Numbers>
+void PiecePairIn<Numbers>::remember(Plane plane) {
   if (separations_.size() == most_separations) separations_.pop_back();
   separations_.insert(separations_.begin(), std::move(plane));
 }
 
 // A step for a point that is not strictly below the facet: Q grows in the facet's direction, unless a plane in that direction separates
 // the point from P_ij; then it returns false.
-bool PiecePair::step_towards(const kernels::RationalPoint& p, PieceFacet& facet) {
-  const kernels::OrientedPlane& plane = facet.plane;
-  const mpz_class of_p = dot(plane.normal, p.v);
-  const auto inside = [&](const mpz_class& height) { return of_p < height * p.w; };
-  Corner next = corner(differences_.likely_extreme(plane.image_normal));
-  mpz_class height = dot(plane.normal, next.exact);
-  if (!inside(height) || height <= plane.height) {
-    next = corner(differences_.extreme(plane.normal));
+template <class Numbers>
+bool PiecePairIn<Numbers>::step_towards(const Place& p, Facet& facet) {
+  const Plane& plane = facet.plane;
+  using OfPlane = typename Numbers::OfPlane;
+  const Product of_p = dot(as<Product>(plane.normal), as<Product>(p.v));
+  const auto inside = [&](const OfPlane& height) { return cmp(of_p, Product(as<Product>(height) * as<Product>(p.w))) < 0; };
+  Corner next = corner(differences_.likely_extreme(plane.image.normal));
+  OfPlane height = dot(plane.normal, next.exact);
+  if (!inside(height) || cmp(height, plane.height) <= 0) {
+    next = corner(differences_.extreme(as<typename DifferencesIn<Numbers>::Integer>(plane.normal)));
     height = dot(plane.normal, next.exact);
     if (!inside(height)) {
       facet.supports = height == plane.height;
-      remember(kernels::oriented_plane(plane.normal, height, differences_.exponent()));
+      remember(kernels::oriented_plane<Numbers>(plane.normal, height, differences_.exponent()));
       return false;
     }
   }
@@ -106,10 +136,11 @@ bool PiecePair::step_towards(const kernels::RationalPoint& p, PieceFacet& facet)
   return true;
 }
 
-bool PiecePair::contains(const kernels::RationalPoint& p) {
+template <class Numbers>
+bool PiecePairIn<Numbers>::contains(const Place& p) {
   if (separated(p)) return false;
   start();
-  while (PieceFacet* facet = worst(p)) {
+  while (Facet* facet = worst(p)) {
     if (facet->supports) {
       remember(facet->plane);
       return false;
@@ -119,48 +150,57 @@ bool PiecePair::contains(const kernels::RationalPoint& p) {
   return true;
 }
 
-double PiecePair::margin(const kernels::RationalPoint& p) const {
+template <class Numbers>
+double PiecePairIn<Numbers>::margin(const Place& p) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const PieceFacet* f : facets_) {
-    const Vec3<double>& n = f->plane.image_normal;
-    least = std::min(least, (f->plane.image_height - dot(n, p.image)) / std::sqrt(dot(n, n)));
+  for (const Facet* f : facets_) {
+    const Vec3<double>& n = f->plane.image.normal;
+    least = std::min(least, (f->plane.image.height - dot(n, p.image)) / std::sqrt(dot(n, n)));
   }
   return least;
 }
 
-bool PiecePair::settle(PieceFacet& facet) {
+template <class Numbers>
+bool PiecePairIn<Numbers>::settle(Facet& facet) {
   if (facet.supports) return true;
-  const kernels::OrientedPlane& plane = facet.plane;
-  Corner next = corner(differences_.likely_extreme(plane.image_normal));
-  if (dot(plane.normal, next.exact) <= plane.height) next = corner(differences_.extreme(plane.normal));
-  if (dot(plane.normal, next.exact) <= plane.height) return facet.supports = true;
+  const Plane& plane = facet.plane;
+  const auto is_above = [&](const Corner& c) { return cmp(dot(plane.normal, c.exact), plane.height) > 0; };
+  Corner next = corner(differences_.likely_extreme(plane.image.normal));
+  if (!is_above(next)) next = corner(differences_.extreme(as<typename DifferencesIn<Numbers>::Integer>(plane.normal)));
+  if (!is_above(next)) return facet.supports = true;
   grow(next, facet);
   return false;
 }
 
-std::vector<const kernels::OrientedPlane*> PiecePair::planes_through(const kernels::RationalPoint& p) {
+template <class Numbers>
+std::vector<Vector> PiecePairIn<Numbers>::normals_at(const Place& p) {
   start();
   for (bool settled = false; !settled;) {
     settled = true;
     for (std::size_t i = 0; i < facets_.size() && settled; ++i)
       if (kernels::side(facets_[i]->plane, p) >= 0) settled = settle(*facets_[i]);
   }
-  std::vector<const kernels::OrientedPlane*> planes;
-  for (const PieceFacet* f : facets_) {
+  std::vector<Vector> normals;
+  for (const Facet* f : facets_) {
     const int above = kernels::side(f->plane, p);
     if (above > 0) return {};
-    const auto same = [&](const kernels::OrientedPlane* plane) { return plane->normal == f->plane.normal; };
-    if (above == 0 && std::none_of(planes.begin(), planes.end(), same)) planes.push_back(&f->plane);
+    if (above < 0) continue;
+    Vector normal = as<mpz_class>(f->plane.normal);
+    if (std::find(normals.begin(), normals.end(), normal) == normals.end()) normals.push_back(std::move(normal));
   }
-  return planes;
+  return normals;
 }
 
-InnerPolytope PiecePair::inner(std::vector<std::uint32_t>& facet_of) {
+template <class Numbers>
+InnerPolytope PiecePairIn<Numbers>::inner(std::vector<std::uint32_t>& facet_of) {
   start();
   InnerPolytope inner = expanding::inner_polytope(surface_, merge_);
   facet_of.clear();
-  for (const PieceFacet* f : facets_) facet_of.push_back(merge_.facet_of[f->triangle]);
+  for (const Facet* f : facets_) facet_of.push_back(merge_.facet_of[f->triangle]);
   return inner;
 }
+
+template class PiecePairIn<AnyNumbers>;
+template class PiecePairIn<FixedNumbers>;
 
 }  // namespace fathom::unions

@@ -5,67 +5,86 @@
 
 #include <cstdint>
 #include <deque>
+#include <type_traits>
 #include <vector>
 
 #include "kernels/filters/rational_point.hpp"
 #include "reference/expanding/inner_polytope.hpp"
 #include "reference/expanding/surface.hpp"
 #include "reference/polytope/differences.hpp"
+#include "reference/polytope/narrow_differences.hpp"
 
 namespace fathom::unions {
 
-/// A facet of Q, or a part of one.
-struct PieceFacet {
-  expanding::TriangleId triangle;
-  kernels::OrientedPlane plane;     ///< its normal points out of Q
-  kernels::OrientedPlane reversed;  ///< the same plane, from the other side
-  bool supports = false;            ///< whether the plane is known to hold a facet of P_ij
-};
+/// The differences of two clouds, by the scans of these numbers.
+template <class Numbers>
+using DifferencesIn =
+    std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>, polytope::NarrowDifferences, polytope::Differences>;
 
-class PiecePair {
+/// A facet of Q, or a part of one.
+template <class Numbers>
+struct PieceFacetIn {
+  expanding::TriangleId triangle;
+  kernels::OrientedPlaneIn<Numbers> plane;     ///< its normal points out of Q
+  kernels::OrientedPlaneIn<Numbers> reversed;  ///< the same plane, from the other side
+  bool supports = false;                       ///< whether the plane is known to hold a facet of P_ij
+};
+using PieceFacet = PieceFacetIn<kernels::AnyNumbers>;
+
+/// `Numbers`: the integers that hold all of it.
+template <class Numbers>
+class PiecePairIn {
  public:
+  using Plane = kernels::OrientedPlaneIn<Numbers>;
+  using Place = kernels::RationalPointIn<Numbers>;
+  using Facet = PieceFacetIn<Numbers>;
+  using Surface = expanding::Surface<typename Numbers::OfPlane>;
+
   /// The clouds have one exponent and outlive it. Their hulls have interiors.
-  PiecePair(const kernels::PointCloud& a, const kernels::PointCloud& b);
+  PiecePairIn(const kernels::PointCloud& a, const kernels::PointCloud& b);
 
   /// Whether the point lies in the interior of P_ij. Exact; Q grows until it tells.
-  bool contains(const kernels::RationalPoint& p);
+  bool contains(const Place& p);
   /// A plane that holds P_ij below it and the point on it or above it: after contains(p) has returned false, until the next call.
-  [[nodiscard]] const kernels::OrientedPlane& separation() const { return separations_.front(); }
+  [[nodiscard]] const Plane& separation() const { return separations_.front(); }
   /// About how far a point in the interior of Q is from its boundary. Decides nothing but the order of work.
-  [[nodiscard]] double margin(const kernels::RationalPoint& p) const;
+  [[nodiscard]] double margin(const Place& p) const;
 
   /// The facets of Q, once it has any: of a facet that is alive the plane stays where it is, also when the facet goes.
-  [[nodiscard]] const std::vector<PieceFacet*>& facets() const { return facets_; }
+  [[nodiscard]] const std::vector<Facet*>& facets() const { return facets_; }
   /// True if the facet's plane supports P_ij. Otherwise Q grows and the facet is no more.
-  bool settle(PieceFacet& facet);
-  /// Grows Q until all its planes that have the point on them or below support P_ij, and returns these: if the point lies in the boundary
-  /// of P_ij, the planes of all facets that meet there, each once; else none.
-  std::vector<const kernels::OrientedPlane*> planes_through(const kernels::RationalPoint& p);
+  bool settle(Facet& facet);
+  /// Grows Q until all its planes that have the point on them or below support P_ij. If the point lies in the boundary of P_ij, returns the
+  /// outward normals of all facets that meet there, each once; else none.
+  std::vector<Vector> normals_at(const Place& p);
   /// Q, its coplanar parts merged. Sets `facet_of` to the merged facet of each of facets().
   InnerPolytope inner(std::vector<std::uint32_t>& facet_of);
   /// Whether a point was ever asked about for which Q was needed.
   [[nodiscard]] bool touched() const { return started_; }
-  [[nodiscard]] const expanding::Surface<mpz_class>& surface() const { return surface_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
-  using Corner = expanding::SurfaceVertex<mpz_class>;
+  using Corner = expanding::SurfaceVertex<typename Numbers::OfPlane>;
+  using Product = typename Numbers::Product;
 
   void start();
   [[nodiscard]] Corner corner(polytope::Difference d) const;
   void add(expanding::TriangleId triangle);
-  void grow(const Corner& corner, const PieceFacet& facet);
-  PieceFacet* worst(const kernels::RationalPoint& p);
-  bool separated(const kernels::RationalPoint& p);
-  void remember(kernels::OrientedPlane plane);
-  bool step_towards(const kernels::RationalPoint& p, PieceFacet& facet);
+  void grow(const Corner& corner, const Facet& facet);
+  Facet* worst(const Place& p);
+  bool separated(const Place& p);
+  void remember(Plane plane);
+  bool step_towards(const Place& p, Facet& facet);
 
-  polytope::Differences differences_;
+  kernels::ScanMemory memory_;
+  DifferencesIn<Numbers> differences_;
   bool started_ = false;
-  expanding::Surface<mpz_class> surface_;
+  Surface surface_;
   expanding::MergeMemory merge_;
-  std::deque<PieceFacet> all_;
-  std::vector<PieceFacet*> facets_;
-  std::vector<kernels::OrientedPlane> separations_;  // the last one that told is the first
+  std::deque<Facet> all_;
+  std::vector<Facet*> facets_;
+  std::vector<Plane> separations_;  // the last one that told is the first
 };
+using PiecePair = PiecePairIn<kernels::AnyNumbers>;
 
 }  // namespace fathom::unions

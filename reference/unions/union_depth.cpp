@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The answer about two unions: where O lies, the search, and what touches at each optimum.
+#include "reference/unions/union_depth.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "fathom/union.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/ratio.hpp"
 #include "reference/depth/apart.hpp"
@@ -16,6 +17,8 @@
 namespace fathom::unions {
 namespace {
 
+using kernels::AnyNumbers;
+using kernels::FixedNumbers;
 using kernels::RationalPoint;
 
 // Of the hulls of A and B, with its optima as points of the lattice: no P_ij holds one in its interior.
@@ -24,6 +27,7 @@ struct HullDepth {
   std::vector<RationalPoint> optima;
 };
 
+template <class Numbers>
 class Answer {
  public:
   Answer(kernels::Context& context, const PlacedPieces& pieces, bool bounds)
@@ -40,11 +44,13 @@ class Answer {
   }
 
  private:
+  using Place = kernels::RationalPointIn<Numbers>;
+
   [[nodiscard]] std::uint32_t columns() const { return static_cast<std::uint32_t>(pieces_.b.size()); }
 
   // Pieces meet, or they are apart.
   void answer_free() {
-    UnionOptimum here = optimum(RationalPoint{});
+    UnionOptimum here = optimum(Place{});
     if (bounds_) result_.bounds = UnionBounds{0, 0, 0, hull_depth().squared};
     if (!here.contacts.empty()) {
       result_.status = Status::touching;
@@ -65,7 +71,7 @@ class Answer {
   void answer_overlap() {
     result_.status = Status::penetrating;
     const HullDepth hulls = hull_depth();
-    for (const RationalPoint& p : hulls.optima) search_.offer(p);
+    for (const RationalPoint& p : hulls.optima) search_.offer(kernels::converted<Numbers>(p));
     if (bounds_) result_.bounds = UnionBounds{0, 0, 0, hulls.squared};
     result_.complete = !bounds_ || find_deepest_pair();
     if (result_.complete) {
@@ -75,7 +81,7 @@ class Answer {
     result_.high = *search_.squared_best();
     result_.low = result_.complete ? result_.high : search_.squared_low();
     if (result_.bounds) result_.low = std::max(result_.low, result_.bounds->deepest_pair);
-    for (const RationalPoint& p : search_.optima()) result_.optima.push_back(optimum(p));
+    for (const Place& p : search_.optima()) result_.optima.push_back(optimum(p));
     std::sort(result_.optima.begin(), result_.optima.end(),
               [](const UnionOptimum& x, const UnionOptimum& y) { return is_before(x.translation, y.translation); });
   }
@@ -95,7 +101,7 @@ class Answer {
   bool find_deepest_pair() try {
     UnionBounds& bounds = *result_.bounds;
     for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
-      if (!search_.pairs()[k]->contains(RationalPoint{})) continue;
+      if (!search_.pairs()[k]->contains(Place{})) continue;
       const std::uint32_t i = k / columns(), j = k % columns();
       Options options;
       options.optima = 1;
@@ -108,14 +114,14 @@ class Answer {
   }
 
   // A free point, and all that touches there.
-  UnionOptimum optimum(const RationalPoint& p) {
-    UnionOptimum optimum{pieces_.translation(p), true, {}};
+  UnionOptimum optimum(const Place& p) {
+    UnionOptimum optimum{pieces_.translation(kernels::converted<AnyNumbers>(p)), true, {}};
     std::vector<TangentCone> cones;
     for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
-      PiecePair& pair = *search_.pairs()[k];
+      PiecePairIn<Numbers>& pair = *search_.pairs()[k];
       if (pair.contains(p)) throw std::logic_error("a translation out of a union lies inside");
       if (kernels::side(pair.separation(), p) > 0) continue;
-      TangentCone cone = pair.planes_through(p);
+      TangentCone cone = pair.normals_at(p);
       if (cone.empty()) continue;
       optimum.contacts.push_back(contact(k / columns(), k % columns(), cone));
       cones.push_back(std::move(cone));
@@ -127,7 +133,7 @@ class Answer {
   // The sum of the normals of the facets that meet at a point lies in the interior of the cone of all planes through it.
   PieceContact contact(std::uint32_t i, std::uint32_t j, const TangentCone& cone) {
     Vector n{0, 0, 0};
-    for (const kernels::OrientedPlane* plane : cone) n = n + plane->normal;
+    for (const Vector& normal : cone) n = n + normal;
     n = primitive(n);
     return {i, j, n, depth::contact_of(depth::facing_faces(pieces_.pair(i, j), n))};
   }
@@ -135,11 +141,25 @@ class Answer {
   kernels::Context& context_;
   const PlacedPieces& pieces_;
   bool bounds_;
-  UnionSearch search_;
+  UnionSearchIn<Numbers> search_;
   UnionDepth result_;
 };
 
+// With integers that hold everything.
+UnionDepth answer(const Pieces& a, const Pieces& b, const UnionOptions& options, long most_fixed_bits) {
+  kernels::Context context(options.monitor);
+  const PlacedPieces pieces = place_pieces(a, b);
+  if (pieces.exponent() <= most_fixed_bits) return Answer<FixedNumbers>(context, pieces, options.bounds).run();
+  return Answer<AnyNumbers>(context, pieces, options.bounds).run();
+}
+
 }  // namespace
+
+UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options) {
+  const kernels::DefaultFloatEnvironment environment;
+  return answer(a, b, options, -1);
+}
+
 }  // namespace fathom::unions
 
 namespace fathom {
@@ -156,9 +176,7 @@ Pieces pieces_of(const Body& body) {
 
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options) {
   const kernels::DefaultFloatEnvironment environment;
-  kernels::Context context(options.monitor);
-  const unions::PlacedPieces pieces = unions::place_pieces(a, b);
-  return unions::Answer(context, pieces, options.bounds).run();
+  return unions::answer(a, b, options, kernels::FixedNumbers::most_bits);
 }
 
 }  // namespace fathom

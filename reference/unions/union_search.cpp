@@ -10,10 +10,16 @@
 
 namespace fathom::unions {
 
-using kernels::RationalPoint;
+using kernels::AnyNumbers;
+using kernels::as;
+using kernels::FixedNumbers;
 
-bool same_point(const RationalPoint& p, const RationalPoint& q) {
-  return p.v.x * q.w == q.v.x * p.w && p.v.y * q.w == q.v.y * p.w && p.v.z * q.w == q.v.z * p.w;
+template <class Numbers>
+bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::RationalPointIn<Numbers>& q) {
+  using Product = typename Numbers::Product;
+  const auto &of_p = as<Product>(p.w), &of_q = as<Product>(q.w);
+  const auto same = [&](const auto& c, const auto& d) { return Product(as<Product>(c) * of_q) == Product(as<Product>(d) * of_p); };
+  return same(p.v.x, q.v.x) && same(p.v.y, q.v.y) && same(p.v.z, q.v.z);
 }
 
 bool is_before(const Point& p, const Point& q) {
@@ -22,15 +28,20 @@ bool is_before(const Point& p, const Point& q) {
   return cmp(p.z, q.z) < 0;
 }
 
-UnionSearch::UnionSearch(const PlacedPieces& pieces) : pieces_(pieces) {
+template <class Numbers>
+UnionSearchIn<Numbers>::UnionSearchIn(const PlacedPieces& pieces) : pieces_(pieces) {
   for (const kernels::PointCloud& a : pieces.a)
-    for (const kernels::PointCloud& b : pieces.b) recent_.push_back(pairs_.emplace_back(std::make_unique<PiecePair>(a, b)).get());
-  push(RationalPoint{}, none);
+    for (const kernels::PointCloud& b : pieces.b) recent_.push_back(pairs_.emplace_back(std::make_unique<Pair>(a, b)).get());
+  push(Place{}, none);
 }
 
-bool UnionSearch::starts_free() { return is_free(RationalPoint{}); }
+template <class Numbers>
+bool UnionSearchIn<Numbers>::starts_free() {
+  return is_free(Place{});
+}
 
-bool UnionSearch::is_free(const RationalPoint& p) {
+template <class Numbers>
+bool UnionSearchIn<Numbers>::is_free(const Place& p) {
   for (std::size_t i = 0; i < recent_.size(); ++i) {
     if (!recent_[i]->contains(p)) continue;
     std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(i), recent_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -39,23 +50,26 @@ bool UnionSearch::is_free(const RationalPoint& p) {
   return true;
 }
 
-void UnionSearch::offer(const RationalPoint& p) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::offer(const Place& p) {
   if (best_ && kernels::compare(p, *best_) > 0) return;
   if (is_free(p)) accept(p);
 }
 
-void UnionSearch::accept(const RationalPoint& p) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::accept(const Place& p) {
   const int order = best_ ? kernels::compare(p, *best_) : -1;
   if (order > 0) return;
   if (order < 0) {
     optima_.clear();
     best_ = kernels::squared_distance(p);
   }
-  if (std::none_of(optima_.begin(), optima_.end(), [&](const RationalPoint& o) { return same_point(o, p); })) optima_.push_back(p);
+  if (std::none_of(optima_.begin(), optima_.end(), [&](const Place& o) { return same_point(o, p); })) optima_.push_back(p);
 }
 
-PiecePair* UnionSearch::deepest(const RationalPoint& p) {
-  PiecePair* found = nullptr;
+template <class Numbers>
+typename UnionSearchIn<Numbers>::Pair* UnionSearchIn<Numbers>::deepest(const Place& p) {
+  Pair* found = nullptr;
   double most = 0;
   for (const auto& pair : pairs_) {
     if (!pair->contains(p)) continue;
@@ -67,24 +81,26 @@ PiecePair* UnionSearch::deepest(const RationalPoint& p) {
   return found;
 }
 
-CellEnd UnionSearch::cut(std::span<const Barrier> cell, Barrier wall, RationalPoint& nearest) {
+template <class Numbers>
+CellEnd UnionSearchIn<Numbers>::cut(std::span<const Wall> cell, Wall wall, Place& nearest) {
   ++counts_.nearest_points;
-  return nearest_on_wall(wall, cell, best_ ? &*best_ : nullptr, pieces_.exponent(), nearest);
+  return nearest_on_wall<Numbers>(wall, cell, best_ ? &*best_ : nullptr, pieces_.exponent(), nearest);
 }
 
-std::vector<UnionSearch::OpenFacet> UnionSearch::open_facets(PiecePair& pair, std::span<const Barrier> cell) {
-  std::map<const PieceFacet*, std::optional<RationalPoint>> known;
+template <class Numbers>
+std::vector<typename UnionSearchIn<Numbers>::OpenFacet> UnionSearchIn<Numbers>::open_facets(Pair& pair, std::span<const Wall> cell) {
+  std::map<const Facet*, std::optional<Place>> known;
   std::vector<OpenFacet> open;
   for (bool again = true; again;) {
     again = false;
     open.clear();
-    const std::vector<PieceFacet*> facets = pair.facets();
-    for (PieceFacet* f : facets) {
+    const std::vector<Facet*> facets = pair.facets();
+    for (Facet* f : facets) {
       if (again && !pair.surface().triangles()[f->triangle].alive) continue;
       if (best_ && kernels::farther(f->plane, *best_)) continue;
       auto [place, fresh] = known.try_emplace(f);
       if (fresh) {
-        RationalPoint nearest;
+        Place nearest;
         if (cut(cell, &f->plane, nearest) == CellEnd::found) place->second = std::move(nearest);
       }
       if (!place->second) continue;
@@ -103,14 +119,15 @@ std::vector<UnionSearch::OpenFacet> UnionSearch::open_facets(PiecePair& pair, st
   return distinct;
 }
 
-void UnionSearch::dive() {
-  std::vector<Barrier> cell;
-  RationalPoint p;
-  while (PiecePair* pair = deepest(p)) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::dive() {
+  std::vector<Wall> cell;
+  Place p;
+  while (Pair* pair = deepest(p)) {
     std::optional<OpenFacet> next;
     while (!next) {
-      for (PieceFacet* f : pair->facets()) {
-        RationalPoint nearest;
+      for (Facet* f : pair->facets()) {
+        Place nearest;
         if (cut(cell, &f->plane, nearest) != CellEnd::found) continue;
         if (!next || nearest.image_square < next->nearest.image_square) next = OpenFacet{f, std::move(nearest)};
       }
@@ -123,26 +140,30 @@ void UnionSearch::dive() {
   accept(p);
 }
 
-void UnionSearch::push(RationalPoint nearest, std::uint32_t link) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::push(Place nearest, std::uint32_t link) {
   open_.push_back({std::move(nearest), link});
   std::push_heap(open_.begin(), open_.end(), is_farther);
 }
 
-UnionSearch::Cell UnionSearch::pop() {
+template <class Numbers>
+typename UnionSearchIn<Numbers>::Cell UnionSearchIn<Numbers>::pop() {
   std::pop_heap(open_.begin(), open_.end(), is_farther);
   Cell cell = std::move(open_.back());
   open_.pop_back();
   return cell;
 }
 
-void UnionSearch::collect(std::uint32_t link) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::collect(std::uint32_t link) {
   cell_.clear();
   for (; link != none; link = links_[link].before) cell_.push_back(links_[link].barrier);
 }
 
-void UnionSearch::split(const Cell& cell) {
+template <class Numbers>
+void UnionSearchIn<Numbers>::split(const Cell& cell) {
   ++counts_.nodes;
-  PiecePair* pair = deepest(cell.nearest);
+  Pair* pair = deepest(cell.nearest);
   if (pair == nullptr) return accept(cell.nearest);
   if (best_ && kernels::compare(cell.nearest, *best_) == 0) return;  // the cell's other points are farther
   collect(cell.link);
@@ -150,7 +171,7 @@ void UnionSearch::split(const Cell& cell) {
   std::vector<OpenFacet> open = open_facets(*pair, cell_);
   for (std::size_t i = 0; i < open.size(); ++i) {
     const auto& [facet, unbarred] = open[i];
-    RationalPoint nearest = unbarred;
+    Place nearest = unbarred;
     const std::uint32_t before = link;
     if (i == 0 || cut(cell_, &facet->plane, nearest) == CellEnd::found) {
       links_.push_back({&facet->plane, before});
@@ -163,7 +184,8 @@ void UnionSearch::split(const Cell& cell) {
 }
 
 // Which bounds the search has come to, rounded, for people to read.
-std::string UnionSearch::stage() const {
+template <class Numbers>
+std::string UnionSearchIn<Numbers>::stage() const {
   const auto length = [&](double image_square) {
     mpq_class x = std::sqrt(image_square);
     const auto shift = static_cast<mp_bitcnt_t>(std::abs(pieces_.exponent()));
@@ -175,7 +197,8 @@ std::string UnionSearch::stage() const {
   return fmt::format("union: depth between {:.4g} and {:.4g}", length(open_.front().nearest.image_square), length(best_->image));
 }
 
-bool UnionSearch::run(kernels::Context& context) {
+template <class Numbers>
+bool UnionSearchIn<Numbers>::run(kernels::Context& context) {
   constexpr std::uint64_t told_every = 32;  // cells: the text takes time
   std::string now = stage();
   try {
@@ -192,26 +215,34 @@ bool UnionSearch::run(kernels::Context& context) {
   return true;
 }
 
-std::optional<mpq_class> UnionSearch::squared_best() const {
+template <class Numbers>
+std::optional<mpq_class> UnionSearchIn<Numbers>::squared_best() const {
   if (!best_) return std::nullopt;
-  return pieces_.squared(best_->numerator, best_->denominator);
+  return pieces_.squared(as<mpz_class>(best_->numerator), as<mpz_class>(best_->denominator));
 }
 
-mpq_class UnionSearch::squared_low() const {
+template <class Numbers>
+mpq_class UnionSearchIn<Numbers>::squared_low() const {
   std::optional<mpq_class> least = squared_best();
   for (const Cell& cell : open_) {
-    const RationalPoint& p = cell.nearest;
+    const auto p = kernels::converted<AnyNumbers>(cell.nearest);
     mpq_class q = pieces_.squared(dot(p.v, p.v), p.w * p.w);
     if (!least || q < *least) least = std::move(q);
   }
   return least.value_or(0);
 }
 
-UnionCounters UnionSearch::counts() const {
+template <class Numbers>
+UnionCounters UnionSearchIn<Numbers>::counts() const {
   UnionCounters counts = counts_;
   counts.pairs = pairs_.size();
   for (const auto& pair : pairs_) counts.pairs_touched += pair->touched();
   return counts;
 }
+
+template class UnionSearchIn<AnyNumbers>;
+template class UnionSearchIn<FixedNumbers>;
+template bool same_point(const kernels::RationalPointIn<AnyNumbers>&, const kernels::RationalPointIn<AnyNumbers>&);
+template bool same_point(const kernels::RationalPointIn<FixedNumbers>&, const kernels::RationalPointIn<FixedNumbers>&);
 
 }  // namespace fathom::unions

@@ -20,77 +20,86 @@
 
 namespace fathom::unions {
 
-/// An ongoing search.
-class UnionSearch {
+/// An ongoing search. `Numbers`: the integers that hold all of it.
+template <class Numbers>
+class UnionSearchIn {
  public:
+  using Place = kernels::RationalPointIn<Numbers>;
+  using Pair = PiecePairIn<Numbers>;
+  using Facet = PieceFacetIn<Numbers>;
+  using Wall = BarrierIn<Numbers>;
+  using Distance = kernels::SquaredDistanceIn<Numbers>;
+
   /// `pieces` must outlive it.
-  explicit UnionSearch(const PlacedPieces& pieces);
+  explicit UnionSearchIn(const PlacedPieces& pieces);
 
   /// Whether O itself lies in the interior of no P_ij.
   bool starts_free();
   /// Takes a point for an answer if it lies in the interior of no P_ij and is not farther than those before.
-  void offer(const kernels::RationalPoint& p);
+  void offer(const Place& p);
   /// Walks greedily to a free point, and offers it.
   void dive();
   /// Searches to the end. Returns false if the context stopped it; then squared_low() and best() enclose the answer.
   bool run(kernels::Context& context);
 
   /// The squared distance of the nearest free point so far; at the end the nearest there is.
-  [[nodiscard]] const std::optional<kernels::SquaredDistance>& best() const { return best_; }
+  [[nodiscard]] const std::optional<Distance>& best() const { return best_; }
   /// At the end: all nearest free points.
-  [[nodiscard]] const std::vector<kernels::RationalPoint>& optima() const { return optima_; }
+  [[nodiscard]] const std::vector<Place>& optima() const { return optima_; }
   /// The squared distances of best(), and of a bound below all free points, in the unit of the input.
   [[nodiscard]] std::optional<mpq_class> squared_best() const;
   [[nodiscard]] mpq_class squared_low() const;
   [[nodiscard]] UnionCounters counts() const;
   /// Of piece i of A and piece j of B: at i * (number of pieces of B) + j.
-  [[nodiscard]] std::span<const std::unique_ptr<PiecePair>> pairs() const { return pairs_; }
+  [[nodiscard]] std::span<const std::unique_ptr<Pair>> pairs() const { return pairs_; }
   /// The facets of Q that a cell's point has to pass in the cell, nearest first, each with its nearest point; every one supports P_ij.
   /// No facet that is left out lets a point of the cell pass that is as near as best().
   struct OpenFacet {
-    PieceFacet* facet;
-    kernels::RationalPoint nearest;
+    Facet* facet;
+    Place nearest;
   };
-  std::vector<OpenFacet> open_facets(PiecePair& pair, std::span<const Barrier> cell);
+  std::vector<OpenFacet> open_facets(Pair& pair, std::span<const Wall> cell);
   /// The pair in whose interior a point lies deepest, or null if it is free.
-  PiecePair* deepest(const kernels::RationalPoint& p);
+  Pair* deepest(const Place& p);
   /// How a cell's nearest point is found when it is cut by one more wall, with best() as the limit.
-  CellEnd cut(std::span<const Barrier> cell, Barrier wall, kernels::RationalPoint& nearest);
+  CellEnd cut(std::span<const Wall> cell, Wall wall, Place& nearest);
 
  private:
   struct Link {
-    Barrier barrier;
+    Wall barrier;
     std::uint32_t before;
   };
   struct Cell {
-    kernels::RationalPoint nearest;
+    Place nearest;
     std::uint32_t link;
   };
   static constexpr std::uint32_t none = UINT32_MAX;
 
   static bool is_farther(const Cell& x, const Cell& y) { return x.nearest.image_square > y.nearest.image_square; }
 
-  void push(kernels::RationalPoint nearest, std::uint32_t link);
+  void push(Place nearest, std::uint32_t link);
   Cell pop();
   void split(const Cell& cell);
   void collect(std::uint32_t link);
   [[nodiscard]] std::string stage() const;
-  bool is_free(const kernels::RationalPoint& p);
-  void accept(const kernels::RationalPoint& p);
+  bool is_free(const Place& p);
+  void accept(const Place& p);
 
   const PlacedPieces& pieces_;
-  std::vector<std::unique_ptr<PiecePair>> pairs_;
-  std::vector<PiecePair*> recent_;  // those that held a point last come first
+  std::vector<std::unique_ptr<Pair>> pairs_;
+  std::vector<Pair*> recent_;  // those that held a point last come first
   std::vector<Link> links_;
   std::vector<Cell> open_;  // a heap
-  std::vector<Barrier> cell_;
-  std::optional<kernels::SquaredDistance> best_;
-  std::vector<kernels::RationalPoint> optima_;
+  std::vector<Wall> cell_;
+  std::optional<Distance> best_;
+  std::vector<Place> optima_;
   UnionCounters counts_;
 };
+using UnionSearch = UnionSearchIn<kernels::AnyNumbers>;
 
 /// Whether p = q.
-bool same_point(const kernels::RationalPoint& p, const kernels::RationalPoint& q);
+template <class Numbers>
+bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::RationalPointIn<Numbers>& q);
 
 /// Whether p comes before q in lexicographic order.
 bool is_before(const Point& p, const Point& q);

@@ -67,14 +67,14 @@ void expect_true(const RationalPoint& p, const PointImage& image, unsigned long 
   ASSERT_TRUE(within(p, bits, image)) << "law: the error bound";
   const int exact = sgn(mpz_class(dot(plane.normal, p.v) - plane.height * p.w));
   if (exact == 0) ++told.zero;
-  if (const auto side = sure_side(plane, image)) {
+  if (const auto side = sure_side(plane.image, image)) {
     ASSERT_EQ(to_int(*side), exact) << "law: sides";
     ++told.sides;
   } else if (exact != 0) {
     ++told.unsure;
   }
   const mpz_class mine = dot(p.v, p.v) * squared.denominator, other = squared.numerator * p.w * p.w;
-  if (const auto order = sure_order(image, squared)) {
+  if (const auto order = sure_order(image, squared.image)) {
     ASSERT_EQ(to_int(*order), cmp(mine, other) < 0 ? -1 : cmp(mine, other)) << "law: order of distances";
     ++told.orders;
   }
@@ -91,8 +91,8 @@ TEST(MeetingImage, ErrsByNoMoreThanItSaysInEveryRoundingMode) {
     const auto exponent = static_cast<long>(bits);
     const auto [g, h, e, f] = four_planes(random, bits);
     const SquaredDistance at = squared_distance(rational_point(f.height * f.normal, dot(f.normal, f.normal), exponent));
-    expect_true(rational_point(g.height * g.normal, dot(g.normal, g.normal), exponent), foot_image(g), bits, f, at, told);
-    const MeetingLine line(g, h);
+    expect_true(rational_point(g.height * g.normal, dot(g.normal, g.normal), exponent), foot_image(g.image), bits, f, at, told);
+    const MeetingLine line(g.image, h.image);
     const Vector d = cross(g.normal, h.normal);
     if (is_zero(d)) {
       ++parallel;
@@ -103,15 +103,15 @@ TEST(MeetingImage, ErrsByNoMoreThanItSaysInEveryRoundingMode) {
     expect_true(foot, line.foot(), bits, f, at, told);
     expect_true(foot, line.foot(), bits, f, squared_distance(foot), told);
     const mpz_class w = dot(d, e.normal);
-    const auto leads = line.leads_beyond(e);
+    const auto leads = line.leads_beyond(e.image);
     if (leads) {
       ASSERT_EQ(to_int(*leads), sgn(w)) << "law: the way of a line";
     }
     if (w == 0) continue;
     const RationalPoint meeting =
         rational_point(g.height * cross(h.normal, e.normal) + h.height * cross(e.normal, g.normal) + e.height * d, w, exponent);
-    expect_true(meeting, line.meeting(e), bits, f, at, told);
-    expect_true(meeting, line.meeting(e), bits, f, squared_distance(meeting), told);
+    expect_true(meeting, line.meeting(e.image), bits, f, at, told);
+    expect_true(meeting, line.meeting(e.image), bits, f, squared_distance(meeting), told);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(told.sides, 20000U);
@@ -128,10 +128,11 @@ TEST(MeetingImage, LeavesLittleToIntegers) {
   for (int i = 0; i < 3000; ++i) {
     std::array<OrientedPlane, 4> p;
     for (OrientedPlane& plane : p) plane = plane_through(random_direction(random, 60), random_vector(random, 60), 60);
-    const MeetingLine line(p[0], p[1]);
+    const MeetingLine line(p[0].image, p[1].image);
     unsure += line.surely_exists() ? 0U : 1U;
-    unsure += line.leads_beyond(p[2]) ? 0U : 1U;
-    for (const PointImage& image : {foot_image(p[0]), line.foot(), line.meeting(p[2])}) unsure += sure_side(p[3], image) ? 0U : 1U;
+    unsure += line.leads_beyond(p[2].image) ? 0U : 1U;
+    for (const PointImage& image : {foot_image(p[0].image), line.foot(), line.meeting(p[2].image)})
+      unsure += sure_side(p[3].image, image) ? 0U : 1U;
   }
   EXPECT_LT(unsure, 3U) << "of 15000";
 }

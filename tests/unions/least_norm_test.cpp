@@ -38,15 +38,15 @@ class Naive {
   explicit Naive(const Planes& planes) : planes_(planes) {
     consider({0, 0, 0}, 1);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      const auto& [f, a, unused1, unused2] = planes[i];
+      const auto& [f, a, unused1] = planes[i];
       consider(a * f, dot(f, f));
       for (std::size_t j = 0; j < i; ++j) {
-        const auto& [g, b, unused3, unused4] = planes[j];
+        const auto& [g, b, unused2] = planes[j];
         const Vector d = cross(f, g);
         if (is_zero(d)) continue;
         consider(a * cross(g, d) + b * cross(d, f), dot(d, d));
         for (std::size_t k = 0; k < j; ++k) {
-          const auto& [e, c, unused5, unused6] = planes[k];
+          const auto& [e, c, unused3] = planes[k];
           if (dot(d, e) != 0) consider(a * cross(g, e) + b * cross(e, f) + c * d, dot(d, e));
         }
       }
