@@ -29,7 +29,8 @@ using harness::Shrunk;
 
 std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
 
-/// By verdict and variant, the failing case with the fewest points, one of points alone if there is one; of several the one with the least id.
+/// By verdict and variant, the failing case with the fewest points, one of points alone if there is one; of several the one with the least
+/// id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {

@@ -97,8 +97,8 @@ ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Moni
   return answer;
 }
 
-/// Throws InputError as union_depth_of does, and if the request asks for what unions do not have. A search that is interrupted answers between
-/// which bounds the depth lies, unless it is one of a stream.
+/// Throws InputError as union_depth_of does, and if the request asks for what unions do not have. A search that is interrupted answers
+/// between which bounds the depth lies, unless it is one of a stream.
 UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor) {
   const Case& single = asked;
   if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)

@@ -69,8 +69,8 @@ class Memories {
   std::vector<Memory> idle_;
 };
 
-/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws Interrupted. Once a note on a hull was told, others
-/// are not looked for.
+/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws Interrupted. Once a note on a hull was told,
+/// others are not looked for.
 void answer_case(Passage& passage, const std::string& name, const StreamWork& work, Monitor& monitor, Memory& memory, bool hull_told) {
   const std::size_t line = passage.text.line;
   const auto lose = [&](InputError why, ExitCode code) {

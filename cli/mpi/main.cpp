@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify, certify,
-// and depth on a stream. What they do not share rank 0 does alone. It is a program of its own so that fathom itself starts without MPI.
+// mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify,
+// certify, and depth on a stream. What they do not share rank 0 does alone. It is a program of its own so that fathom itself starts without
+// MPI.
 #include <cstdlib>
 #include <string>
 #include <string_view>

@@ -48,7 +48,8 @@ std::string course(const std::vector<AlongStep>& steps) {
   return result;
 }
 
-/// One series of marks for each status, in the order of Status, so that a status has the same look in all charts; those without places are not shown.
+/// One series of marks for each status, in the order of Status, so that a status has the same look in all charts; those without places are
+/// not shown.
 std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
   std::vector<plot::Series> series{{"signed depth", {}, true, false}};
   for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})

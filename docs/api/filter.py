@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""filter.py HEADER    prints a public header as Doxygen is to read it: line for line, with what our comments leave to the reader written out.
+"""filter.py HEADER    prints a public header as Doxygen is to read it: line for line, with what our comments leave to the reader written
+out.
 
 file     the comment that opens a header describes the file: its output, then its input
 names    a comment on a line that declares several members is on each of them, one on the line of an enumeration on that

@@ -132,7 +132,8 @@ class Judgement(NamedTuple):
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
           unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64",
-          answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
+          answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None,
+          pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B

@@ -45,7 +45,8 @@ class PieceContact(NamedTuple):
     pieces: tuple[int, int]  #: their indices, A's first
     direction: FloatArray  #: unit vector from B to A, correctly rounded: a plane across it has the two pieces on its two sides
     normal: tuple[int, int, int]  #: the direction as integers, exact and primitive
-    contact: dict[str, Any]  #: {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that meet, as indices of points of the pieces
+    #: {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that meet, as indices of points of the pieces
+    contact: dict[str, Any]
 
 
 class UnionOptimum(NamedTuple):
@@ -108,7 +109,8 @@ class UnionDepth:
 
     @property
     def depth(self) -> float | None:
-        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None unless complete."""
+        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None unless
+        complete."""
         return self._answer.depth
 
     @property
@@ -153,7 +155,8 @@ class UnionDepth:
     def optima(self) -> list[UnionOptimum]:
         """All shortest ways out, in lexicographic order of translations; those found so far if the search was stopped. Of bodies that touch
         the one of length 0, with what touches; of disjoint ones none."""
-        return [UnionOptimum(**{**fields, "contacts": [PieceContact(**met) for met in fields["contacts"]]}) for fields in self._answer.optima]
+        return [UnionOptimum(**{**fields, "contacts": [PieceContact(**met) for met in fields["contacts"]]})
+                for fields in self._answer.optima]
 
     @property
     def apart(self) -> UnionDistance | None:

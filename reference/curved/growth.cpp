@@ -119,8 +119,8 @@ bool Growth::met() {
 }
 
 // Whether the gap is expected to stay too wide until all calls are spent. Never while the sign of the bounds is open. Where optima form a
-// continuum it shrinks by one factor whenever the calls double; if it did so at the last two checkpoints, it is expected to do so again. Else
-// it is expected to shrink by that factor with every as many calls as there were between them, though it will do so ever faster.
+// continuum it shrinks by one factor whenever the calls double; if it did so at the last two checkpoints, it is expected to do so again.
+// Else it is expected to shrink by that factor with every as many calls as there were between them, though it will do so ever faster.
 bool Growth::hopeless(double gap) {
   const std::size_t between = checkpoint_ / 2;
   checkpoint_ *= 2;

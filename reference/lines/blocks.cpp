@@ -59,8 +59,8 @@ bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search)
   return true;
 }
 
-// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where pairs cost so much that they may as well
-// be; else on one in 16.
+// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where pairs cost so much that they may as
+// well be; else on one in 16.
 bool Blocks::frames_promise(const LineSearch& search) const {
   return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 || frame_cost * frames_tried_ <= credit(search);
 }

@@ -71,8 +71,8 @@ bool is_closed(const std::vector<Side>& sides) {
   return true;
 }
 
-/// Whether the cone from `eye` over the triangle holds the point. The triangle is seen counter-clockwise from the other side of its plane if
-/// `sign` is 1.
+/// Whether the cone from `eye` over the triangle holds the point. The triangle is seen counter-clockwise from the other side of its plane
+/// if `sign` is 1.
 bool cone_holds(const BoxedPoints& points, std::uint32_t eye, const MeshTriangle& triangle, std::uint32_t point, int sign) {
   for (std::size_t i = 0; i < 3; ++i)
     if (sign * to_int(Plane(points, eye, triangle[i], triangle[(i + 1) % 3]).side(point)) < 0) return false;

@@ -75,7 +75,8 @@ Vector upper(const Vector& v) { return lexicographically_less(v, -v) ? -v : v; }
 
 Vector lower(const Vector& v) { return lexicographically_less(v, -v) ? v : -v; }
 
-// The generators of bodies on a lattice, times the denominator k of the common point in its units: k b - v and v - k a, for the point v / k.
+// The generators of bodies on a lattice, times the denominator k of the common point in its units: k b - v and v - k a, for the point v /
+// k.
 class Generators {
  public:
   Generators(const polytope::PlacedPair& pair, const Point& x) : pair_(pair), common_(fraction(on_lattice(pair, x))) {}

@@ -78,8 +78,8 @@ class Prover {
     path_.resize(before);
   }
 
-  // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that of the search has more facets, which other
-  // cells asked for.
+  // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that of the search has more facets, which
+  // other cells asked for.
   Opened open(std::size_t k, const RationalPoint& p) {
     std::deque<Polytope>& known = polytopes_[k];
     for (std::size_t i = 0; i < known.size() && i < most_tried; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curved shapes in random poses: the time to find bounds of their signed depth to 2^-40 of the extent and to write their certificate, of the
-// median pair; the calls of the support and the bytes of certificates that it takes; and those of pairs with a continuum of optima.
+// Curved shapes in random poses: the time to find bounds of their signed depth to 2^-40 of the extent and to write their certificate, of
+// the median pair; the calls of the support and the bytes of certificates that it takes; and those of pairs with a continuum of optima.
 // Rounded shapes: the time to find their signed depth, as a multiple of the time that their cores alone take, in turns.
 #include <benchmark/benchmark.h>
 

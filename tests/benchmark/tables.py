@@ -134,7 +134,8 @@ def certificates(pair):
 
 def shapes(pair):
     p = pair(lambda build: google_benchmark(build, "shapes_benchmark"))
-    rows = [("cylinder, cylinder", "cylinder-cylinder, doubles, deep"), ("the same, mostly apart", "cylinder-cylinder, doubles, mostly apart"),
+    rows = [("cylinder, cylinder", "cylinder-cylinder, doubles, deep"),
+            ("the same, mostly apart", "cylinder-cylinder, doubles, mostly apart"),
             ("cone, box", "cone-box, doubles, deep"), ("cylinder, box", "cylinder-box, doubles, deep"),
             ("ellipsoid, cylinder", "ellipsoid-cylinder, doubles, deep"), ("ellipsoid, ellipsoid", "ellipsoid-ellipsoid, doubles, deep"),
             ("the same, of few digits", "ellipsoid-ellipsoid, few digits, deep")]
@@ -143,7 +144,8 @@ def shapes(pair):
         return ", ".join(f"{p.now[name, f'{what}_{which}']:,.0f}" for which in ("median", "p90", "max"))
 
     table(["pair", "time", "9 of 10", "calls", "bytes"],
-          [[label, p.cell(name), p.cell((name, "ms_p90"), lambda value: seconds(1e-3 * value)), all_three(name, "calls"), all_three(name, "bytes")]
+          [[label, p.cell(name), p.cell((name, "ms_p90"), lambda value: seconds(1e-3 * value)), all_three(name, "calls"),
+            all_three(name, "bytes")]
            for label, name in rows])
     alone = ("parallel cylinders, 1/10 off", "parallel cylinders, 1/1000 off", "coaxial cylinders", "nearly balls, 1/10 off",
              "nearly balls, concentric")
@@ -157,7 +159,8 @@ def shapes(pair):
         return f"{p.cell((name, 'ratio_median'), '{:.2f}'.format)}, {p.now[name, 'ratio_p90']:.2f} of {of}"
 
     kinds, numbers = ("hulls of 20", "boxes", "capsule and box", "capsules", "spheres"), ("doubles", "posed", "short rationals")
-    rows = [[f"{kind}, {meeting}", *(in_cores(f"{kind}, {n}, {meeting}") for n in numbers)] for meeting in ("deep", "apart", "touching") for kind in kinds]
+    rows = [[f"{kind}, {meeting}", *(in_cores(f"{kind}, {n}, {meeting}") for n in numbers)] for meeting in ("deep", "apart", "touching")
+            for kind in kinds]
     table(["cores", *numbers], [row for row in rows if any(row[1:])])
 
 
@@ -202,7 +205,8 @@ def lines_growth(build):
 def lines(pair):
     p = pair(lines_growth)
     table(["family", "n", "crossings", "pairs", "bound", "time", "sampled", "naive"],
-          [[family, f"{size:,}", p.cell((family, size, "crossings"), count).split(" (")[0], p.cell((family, size, "cutting", "pairs"), count),
+          [[family, f"{size:,}", p.cell((family, size, "crossings"), count).split(" (")[0],
+            p.cell((family, size, "cutting", "pairs"), count),
             p.cell((family, size, "bound"), count).split(" (")[0], p.cell((family, size, "cutting")),
             p.ratio((family, size, "sampled"), (family, size, "cutting")), p.ratio((family, size, "naive"), (family, size, "cutting"))]
            for family, sizes in LINES for size in sizes])
@@ -244,7 +248,8 @@ def golden_levels(build):
 def golden(pair):
     p = pair(golden_levels)
     table(["level", "bytes", "made in", "verified in"],
-          [[level, f"{p.now[level, 'bytes'] / 1e6:.1f} MB", p.cell((level, "made")), p.cell((level, "verified"))] for level in ("L0", "L1")])
+          [[level, f"{p.now[level, 'bytes'] / 1e6:.1f} MB", p.cell((level, "made")), p.cell((level, "verified"))]
+           for level in ("L0", "L1")])
     families(pair)
 
 
@@ -303,7 +308,8 @@ def main():
             parser.error(f"expected a build with benchmarks in {build}: cmake --preset bench && cmake --build --preset bench")
     names = [name for name in TABLES if name != "families"] if "all" in arguments.names else arguments.names
     for name in names:
-        TABLES[name](lambda measure: Pair(measure, arguments.build.resolve(), arguments.before and arguments.before.resolve(), arguments.repeat))
+        TABLES[name](lambda measure: Pair(measure, arguments.build.resolve(), arguments.before and arguments.before.resolve(),
+                                          arguments.repeat))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of convex pieces, by family and number of pieces: the processor time of the answer, of answer and certificate, and of the check;
-// the bytes of certificates; the pairs of pieces that the search looked at closely, and the cells that it split. Of pairs that penetrate, the
-// median, what nine of ten are below, and the most. `memory`: the most that the process has used so far.
+// the bytes of certificates; the pairs of pieces that the search looked at closely, and the cells that it split. Of pairs that penetrate,
+// the median, what nine of ten are below, and the most. `memory`: the most that the process has used so far.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 

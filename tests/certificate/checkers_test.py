@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every case of every family, the catalogue and the real cases: `fathom depth` certifies it, and all checkers accept the certificate, with
-the answer that was printed. The programs come in the environment; FATHOM_CHECK_PROVED, extracted from the Coq development, may be absent."""
+the answer that was printed. The programs come in the environment; FATHOM_CHECK_PROVED, extracted from the Coq development, may be
+absent."""
 import json
 import os
 import pathlib

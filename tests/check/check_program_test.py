@@ -75,7 +75,8 @@ class Certificates(ProgramTest):
         self.assertEqual(len(blocks), 4)
         for block in blocks:
             text = "".join(re.sub("  .*", "", line[4:]) + "\n" for line in block.splitlines())
-            found = [file for file in files if re.sub("^id .*\n", "", file, flags=re.MULTILINE) == re.sub("^id .*\n", "", text, flags=re.MULTILINE)]
+            found = [file for file in files if re.sub("^id .*\n", "", file,
+                                                      flags=re.MULTILINE) == re.sub("^id .*\n", "", text, flags=re.MULTILINE)]
             self.assertEqual(len(found), 1, text[:200])
             self.assertEqual(self.both("-", stdin=text)[0], 0)
 
@@ -275,7 +276,8 @@ class Options(ProgramTest):
             return json.dumps({"id": name, "a": {"vertices": cube}, "b": {"vertices": [[i + 1, j, k] for i, j, k in cube]}})
 
         def checked(cases, **fields):
-            own, results = self.file("own.jsonl", "\n".join(cases)), self.file("results.jsonl", json.dumps({**fields, "certificate": CUBES}))
+            own, results = self.file("own.jsonl", "\n".join(cases)), self.file("results.jsonl",
+                                                                               json.dumps({**fields, "certificate": CUBES}))
             code, lines, _ = self.run_program(CHECK, "--results", results, "--case", own)
             return code, re.sub(r":\d+: .*", "", lines[0])
 

@@ -18,8 +18,10 @@ class Unions(program.ProgramTest):
             "s VERIFIED disjoint distance_squared=25 pieces=2x2 pieces%20apart",
             "s VERIFIED touching depth_squared=0 pieces=2x2 pieces%20touching"]))
         texts = [file.read_text() for file in files]
-        code, lines = self.both("-", stdin=program.CUBES.join(texts) + texts[0].replace("claim depth 1", "claim depth 2") + texts[1][:-1] + program.APART)
-        self.assertEqual((code, lines[1], lines[3:6]), (2, program.CUBES_OK, [program.CUBES_OK, lines[4], "s REFUSED a%20cube%20in%20two%20pieces"]))
+        code, lines = self.both("-", stdin=program.CUBES.join(texts) + texts[0].replace("claim depth 1", "claim depth 2") + texts[1][:-1] +
+                                program.APART)
+        self.assertEqual((code, lines[1], lines[3:6]),
+                         (2, program.CUBES_OK, [program.CUBES_OK, lines[4], "s REFUSED a%20cube%20in%20two%20pieces"]))
         self.assertTrue(lines[6].startswith("s MALFORMED pieces%20apart:"), lines)
 
     def test_echo(self):
@@ -33,7 +35,8 @@ class Unions(program.ProgramTest):
     def test_width(self):
         certificate = program.DATA / "format_3" / "cube_in_two_pieces.cert"
         code, lines, _ = self.run_program(program.CHECK, "--width", certificate)
-        self.assertEqual((code, lines), (1, ["s REFUSED a%20cube%20in%20two%20pieces:4: unions have no width here: it is that of a convex body"]))
+        self.assertEqual((code, lines),
+                         (1, ["s REFUSED a%20cube%20in%20two%20pieces:4: unions have no width here: it is that of a convex body"]))
 
     def test_case(self):
         def box(low, high):
@@ -41,7 +44,8 @@ class Unions(program.ProgramTest):
 
         def checked(a, b, name="cube_in_two_pieces", **more):
             case = self.file("case.json", json.dumps({"a": a, "b": b, **more}))
-            code, lines, _ = self.run_program(program.CHECK, "--case", case, program.DATA / f"{name}.cert" if "/" in name else program.DATA / "format_3" / f"{name}.cert")
+            code, lines, _ = self.run_program(program.CHECK, "--case", case, program.DATA / f"{name}.cert" if "/" in name
+                                              else program.DATA / "format_3" / f"{name}.cert")
             return code, lines[0].split(": ", 1)[1] if code == 1 else ""
 
         left, right, b = box((0, 0, 0), (1, 2, 2)), box((1, 0, 0), (2, 2, 2)), box((1, 0, 0), (3, 2, 2))
@@ -61,7 +65,8 @@ class Unions(program.ProgramTest):
         self.assertEqual(checked(whole, b)[0], 1)
         self.assertEqual(checked(whole, b, pose_rounding="binary64")[0], 0)
         # A piece's own pose comes first: the turn by a right angle around z, then the body's, a translation.
-        turned = {"vertices": [[y, -x, z] for x, y, z in box((0, -2, 0), (1, 0, 2))["vertices"]], "pose": [[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]}
+        turned = {"vertices": [[y, -x, z] for x, y, z in box((0, -2, 0), (1, 0, 2))["vertices"]],
+                  "pose": [[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]}
         moved = {"vertices": [[x, y - 2, z] for x, y, z in box((1, 0, 0), (2, 2, 2))["vertices"]]}
         self.assertEqual(checked({"pieces": [turned, moved], "pose": [[1, 0, 0, 0], [0, 1, 0, 2], [0, 0, 1, 0]]}, b), (0, ""))
         self.assertEqual(checked({"pieces": [turned, moved]}, b)[0], 1)

@@ -8,8 +8,8 @@ PATH        a genuine certificate, or a folder of them (*.cert)
 --checker   a program that takes certificates as arguments and prints verdict lines; the first one sees every forgery
 --share K   the further ones see every K-th forgery (default 1: all)
 --solids N  besides, N certificates of format 2 that random_solids.py makes
---oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones; those
-            of format 2 are judged by definition
+--oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones;
+            those of format 2 are judged by definition
 --count N   forgeries in all, at least
 
 Exit codes: 0 fine; 1 a disagreement, or an untrue claim was accepted; 2 usage, or a genuine certificate is not accepted.

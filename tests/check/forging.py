@@ -176,7 +176,8 @@ def moved_body(parts, rng):
 
 
 def near(parts, rng):
-    """One number of the claim, of a radius, half-space, height or inner point, or a weight: a little more or less, or with the other sign."""
+    """One number of the claim, of a radius, half-space, height or inner point, or a weight: a little more or less, or with the other
+    sign."""
     parts = parts.copy()
     places = [(parts.claim, k) for k in range(1, len(parts.claim))]
     first = {"radius": 0, "halfspace": 0, "heights": 0, "inner": 1, "weights": 1}

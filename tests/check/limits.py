@@ -3,7 +3,8 @@
 """Every limit of verify/check/FORMAT.md, section 8: at the limit a text is refused for what it says, one beyond it is malformed, and on
 the line that the page names; by every checker.
 
-limits.py [--heavy] --checker COMMAND [--checker COMMAND]..     a checker takes - for standard input; --heavy: the texts of a gigabyte instead
+limits.py [--heavy] --checker COMMAND [--checker COMMAND]..     a checker takes - for standard input; --heavy: the texts of a gigabyte
+                                                                instead
 """
 import argparse
 import re
@@ -108,7 +109,8 @@ class Second(Certificate):
 
     def size_and_work(self):
         """The page's formulas, from the page's definitions."""
-        parts = {name: self.parts.get(name, []) for name in ("heights_a", "inner_a", "vertices", "facets", "weights_a", "weights_b", "lineality",
+        parts = {name: self.parts.get(name, []) for name in ("heights_a", "inner_a", "vertices", "facets", "weights_a", "weights_b",
+                                                             "lineality",
                                                               "rays", "differences")}
         atoms = [atom for term in self.a for atom in term] if self.shape else []
         coordinates = numbers_of(atoms, 1) + numbers_of(self.b) + ([] if self.shape else numbers_of(self.a))
@@ -217,7 +219,8 @@ def works():
     yield from pair("weights", lambda k: Text(points, POINT, "touching", [ZERO] + ["1 1 1"] * k, (), (), weights, weights[:7]), 9, 900_000)
 
 
-def second(point=POINT, heights=("0",), inner=("0 0 0 0",), claim="signed_bounds 0 1", facets=(), vertices=(), terms=((f"point {POINT[0]}",),),
+def second(point=POINT, heights=("0",), inner=("0 0 0 0",), claim="signed_bounds 0 1", facets=(), vertices=(),
+           terms=((f"point {POINT[0]}",),),
            directions=(ZERO,), radius="0"):
     """Of format 2, with a shape."""
     parts = {"heights_a": list(heights), "inner_a": list(inner), "vertices": list(vertices), "facets": list(facets)}
@@ -247,12 +250,15 @@ def works_of_format_2():
     yield from pair("lineality", lambda k: touching(points, [], ["0 0"], ["1 0 0", f"0 0 {2**90}"] * k), 1_000, 900_000)
     yield from pair("differences", lambda k: touching(points, ["1 2 3"] * 40, ["0 0"] * k), 1_000, 90_000)
     yield from pair("inner points", lambda k: second(points, inner=[inner] + ["0 0 0 0"] * k), 100, 900_000)
-    yield from pair("places", lambda k: second(points, terms=[["point 0 0 0"]] * 9, inner=[inner + " 0 0 0 0" * 8] + ["0 0 0 0" + " 0 0 0 0" * 8] * k),
+    yield from pair("places", lambda k: second(points, terms=[["point 0 0 0"]] * 9, inner=[inner + " 0 0 0 0" * 8] +
+                                               ["0 0 0 0" + " 0 0 0 0" * 8] * k),
                     10, 90_000)
-    yield from pair("heights", lambda k: second(points, heights=[f"1/{3**4_000}"], directions=[f"{7**3_000} 0 0", ZERO], terms=[["point 0 0 0"] * k]),
+    yield from pair("heights", lambda k: second(points, heights=[f"1/{3**4_000}"], directions=[f"{7**3_000} 0 0", ZERO],
+                                                terms=[["point 0 0 0"] * k]),
                     1_000, 900_000)
     claim = f"signed_bounds {7**20_000}/{3**1000} {11**9_000}/{2**4_000}"
-    yield from pair("claim", lambda k: second(points, claim=claim, radius=f"-{5**3_000}/{2**2_000}", facets=["3 0 0 0"] * k), 1_000, 900_000)
+    yield from pair("claim", lambda k: second(points, claim=claim, radius=f"-{5**3_000}/{2**2_000}", facets=["3 0 0 0"] * k), 1_000,
+                    900_000)
 
 
 def judged(command, lines):

@@ -5,8 +5,8 @@ ONE_LINE = ("radius_a", "radius_b", "halfspace_a", "halfspace_b")
 
 
 class Parts:
-    """A certificate without comments and id: the claim's words, and the rows of each part as lists of words. Radius and half-space are parts
-    of one row; of a shape, each term is a row and each atom."""
+    """A certificate without comments and id: the claim's words, and the rows of each part as lists of words. Radius and half-space are
+    parts of one row; of a shape, each term is a row and each atom."""
 
     def __init__(self, text):
         lines = [line.split(" ") for line in text.split("\n")[:-1] if not line.startswith(("#", "id "))]

@@ -57,7 +57,8 @@ def shape_body(rng, kind=None):
     term = {"cylinder": lambda: [disc(s, r), disc(-s, r)], "cone": lambda: [disc(-s, r), [plus(c, times(s, w))]],
             "frustum": lambda: [disc(s, r), disc(-s, t)], "ellipsoid": lambda: [[c, times(r, u), times(s, v), times(t, w)]],
             "capsule": lambda: [[plus(c, times(s, w))], [plus(c, times(-s, w))]],
-            "box": lambda: [[plus(c, plus(times(x, u), plus(times(y, v), times(z, w))))] for x in (-r, r) for y in (-s, s) for z in (-t, t)]}
+            "box": lambda: [[plus(c, plus(times(x, u), plus(times(y, v), times(z, w))))] for x in (-r, r) for y in (-s, s)
+                            for z in (-t, t)]}
     return {"terms": [term[kind]()], "radius": radius(rng)}
 
 

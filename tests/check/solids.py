@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Certificates of format 2, made by definition (cores.py), and whether what one claims is true.
 
-A body is a dictionary: `points`, a list; or `terms`, each a list of atoms, each a list of vectors, the center first; or `plane`, (m, d); and
-its `radius`.
+A body is a dictionary: `points`, a list; or `terms`, each a list of atoms, each a list of vectors, the center first; or `plane`, (m, d);
+and its `radius`.
 """
 import collections
 import itertools

@@ -48,15 +48,18 @@ def aimed():
     slab = ((-10, -1, -1), (10, 1, 1))
     leaves = ["leaf 0", "leaf 1", "leaf 0 2", "leaf 0 3", "leaf 0 4", "leaf 0 5"]
     yield "a constraint that counts less than nothing", about(100, [(-10, 0, 0), (10, 0, 0)], [ALL_FACETS, *leaves], slab).text()
-    yield "a cell that is nearer", about(Fraction(101, 100), [(Fraction(1), Fraction(1, 10), 0)], [ALL_FACETS, *map("leaf {}".format, range(6))], CUBE).text()
+    yield "a cell that is nearer", about(Fraction(101, 100), [(Fraction(1), Fraction(1, 10), 0)],
+                                         [ALL_FACETS, *map("leaf {}".format, range(6))], CUBE).text()
     yield "genuine: six leaves", about(1, six, [ALL_FACETS, *map("leaf {}".format, range(6))], CUBE).text()
     for k in range(6):
         yield "an optimum that is not listed, at a facet without a child", about(1, six[:k] + six[k + 1:], ["split 0"], CUBE).text()
-        yield "an optimum that is not listed, at a leaf", about(1, six[:k] + six[k + 1:], [ALL_FACETS, *map("leaf {}".format, range(6))], CUBE).text()
+        yield "an optimum that is not listed, at a leaf", about(1, six[:k] + six[k + 1:], [ALL_FACETS, *map("leaf {}".format, range(6))],
+                                                                CUBE).text()
     long = ((-4, -1, -4), (4, 4, 4))
     yield "genuine: one near facet", about(1, [(0, -1, 0)], ["split 0 2", "leaf 0"], long).text()
     two_sides = ((-4, -1, -1), (4, 4, 4)), ((-4, -4, -4), (4, 0, 4))  # below y = 0 the second one hides both near facets of the first
-    yield "a child twice in the place of another", about(16, [(0, 0, -4)], ["split 0 2 2", "split 1 3", "leaf 0 1", "split 1 3", "leaf 1 2"], *two_sides).text()
+    yield "a child twice in the place of another", about(16, [(0, 0, -4)], ["split 0 2 2", "split 1 3", "leaf 0 1", "split 1 3",
+                                                                            "leaf 1 2"], *two_sides).text()
     yield "a near facet without a child", about(4, [(0, -2, 0)], ["split 0"], long).text()
     yield "no root", about(1, six, [], CUBE).text()
     yield "a child is missing", about(1, six, [ALL_FACETS, *map("leaf {}".format, range(5))], CUBE).text()
@@ -112,7 +115,8 @@ def rows_of(c, kind):
 
 def parts_of(c):
     """Every list of rows that may lose one, or get one twice."""
-    return [c.optima if c.claim[0] == "depth" else [], c.polytopes, c.tree, c.a, c.b, c.weights_a, c.weights_b, *(each for _, each in c.optima),
+    return [c.optima if c.claim[0] == "depth" else [], c.polytopes, c.tree, c.a, c.b, c.weights_a, c.weights_b,
+            *(each for _, each in c.optima),
             *(p[1] for p in c.polytopes), *(p[2] for p in c.polytopes), *c.a, *c.b]
 
 
@@ -206,7 +210,8 @@ class Campaign:
         result = json.loads(done.stdout)
         squared = result["apart"]["distance"]["squared"] if result["apart"] else result["depth"]["squared"]
         optima = [tuple(map(Fraction, o["translation"])) for o in result["optima"]] if result["status"] == "penetrating" else []
-        return ({"penetrating": "depth", "touching": "touching", "disjoint": "apart"}[result["status"]], Fraction(squared), optima), result["certificate"]
+        return ({"penetrating": "depth", "touching": "touching", "disjoint": "apart"}[result["status"]], Fraction(squared),
+                optima), result["certificate"]
 
     def truth(self, bodies):
         boxes = [unions.boxes_of(pieces) for pieces in bodies]

@@ -82,13 +82,16 @@ POINTS = [f"1/3 {2**100 - 1} -{2**70}/5"] * 300
 def sizes():
     points = [WIDE[0] + ["1/3 2/6 -1/5"] * 300]  # more of them are too much work
     yield from pair("vertices", lambda k: Union(points, claim="depth 1", polytopes=[(["0 0"] * 7, []), (["0 0"] * k, [])]), 10_000, 13_000)
-    yield from pair("facets", lambda k: Union(WIDE, claim="depth 1", polytopes=[([], ["2 0 0"] * 9), (["0 0"] * 5, ["0"] * k)]), 4_000, 5_000)
+    yield from pair("facets", lambda k: Union(WIDE, claim="depth 1", polytopes=[([], ["2 0 0"] * 9), (["0 0"] * 5, ["0"] * k)]), 4_000,
+                    5_000)
     wide = f"{-2**319_998} 0 1"
     yield from pair("separations", lambda k: Union(separations=[wide] + ["1 0 0"] * k), 12_000, 13_000)
-    yield from pair("separations of optima", lambda k: Union(claim="depth 1", optima=[("0 0 0", [wide] * 9), ("0 0 0", ["1 0 0"] * k)]), 12_000, 13_000)
+    yield from pair("separations of optima", lambda k: Union(claim="depth 1", optima=[("0 0 0", [wide] * 9), ("0 0 0", ["1 0 0"] * k)]),
+                    12_000, 13_000)
     place = f"1/{3**100_000} 0 {7**90_000}/{7**50_000}"
     yield from pair("optima", lambda k: Union(claim="depth 1", optima=[(place, [])] + [("0 1 0", [])] * k), 1_000, 30_000)
-    yield from pair("weights", lambda k: Union(weights=([f"0 {2**150_000}/{3**100_000}", f"0 1/{5**60_000}"], ["0 -7/9"] * k)), 100, 100_000)
+    yield from pair("weights", lambda k: Union(weights=([f"0 {2**150_000}/{3**100_000}", f"0 1/{5**60_000}"], ["0 -7/9"] * k)), 100,
+                    100_000)
 
 
 def works():
@@ -97,12 +100,15 @@ def works():
     yield from pair("pieces of one point", lambda k: Union([POINT] * k, [POINT] * 2_000, separations=[long]), 1_000, 900_000)
     yield from pair("lists", lambda k: Union([POINTS] * 9, [POINTS] * 9, "depth 1", optima=[("1/7 0 0", [])] * k), 1_000, 900_000)
     place = f"{11**20_000}/{2**60_000} 1 1"
-    yield from pair("long optima", lambda k: Union([POINTS] * k, [POINTS] * 9, "depth 1", optima=[(place, [long]), ("1 1 1", [])]), 10, 90_000)
+    yield from pair("long optima", lambda k: Union([POINTS] * k, [POINTS] * 9, "depth 1", optima=[(place, [long]), ("1 1 1", [])]), 10,
+                    90_000)
     yield from pair("points", lambda k: Union([[f"1/{7**5_000} 2 3"] + ["0 0 0"] * k], claim="depth 1"), 1_000, 900_000)
-    yield from pair("corners", lambda k: Union(claim="depth 1", polytopes=[([], ["3 0 0 0"]), ([], [f"{k} " + " ".join("0" * k)])]), 1_000, 30_000)
+    yield from pair("corners", lambda k: Union(claim="depth 1", polytopes=[([], ["3 0 0 0"]), ([], [f"{k} " + " ".join("0" * k)])]), 1_000,
+                    30_000)
     claim = f"depth {7**20_000}/{3**1000}"
     yield from pair("facets", lambda k: Union([POINTS], claim=claim, polytopes=[([], ["3 0 0 0"] * k)]), 1_000, 900_000)
-    yield from pair("the claim's denominator", lambda k: Union([POINTS], claim=f"depth 1/{7**20_000}", polytopes=[([], ["0"] * k)]), 1_000, 900_000)
+    yield from pair("the claim's denominator", lambda k: Union([POINTS], claim=f"depth 1/{7**20_000}", polytopes=[([], ["0"] * k)]), 1_000,
+                    900_000)
     weights = [f"0 {k}/{2**9_000 * 3**k}" for k in range(1, 1000)]
     yield from pair("weights", lambda k: Union([POINTS], claim=f"apart {5**9}/7", weights=(weights, weights[:7] + ["0 1"] * k)), 9, 900_000)
     yield from pair("leaves", lambda k: Union([POINTS], claim=claim, tree=["split 0 0 1", "leaf 1 2"] + ["leaf 0"] * k), 1_000, 900_000)

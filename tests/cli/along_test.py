@@ -133,7 +133,8 @@ class Forms(CliTest):
             values = found["values"]
             titles = [title.text for title in chart.iter(NAME + "title")][1:]
             self.assertEqual((len(rows), len(lines), len(titles)), (steps + 1, steps + 3, steps + 1))
-            told = {title.split(":")[0]: title.split(": ")[1].rsplit(", ", 2 if title.count("-") and "," in title else 1) for title in titles}
+            told = {title.split(":")[0]: title.split(": ")[1].rsplit(", ", 2 if title.count("-") and "," in title else 1)
+                    for title in titles}
             for value, row, line in zip(values, rows, lines[2:]):
                 depth = value["signed_depth"]
                 self.assertEqual((row["step"], row["s"], row["status"]), (str(value["step"]), value["s"], value["status"]))
@@ -145,13 +146,15 @@ class Forms(CliTest):
                 self.assertTrue(any(title.startswith(f"s = {value['s']}: {text}, {value['status']}") for title in titles), (told, text))
                 if "exact" in depth:
                     self.assertEqual(float(row["value"]), value["value"])
-                    self.assertEqual((int(row["sign"]), row["root"], row["plus"]), tuple(depth["exact"][key] for key in ("sign", "root", "plus")))
+                    self.assertEqual((int(row["sign"]), row["root"], row["plus"]),
+                                     tuple(depth["exact"][key] for key in ("sign", "root", "plus")))
                 else:
                     self.assertEqual((value["value"], row["value"], row["sign"], row["root"], row["plus"]), (None, "", "", "", ""))
 
     def test_the_chart_is_a_curve(self):
         chart = self.forms(*PATHS[0])[3]
-        line = next(path.get("d") for path in chart.iter(NAME + "path") if path.get("class") == "look-0" and path.get("d").startswith("M") and "L" in path.get("d"))
+        line = next(path.get("d") for path in chart.iter(NAME + "path") if path.get("class") == "look-0" and path.get("d").startswith("M")
+                    and "L" in path.get("d"))
         places = [tuple(map(float, place.split())) for place in re.split("[ML]", line)[1:]]
         self.assertEqual(len(places), 33)
         slopes = [(y1 - y0) / (x1 - x0) for (x0, y0), (x1, y1) in zip(places, places[1:])]
@@ -208,9 +211,11 @@ class Misuse(CliTest):
     def test_vectors_and_steps(self):
         for vector_text in ("1,0", "1,0,0,0", "0,0,0", "a,b,c", "1;0;0", "1,0,1/0", ""):
             self.assertIn("--along", self.refused("depth", f"--along={vector_text}", CUBE, CUBE))
-        self.assertIn("expected three numbers such as 1,0,-1/2, not all zero, found '0,0,0'", self.refused("depth", "--along", "0,0,0", CUBE, CUBE))
+        self.assertIn("expected three numbers such as 1,0,-1/2, not all zero, found '0,0,0'",
+                      self.refused("depth", "--along", "0,0,0", CUBE, CUBE))
         for steps in ("0", "-1", "x", "1.5", "1000001"):
-            self.assertIn("--steps: expected an integer from 1 to 1000000", self.refused("depth", "--along=1,0,0", f"--steps={steps}", CUBE, CUBE))
+            self.assertIn("--steps: expected an integer from 1 to 1000000", self.refused("depth", "--along=1,0,0", f"--steps={steps}", CUBE,
+                                                                                         CUBE))
 
     def test_what_does_not_go_together(self):
         for options in (["--steps", "3"], ["--csv"]):
@@ -222,7 +227,8 @@ class Misuse(CliTest):
         self.assertIn("found two bodies", self.refused("depth", "--along=1,0,0", "--case", "x", CUBE, CUBE))
         self.assertIn("standard output", self.refused("depth", "--along=1,0,0", "--svg", "-", CUBE, CUBE))
         self.assertIn("cannot write a picture", self.refused("depth", "--along=1,0,0", "--svg", self.folder / "no" / "x.svg", CUBE, CUBE))
-        self.assertIn("half-space", self.refused("depth", "--along=1,0,0", "halfspace:normal=0:0:1,offset=0", "halfspace:normal=0:0:1,offset=0"))
+        self.assertIn("half-space", self.refused("depth", "--along=1,0,0", "halfspace:normal=0:0:1,offset=0",
+                                                 "halfspace:normal=0:0:1,offset=0"))
 
 
 if __name__ == "__main__":

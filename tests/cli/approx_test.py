@@ -32,7 +32,8 @@ class Approx(CliTest):
     def test_fields(self):
         result = self.result("approx", "--delta", "1/4", CUBE, ICOSAHEDRON)
         self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
-                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "hull", "flat", "method", "delta", "rays", "bound"])
+                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "hull", "flat",
+                                        "method", "delta", "rays", "bound"])
         self.assertEqual((result["delta"], result["rays"]), ("1/4", 24))
         self.check(result, self.result("depth", CUBE, ICOSAHEDRON))
 

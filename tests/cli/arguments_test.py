@@ -5,7 +5,8 @@ import unittest
 from harness import DATA, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
-OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json", "--help")
+OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json",
+           "--help")
 COMMANDS = "depth, width, approx, ray, metric, study, stages, explain, cases, certify, check, golden, help, man, completion"
 
 
@@ -15,7 +16,8 @@ class Help(CliTest):
             out = self.answer(*arguments)
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
             out = " ".join(out.split())
-            for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "explain", "cases", "--version", "certify", "Exit codes: 0 fine; 1 ",
+            for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "explain", "cases", "--version", "certify",
+                         "Exit codes: 0 fine; 1 ",
                          "130 interrupted"):
                 self.assertIn(word, out)
         for command in ("depth", "width"):
@@ -54,10 +56,13 @@ class Misuse(CliTest):
         self.assertIn("--json", self.refused("--json", "depth", A, B))
 
     def test_misspelt_words(self):
-        for words, meant in ((["dept", A, B], "depth"), (["certfiy"], "certify"), (["golden", "verfy", "x"], "verify"), (["comp"], "completion"),
+        for words, meant in ((["dept", A, B], "depth"), (["certfiy"], "certify"), (["golden", "verfy", "x"], "verify"),
+                             (["comp"], "completion"),
                              (["depth", "--metod", "exact", A, B], "--method"), (["depth", "--metod=exact", A, B], "--method"),
-                             (["depth", "--cert", "x", A, B], "--certificate"), (["width", "--jsno", A], "--json"), (["--versoin"], "--version"),
-                             (["golden", "generate", "--levle", "L0", "--out", "x"], "--level"), (["depth", "--method", "exat", A, B], "exact"),
+                             (["depth", "--cert", "x", A, B], "--certificate"), (["width", "--jsno", A], "--json"),
+                             (["--versoin"], "--version"),
+                             (["golden", "generate", "--levle", "L0", "--out", "x"], "--level"),
+                             (["depth", "--method", "exat", A, B], "exact"),
                              (["study", "--counters", A, B], None), (["xyzzy"], None), (["depth", "--frobnicate", A, B], None),
                              (["depth", "--method", "fast", A, B], None), (["depth", "--method", "", A, B], None)):
             with self.subTest(words=words):
@@ -70,7 +75,8 @@ class Misuse(CliTest):
 
     def test_inputs_without_a_command(self):
         self.file("a b.obj", "v 0 0 0\n")
-        for words, line in (([A, B], f"depth {A} {B}"), (["a.obj", "b.stl"], "depth a.obj b.stl"), (["--json", A, B], f"depth --json {A} {B}"),
+        for words, line in (([A, B], f"depth {A} {B}"), (["a.obj", "b.stl"], "depth a.obj b.stl"),
+                            (["--json", A, B], f"depth --json {A} {B}"),
                             ([A], f"width {A}"), (["cases.jsonl"], "depth cases.jsonl"), (["-"], "depth -"),
                             (["sphere:r=1", A], f"depth sphere:r=1 {A}"), (["a b.obj", "it's.off"], "depth 'a b.obj' 'it'\\''s.off'")):
             self.assertIn(f"; did you mean: fathom {line}\n", self.refused(*words))
@@ -78,7 +84,8 @@ class Misuse(CliTest):
 
     def test_no_value_is_no_value(self):
         """Neither the next word, nor as if the option were not there."""
-        for words in (["ray", "--direction=", "1,0,0", A, B], ["depth", "--certificate=", "proof.cert", A, B], ["depth", "--seed=", "1", A, B],
+        for words in (["ray", "--direction=", "1,0,0", A, B], ["depth", "--certificate=", "proof.cert", A, B],
+                      ["depth", "--seed=", "1", A, B],
                       ["golden", "generate", "--out=", "folder", "--level", "L0"]):
             option = next(word for word in words if word.endswith("="))
             self.assertIn(f"'{option}' lacks its value", self.refused(*words))

@@ -101,8 +101,10 @@ class Harmless(CliTest):
             code, _, err = self.run_cli(*command, torus, self.file("other.xyz", other))
             self.assertEqual(code, 0, err)
             self.assertRegex(err, said, command)
-        triangles = [(0, 1, 3), (0, 3, 2), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 3, 7), (1, 7, 5)]
-        facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*UNIT[i]) for i in t) + "endloop\nendfacet\n"
+        triangles = [(0, 1, 3), (0, 3, 2), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
+                     (1, 3, 7), (1, 7, 5)]
+        facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*UNIT[i]) for i in t) +
+                         "endloop\nendfacet\n"
                          for t in triangles)
         self.assertEqual(self.run_cli("width", self.file("cube.stl", f"solid cube\n{facets}endsolid cube\n"))[2], "")
 

@@ -251,7 +251,8 @@ class Misuse(CasesTest):
         for option, low, high in (("--count", 1, 10**9), ("--seed", 0, 2**64 - 1), ("--size", 1, 10**6)):
             shown = "2^64 - 1" if option == "--seed" else high
             for value in ("-1", "1.5", "many", "1e3", str(high + 1), str(low - 1), " 1", "+1", "0x2"):
-                self.assertIn(f"{option}: expected an integer from {low} to {shown}", self.refused("cases", "--family", "cube", f"{option}={value}"))
+                self.assertIn(f"{option}: expected an integer from {low} to {shown}",
+                              self.refused("cases", "--family", "cube", f"{option}={value}"))
 
     def test_what_does_not_go_together(self):
         one_of = "cases expects one of --family, --catalogue, --list, --from and --from-fcl"
@@ -268,14 +269,16 @@ class Misuse(CasesTest):
         self.assertIn("--pose-a goes with --from", self.refused("cases", "--list", "--pose-a", "x"))
         self.assertIn("--exact-decimals goes with --from", self.refused("cases", "--list", "--exact-decimals"))
         for inputs in ([], [A]):
-            self.assertIn(f"two meshes after --from and no input otherwise, found {len(inputs)} argument", self.refused("cases", "--from", *inputs))
+            self.assertIn(f"two meshes after --from and no input otherwise, found {len(inputs)} argument",
+                          self.refused("cases", "--from", *inputs))
         self.assertIn("found 1 argument", self.refused("cases", "--list", A))
         self.assertIn("not expected: ", self.refused("cases", "--from", A, B, A))
 
     def test_help(self):
         out = self.answer("cases", "--help")
         self.assertTrue(out.startswith("Examples\n  fathom cases "), out)
-        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--shapes", "--unions", "--from", "--from-fcl", "--pose-a", "--pose-b", "--exact-decimals"):
+        for option in ("--family", "--count", "--seed", "--size", "--catalogue", "--list", "--shapes", "--unions", "--from", "--from-fcl",
+                       "--pose-a", "--pose-b", "--exact-decimals"):
             self.assertIn(f"\n  {option} ", out)
 
 

@@ -166,10 +166,12 @@ class Streams(CliTest):
 
     def test_ids_too_long_for_a_name(self):
         longest, longer, escaped = "n" * 250, "n" * 251, "é" * 100
-        self.answer("depth", "--certificate", self.proofs, "-", stdin="".join(case(UNIT, FAR, id=i) for i in (longest, longer, longer + "n", escaped)))
+        self.answer("depth", "--certificate", self.proofs, "-",
+                    stdin="".join(case(UNIT, FAR, id=i) for i in (longest, longer, longer + "n", escaped)))
         hashed = {i: hashlib.sha256(i.encode()).hexdigest() for i in (longer, longer + "n", escaped)}
-        self.assertEqual(self.names(), sorted([f"{longest}.cert", f"{180 * 'n'}~{hashed[longer]}.cert", f"{180 * 'n'}~{hashed[longer + 'n']}.cert",
-                                               f"{30 * '%C3%A9'}~{hashed[escaped]}.cert"]))
+        self.assertEqual(self.names(),
+                         sorted([f"{longest}.cert", f"{180 * 'n'}~{hashed[longer]}.cert", f"{180 * 'n'}~{hashed[longer + 'n']}.cert",
+                                 f"{30 * '%C3%A9'}~{hashed[escaped]}.cert"]))
         for name in self.names():
             self.assertTrue(self.answer("check", self.proofs / name).startswith("s VERIFIED"))
 

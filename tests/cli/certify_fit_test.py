@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fathom certify --fit, and what subjects declare and tell of their numbers, bodies and time: judged as they saw it, reported as it was asked."""
+"""fathom certify --fit, and what subjects declare and tell of their numbers, bodies and time: judged as they saw it, reported as it was
+asked."""
 import json
 import math
 import struct
@@ -115,15 +116,18 @@ class Fit(Subject):
         exact = ("--tol-rel", "0", "--tol-abs", "0", "--fit", "64")
         _, lines, _ = self.judged(*exact, stdin=small(-900, "small"), factor=above, **narrow)
         judgement = lines[1]["judgement"]
-        self.assertEqual((lines[1]["verdict"], judgement["error_ulps"], judgement["error"]), ("too-deep", 1, math.ldexp(0.25, -900) * 2 ** -23))
+        self.assertEqual((lines[1]["verdict"], judgement["error_ulps"], judgement["error"]),
+                         ("too-deep", 1, math.ldexp(0.25, -900) * 2 ** -23))
         _, lines, _ = self.judged(*exact, "--tol-ulps", "1", stdin=small(-900, "small"), factor=above, **narrow)
         self.assertEqual((lines[1]["verdict"], lines[1]["judgement"]["accuracy"]), ("pass", "4 ulp"))
 
     def test_reports_with_and_without_it_say_the_same(self):
-        cases = subprocess.run([EXECUTABLE, "cases", "--family", "boxes_aligned", "--count", "40"], capture_output=True, text=True, check=True).stdout
+        cases = subprocess.run([EXECUTABLE, "cases", "--family", "boxes_aligned", "--count", "40"], capture_output=True, text=True,
+                               check=True).stdout
 
         def told(lines):
-            return [{k: v for k, v in line.items() if k not in ("seconds", "microseconds", "fit")} for line in lines if line["type"] == "case"]
+            return [{k: v for k, v in line.items() if k not in ("seconds", "microseconds", "fit")} for line in lines
+                    if line["type"] == "case"]
 
         plain, fitted = self.judged(stdin=cases, factor=1.5)[1], self.judged("--fit", "64", stdin=cases, factor=1.5)[1]
         self.assertEqual(told(plain), told(fitted))
@@ -194,7 +198,8 @@ class Declared(Subject):
         _, lines, _ = self.judged(stdin=cases)
         times = {line["id"]: line["microseconds"] for line in lines if line["type"] == "case"}
         worst = max(times, key=lambda name: (times[name], name))
-        self.assertEqual(lines[-1]["microseconds"], {"answers": 3, "median": sorted(times.values())[1], "worst": times[worst], "worst_case": worst})
+        self.assertEqual(lines[-1]["microseconds"], {"answers": 3, "median": sorted(times.values())[1], "worst": times[worst],
+                                                     "worst_case": worst})
         page = self.folder / "page.html"
         code, out, _ = self.run_cli("certify", "--html", str(page), "--subject", self.subject(), "-", stdin=cases)
         self.assertEqual(code, 0)
@@ -237,7 +242,8 @@ class Declared(Subject):
 
     def test_certificates_and_steps_are_of_the_rounded_bodies(self):
         folder, shrunk = self.folder / "certificates", self.folder / "shrunk"
-        _, _, err = self.judged("--certificates", str(folder), "--shrink", str(shrunk), "--method", "exact", "--metamorphic", stdin=boxes(0),
+        _, _, err = self.judged("--certificates", str(folder), "--shrink", str(shrunk), "--method", "exact", "--metamorphic",
+                                stdin=boxes(0),
                                 hello={"rounding": 0.125})
         self.assertIn("scale is no symmetry of a subject that rounds", err)
         for certificate in [*folder.iterdir(), shrunk / "too-shallow.cert"]:
@@ -261,7 +267,8 @@ class Declared(Subject):
         self.assertEqual(lines[-1]["hulls"]["query_passed"], 2)
         page = self.folder / "page.html"
         _, out, _ = self.run_cli("certify", "--html", str(page), "--subject", self.subject(hull=0.125, factor=2), "-", stdin=cases)
-        self.assertRegex(out, r"hulls +told in 2 answers; by them 0 pass; lost at most 0\.2165 \(box::0\); grown at most 0\.2165 \(box::0\)")
+        self.assertRegex(out,
+                         r"hulls +told in 2 answers; by them 0 pass; lost at most 0\.2165 \(box::0\); grown at most 0\.2165 \(box::0\)")
         self.assertIn("Hulls that it used", page.read_text())
 
     def test_lost_is_not_grown(self):

@@ -27,4 +27,5 @@ class CertifyTest(CliTest):
 
     @staticmethod
     def verdicts(lines):
-        return {line["id"] + ("~" + line["variant"] if "variant" in line else ""): line["verdict"] for line in lines if line["type"] == "case"}
+        return {line["id"] + ("~" + line["variant"] if "variant" in line else ""): line["verdict"] for line in lines
+                if line["type"] == "case"}

@@ -13,18 +13,21 @@ WAYS = {
     "crash": ("crash", "killed by signal 11 (Segmentation fault); last words: about to go"),
     "abort": ("crash", "killed by signal 6 (Aborted); last words: about to go"), "exit": ("crash", "ended with exit code 3"),
     "silent": ("silent", "ended with exit code 0"), "garbage": ("garbage", "expected a JSON object, found 'Segmentation fault?'"),
-    "empty-line": ("garbage", "expected a JSON object, found an empty line"), "noise": ("garbage", "expected a JSON object, found a null byte in '\\x00"),
+    "empty-line": ("garbage", "expected a JSON object, found an empty line"),
+    "noise": ("garbage", "expected a JSON object, found a null byte in '\\x00"),
     "no-fields": ("garbage", 'expected "overlap" in the reply, found none'), "wrong-types": ("garbage", 'expected a number for "depth"'),
     "array": ("garbage", "expected a JSON object"), "nested": ("garbage", "expected a JSON object, found '[[["),
     "huge-line": ("garbage", "a line of more than 16777216 bytes"), "half-line": ("garbage", "a line that was cut off: '{"),
     "cut-line": ("garbage", "a line that was cut off: '{"), "other-id": ("garbage", "found one to '99999'"),
     "null-depth": ("garbage", 'expected a number for "depth" (NaN is "nan"), found \'null\''),
-    "null-apart": ("garbage", 'expected three numbers for "direction", found \'null\''), "no-id": ("garbage", 'expected "id" in the reply, found none; the line: \'{"type": "reply", "overlap": true'),
+    "null-apart": ("garbage", 'expected three numbers for "direction", found \'null\''),
+    "no-id": ("garbage", 'expected "id" in the reply, found none; the line: \'{"type": "reply", "overlap": true'),
     "close-output": ("silent", "closed its output and lived on"), "linger": ("crash", "ended with exit code 9"),
     "second-hello": ("garbage", 'expected a message of type "reply"'), "dribble": ("pass", None),
 }
 # Those where no answer can come.
-ENDLESS = {"no-newline": "no answer within 0.5 s; 100 bytes came, no end of line: '{\"type\": \"reply\", \"id\": \"2\"", "hang": "no answer within 0.5 s", "busy": "no answer within 0.5 s", "dribble-forever": "no answer within 0.5 s",
+ENDLESS = {"no-newline": "no answer within 0.5 s; 100 bytes came, no end of line: '{\"type\": \"reply\", \"id\": \"2\"",
+           "hang": "no answer within 0.5 s", "busy": "no answer within 0.5 s", "dribble-forever": "no answer within 0.5 s",
            "flood": "no answer within 0.5 s; no byte came: does it flush its output?; last words: "}
 
 

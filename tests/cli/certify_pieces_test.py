@@ -101,7 +101,8 @@ class Pieces(CertifyTest):
         self.assertEqual(key["judgement"]["deepest_pair"], {"squared": "1/4", "pieces": [0, 1]})
         self.assertEqual((key["judgement"]["deeper_squared"], key["judgement"]["hulls_squared"]), ("5/2", "9/4"))
         self.assertEqual(key["judgement"]["deeper"], math.sqrt(2.5))
-        self.assertEqual(key["judgement"]["sentence"], "too shallow by 0.2906: 0.5 is claimed, the depth is 0.7905694150420949, 1.581 times as "
+        self.assertEqual(key["judgement"]["sentence"],
+                         "too shallow by 0.2906: 0.5 is claimed, the depth is 0.7905694150420949, 1.581 times as "
                          "much; not separating: 0.3536 of overlap is left after its translation")
         self.assertEqual((key["pieces"]["pairs"], key["pieces"]["answer_of"], key["pieces"]["query"]["verdict"]), (15, [0, 1], "pass"))
         self.assertEqual(found["easy"]["judgement"]["deeper_squared"], "1")
@@ -171,7 +172,8 @@ class Pieces(CertifyTest):
 
     def test_small_cases_are_not_looked_for(self):
         folder = self.folder / "small"
-        code, out, err = self.run_cli("certify", "--jobs", "1", "--shrink", str(folder), "--subject", self.subject(), "-", stdin=KEY_IN_COMB)
+        code, out, err = self.run_cli("certify", "--jobs", "1", "--shrink", str(folder), "--subject", self.subject(), "-",
+                                      stdin=KEY_IN_COMB)
         self.assertEqual(code, 1)
         self.assertIn("too-shallow of key: cases of unions are not made smaller; the case as it was seen: ", err)
         self.assertEqual(json.loads((folder / "too-shallow.case.json").read_text())["b"], COMB)

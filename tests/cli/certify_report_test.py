@@ -92,7 +92,8 @@ class Reports(CliTest):
 
         out, err = self.certify([*misspelt, reply("b")], "--json", "--jobs", "1", code=0)
         lines = [json.loads(line) for line in out.splitlines()]
-        self.assertEqual(lines[-1]["judged"], {"overlap": 10, "overlapping": 10, "depth": 1, "direction": 0, "witness": 0, "contacts": 0, "distance": 0})
+        self.assertEqual(lines[-1]["judged"], {"overlap": 10, "overlapping": 10, "depth": 1, "direction": 0, "witness": 0, "contacts": 0,
+                                               "distance": 0})
         self.assertEqual(lines[1]["detail"][:36], "the field 'depht' is not read: is 'd")
         self.assertNotIn("depth judged", err)
         whole = reply("c", direction=[1, 0, 0], witness={"a": [0.5, 0, 0], "b": [1, 0, 0]})

@@ -87,14 +87,16 @@ class Shapes(CertifyTest):
                         "for line in sys.stdin:\n    log.write(line)\n    log.flush()\n    child.stdin.write(line.encode())\n"
                         "    child.stdin.flush()\nchild.stdin.close()\nsys.exit(child.wait())\n")
         said, inner = self.folder / "said", self.file("inner.sh", self.subject())
-        code, _, err = self.certify("--jobs", "1", "--subject", f"exec '{sys.executable}' -B '{tee}' '{said}' '. {inner}'", "-", stdin=CASES)
+        code, _, err = self.certify("--jobs", "1", "--subject", f"exec '{sys.executable}' -B '{tee}' '{said}' '. {inner}'", "-",
+                                    stdin=CASES)
         self.assertEqual((code, err), (1, ""))
         lines = [json.loads(line) for line in said.read_text().splitlines()]
         runs = [line for line in lines if line["type"] == "run"]
         for line in lines:
             validator(SUBJECT, ("hello_to_subject", "run", "stop")).validate(line)
         self.assertEqual(runs[1]["a"], {"shape": "sphere", "radius": 1, "margin": 0.5, "pose": at(0, 0, 0)})
-        damages = ({"margin": 0}, {"shape": "rounded_sphere"}, {"radius": None}, {"radius": "1"}, {"color": 1}, {"shape": "cylinder", "half_length": 1})
+        damages = ({"margin": 0}, {"shape": "rounded_sphere"}, {"radius": None}, {"radius": "1"}, {"color": 1},
+                   {"shape": "cylinder", "half_length": 1})
         for damage in damages:
             with self.subTest(damage), self.assertRaises(jsonschema.ValidationError):
                 validator(SUBJECT, ("run",)).validate({**runs[1], "a": {**runs[1]["a"], **damage}})

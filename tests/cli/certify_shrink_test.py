@@ -90,7 +90,8 @@ class Shrink(CliTest):
 
     def test_an_answer_that_a_swap_changes(self):
         folder, out = self.shrink("lopsided", "--metamorphic=swap,scale")
-        self.assertEqual({path.name for path in folder.iterdir()}, {f"not-invariant~swap.{ending}" for ending in ("case.json", "cert", "cpp")})
+        self.assertEqual({path.name for path in folder.iterdir()},
+                         {f"not-invariant~swap.{ending}" for ending in ("case.json", "cert", "cpp")})
         self.assertIn("differ by ", out)
 
 

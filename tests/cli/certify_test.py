@@ -108,7 +108,8 @@ class Subjects(CertifyTest):
         for line in lines:
             for field in line:
                 self.assertFalse(validator(VERDICT).is_valid({k: v for k, v in line.items() if k != field})
-                                 and field not in ("variant", "after", "judgement", "solid", "metre_sized", "policy", "dearer", "parts") and (field, line["type"]) != ("detail", "case"), field)
+                                 and field not in ("variant", "after", "judgement", "solid", "metre_sized", "policy", "dearer", "parts")
+                                 and (field, line["type"]) != ("detail", "case"), field)
             self.assertFalse(validator(VERDICT).is_valid({**line, "more": 1}))
         good = {"type": "reply", "id": "1", "overlap": True, "depth": "0x1.8p3", "direction": [1, "nan", "-inf"]}
         validator(SUBJECT).validate(good)
@@ -136,23 +137,33 @@ class Agreement(CertifyTest):
             self.assertEqual(self.takes(line), validator(SUBJECT, (part,)).is_valid(message))
 
     def test_numbers(self):
-        for number in (1, -1.5, 0, 1e300, "1", "+1", "-1.5", "1.", ".5", ".", "", "-", "1e5", "1e", "1e+", "1E-5", "1/1", "4/2", "0x1.8p3", "0x",
-                       "0x.", "0x.8", "0xp1", "0X1P+1", "1p3", "nan", "-NaN", "nan(0x1)", "nan()", "nan(", "nan(-)", "nanx", "nano", "inf", "+INF", "infinity",
+        for number in (1, -1.5, 0, 1e300, "1", "+1", "-1.5", "1.", ".5", ".", "", "-", "1e5", "1e", "1e+", "1E-5", "1/1", "4/2", "0x1.8p3",
+                       "0x",
+                       "0x.", "0x.8", "0xp1", "0X1P+1", "1p3", "nan", "-NaN", "nan(0x1)", "nan()", "nan(", "nan(-)", "nanx", "nano", "inf",
+                       "+INF", "infinity",
                        "infinit", "--1", "1 ", " 1", "1,5", "one", "0b1", "1_0", "true", True, None, [], [1], {}, {"": 1}):
             self.check("reply", {**self.REPLY, "depth": number})
 
     def test_replies(self):
-        for changes in ({"overlap": False}, {"overlap": "true"}, {"overlap": 1}, {"overlap": None}, {"overlap": "1/1"}, {"id": 7}, {"id": 7.0}, {"id": 7.5}, {"id": None},
-                        {"id": True}, {"id": ["7"]}, {"type": "Reply"}, {"type": None}, {"more": None}, {"direction": [1, "0", "nan"]}, {"direction": [1, 2]},
-                        {"direction": [1, 2, None]}, {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None}, {"witness": {}},
+        for changes in ({"overlap": False}, {"overlap": "true"}, {"overlap": 1}, {"overlap": None}, {"overlap": "1/1"}, {"id": 7},
+                        {"id": 7.0}, {"id": 7.5}, {"id": None},
+                        {"id": True}, {"id": ["7"]}, {"type": "Reply"}, {"type": None}, {"more": None}, {"direction": [1, "0", "nan"]},
+                        {"direction": [1, 2]},
+                        {"direction": [1, 2, None]}, {"direction": None}, {"direction": []}, {"direction": "1,2,3"}, {"witness": None},
+                        {"witness": {}},
                         {"witness": {"a": None}}, {"witness": {"a": [1, 2, 3]}}, {"witness": {"a": [1, 2, 3], "b": "x"}}, {"witness": [1]},
-                        {"hull": {}}, {"hull": {"a": [[1, 2, 3]]}}, {"hull": {"a": [["0x1p3", "2", .5], [1, 2, 3]], "b": [[0, 0, 0]]}}, {"hull": {"a": []}},
-                        {"hull": {"b": [[1, 2]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}}, {"hull": {"a": [[1, "inf", 3]]}},
-                        {"hull": None}, {"hull": []}, {"hull": {"a": None}}, {"hull": {"a": 7}}, {"hull": {"a": ["123"]}}, {"hull": {"b": [7]}},
+                        {"hull": {}}, {"hull": {"a": [[1, 2, 3]]}}, {"hull": {"a": [["0x1p3", "2", .5], [1, 2, 3]], "b": [[0, 0, 0]]}},
+                        {"hull": {"a": []}},
+                        {"hull": {"b": [[1, 2]]}}, {"hull": {"a": [[1, 2, "nan"]]}}, {"hull": {"b": [[1, 2, None]]}},
+                        {"hull": {"a": [[1, "inf", 3]]}},
+                        {"hull": None}, {"hull": []}, {"hull": {"a": None}}, {"hull": {"a": 7}}, {"hull": {"a": ["123"]}},
+                        {"hull": {"b": [7]}},
                         {"microseconds": 3.5}, {"microseconds": "soon"}, {"microseconds": None}, {"microseconds": -1},
                         {"distance": "inf"}, {"distance": None}, {"contacts": None}, {"contacts": []}, {"contacts": {}},
-                        {"contacts": [{"position": [1, 2, "nan"], "depth": "inf"}, {"position": [1, 2, 3]}]}, {"contacts": [{"position": [1]}]}, {"contacts": [{}]},
-                        {"contacts": [[1, 2, 3]]}, {"contacts": [{"position": [1, 2, 3], "depth": None}]}, {"contacts": [{"position": [1, 2, 3], "more": 1}]},
+                        {"contacts": [{"position": [1, 2, "nan"], "depth": "inf"}, {"position": [1, 2, 3]}]},
+                        {"contacts": [{"position": [1]}]}, {"contacts": [{}]},
+                        {"contacts": [[1, 2, 3]]}, {"contacts": [{"position": [1, 2, 3], "depth": None}]},
+                        {"contacts": [{"position": [1, 2, 3], "more": 1}]},
                         {"unsupported": "x"}, {"failed": "x"}, {"unsupported": None}, {"failed": 7}):
             self.check("reply", {**self.REPLY, **changes})
             self.check("reply", {**self.REPLY, "overlap": False, **changes})
@@ -161,26 +172,34 @@ class Agreement(CertifyTest):
         for name in ("unsupported", "failed"):
             for value in ("x", "", 7, None, True, ["x"]):
                 self.check("reply", {**nothing, name: value})
-            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"hull": {}}, {"distance": 1}, {"contacts": [{"position": [1, 0, 0]}]},
+            for other in ({"depth": 1}, {"direction": [1, 0, 0]}, {"witness": {}}, {"hull": {}}, {"distance": 1},
+                          {"contacts": [{"position": [1, 0, 0]}]},
                           {"unsupported": "y"}, {"failed": "y"}, {"more": 1}):
                 self.check("reply", {**nothing, name: "x", **other})
 
     def test_hellos(self):
         good = json.dumps(self.REPLY)
-        for changes in ({}, {"name": ""}, {"name": 7}, {"name": None}, {"version": 2.1}, {"version": ""}, {"version": None}, {"library": "fcl"}, {"library": None},
-                        {"library": 1}, {"precision": "binary16"}, {"precision": 64}, {"settings": None}, {"settings": []}, {"settings": {"a": [1, None]}},
+        for changes in ({}, {"name": ""}, {"name": 7}, {"name": None}, {"version": 2.1}, {"version": ""}, {"version": None},
+                        {"library": "fcl"}, {"library": None},
+                        {"library": 1}, {"precision": "binary16"}, {"precision": 64}, {"settings": None}, {"settings": []},
+                        {"settings": {"a": [1, None]}},
                         {"capabilities": None}, {"capabilities": {}}, {"capabilities": {"faces": 1}}, {"capabilities": {"faces": None}},
                         {"conventions": None}, {"conventions": {}}, {"promises": []}, {"promises": ["depth", "direction", "witness"]},
                         {"promises": ["distance", "contacts"]},
-                        {"promises": ["depth", "depth"]}, {"promises": ["overlap"]}, {"promises": "depth"}, {"promises": None}, {"promises": [1]},
-                        {"precision": {"points": "binary32", "answers": "binary64"}}, {"precision": {"points": "binary32"}}, {"precision": {}},
-                        {"precision": {"points": "binary32", "answers": 64}}, {"rounding": 0.5}, {"rounding": 0}, {"rounding": -1}, {"rounding": "0.5"},
-                        {"rounding": None}, {"rounding": {}}, {"rounding": {"vertices": 0.5, "box": 0}}, {"rounding": {"margin": 1}}, {"rounding": {"box": -1}},
+                        {"promises": ["depth", "depth"]}, {"promises": ["overlap"]}, {"promises": "depth"}, {"promises": None},
+                        {"promises": [1]},
+                        {"precision": {"points": "binary32", "answers": "binary64"}}, {"precision": {"points": "binary32"}},
+                        {"precision": {}},
+                        {"precision": {"points": "binary32", "answers": 64}}, {"rounding": 0.5}, {"rounding": 0}, {"rounding": -1},
+                        {"rounding": "0.5"},
+                        {"rounding": None}, {"rounding": {}}, {"rounding": {"vertices": 0.5, "box": 0}}, {"rounding": {"margin": 1}},
+                        {"rounding": {"box": -1}},
                         {"rounding": {"rounded_box": 1}}, {"rounding": [1]}, {"protocol": 1}, {"more": None}):
             hello = {**self.HELLO, **changes}
             with self.subTest(changes):
                 self.assertEqual(self.takes(json.dumps(hello), good), validator(SUBJECT, ("hello",)).is_valid(hello))
-        for name, value in (("touching", "maybe"), ("depth", None), ("moves", "A"), ("unit", "true"), ("unit", 1), ("unit", None), ("claims", "separating"),
+        for name, value in (("touching", "maybe"), ("depth", None), ("moves", "A"), ("unit", "true"), ("unit", 1), ("unit", None),
+                            ("claims", "separating"),
                             ("claims", "minimum"), ("claims", "manifold"), ("claims", None)):
             hello = {**self.HELLO, "conventions": {**self.HELLO["conventions"], name: value}}
             with self.subTest(hello["conventions"]):
@@ -188,11 +207,13 @@ class Agreement(CertifyTest):
 
     def test_bare_words(self):
         """What is no JSON: numbers as printf and Lua write them, and nothing else."""
-        for text, taken in {"nan": True, "-inf": True, "0x1p3": True, ".5": True, "+1": True, "7.": True, "nano": False, "yes": False, "True": False,
+        for text, taken in {"nan": True, "-inf": True, "0x1p3": True, ".5": True, "+1": True, "7.": True, "nano": False, "yes": False,
+                            "True": False,
                             "1/1": False, "'1'": False}.items():
             with self.subTest(text):
                 self.assertEqual(self.takes(f'{{"type":"reply","id":"7","overlap":true,"depth":{text}}}'), taken)
-        for line in ('{type:"reply","id":"7","overlap":true}', '{"type":reply,"id":"7","overlap":true}', '{"type":"reply","id":"7","overlap":"true"}'):
+        for line in ('{type:"reply","id":"7","overlap":true}', '{"type":reply,"id":"7","overlap":true}',
+                     '{"type":"reply","id":"7","overlap":"true"}'):
             self.assertFalse(self.takes(line), line)
         self.assertTrue(self.takes('{"type":"reply","id":7.0,"overlap":true}'))
 
@@ -205,7 +226,8 @@ class Agreement(CertifyTest):
                                      ({"distance": 0.75}, "too-far", "too far by 0.25"),
                                      ({"distance": 0.25}, "too-near", "too near by 0.25"),
                                      ({"distance": 0.5, "direction": [1, 0, 0]}, "wrong-sign", "the direction points the wrong way"),
-                                     ({"distance": 0.5, "witness": {"a": [1, 0, 0], "b": [1.5, 1, 0]}}, "witness-off", "miss the distance by"),
+                                     ({"distance": 0.5, "witness": {"a": [1, 0, 0], "b": [1.5, 1, 0]}}, "witness-off",
+                                      "miss the distance by"),
                                      ({}, "inconsistent", "inconsistent: the hello promises distance, and the reply has none")):
             with self.subTest(reply):
                 replies = self.file("replies.jsonl", hello + "\n" + json.dumps({**self.REPLY, "overlap": False, **reply}) + "\n")
@@ -219,7 +241,8 @@ class Agreement(CertifyTest):
         """The boxes overlap by 0.5 along x, and by 1 along y, which is answered."""
         separating = {**self.HELLO, "conventions": {**self.HELLO["conventions"], "claims": "separating"}}
         reply = json.dumps({**self.REPLY, "depth": 1, "direction": [0, 1, 0]})
-        for hello, policy, verdict in ((self.HELLO, None, "too-deep"), (self.HELLO, "declared", "too-deep"), (self.HELLO, "minimum", "too-deep"),
+        for hello, policy, verdict in ((self.HELLO, None, "too-deep"), (self.HELLO, "declared", "too-deep"),
+                                       (self.HELLO, "minimum", "too-deep"),
                                        (self.HELLO, "separating", "pass"), (separating, None, "pass"), (separating, "minimum", "too-deep"),
                                        (self.HELLO, "within=100%", "pass"), (separating, "within=99.999%", "too-deep")):
             with self.subTest((hello["conventions"], policy)):
@@ -246,9 +269,11 @@ class Agreement(CertifyTest):
         """Of four cases: both, flat, too small, and one whose bodies touch, a unit and 101 units long."""
         def pair(name, b, scale=1):
             a = [[x * scale, y * scale, z * scale] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-            return json.dumps({"id": name, "a": {"vertices": a}, "b": {"vertices": [[x * scale, y * scale, z * scale] for x, y, z in b]}}) + "\n"
+            return json.dumps({"id": name, "a": {"vertices": a},
+                               "b": {"vertices": [[x * scale, y * scale, z * scale] for x, y, z in b]}}) + "\n"
         solid, flat = [[0.5, 0, 0], [2, 0, 0], [0.5, 1, 0], [0.5, 0, 1]], [[0.5, 0, 0], [2, 0, 0], [0.5, 1, 0]]
-        cases = pair("both", solid) + pair("flat", flat) + pair("small", solid, 1 / 256) + pair("long", [[1, 0, 0], [102, 0, 0], [1, 1, 0], [1, 0, 1]])
+        cases = pair("both", solid) + pair("flat", flat) + pair("small", solid,
+                                                                1 / 256) + pair("long", [[1, 0, 0], [102, 0, 0], [1, 1, 0], [1, 0, 1]])
         _, lines, _ = self.certify("--subject", liar("honest"), "-", stdin=cases)
         found = {line["id"]: (line["solid"], line["metre_sized"]) for line in lines if line["type"] == "case"}
         self.assertEqual(found, {"both": (True, True), "flat": (False, True), "small": (True, False), "long": (True, False)})
@@ -266,12 +291,16 @@ class Agreement(CertifyTest):
         hello = json.dumps({**self.HELLO, "promises": ["depth", "direction", "witness"]})
         direction, witness = {"direction": [-1, 0, 0]}, {"witness": {"a": [1, 0, 0], "b": [0.5, 0, 0]}}
         for reply, verdict, says in (({"depth": 0.5, **direction, **witness}, "pass", "right"),
-                                     ({**direction, **witness}, "inconsistent", "inconsistent: the hello promises depth, and the reply has none"),
+                                     ({**direction, **witness}, "inconsistent",
+                                      "inconsistent: the hello promises depth, and the reply has none"),
                                      ({"depht": 0.5}, "inconsistent", "inconsistent: the hello promises depth, direction, witness, and"),
-                                     ({"depth": 0.5, **direction, "witness": {"a": [1, 0, 0]}}, "inconsistent", "inconsistent: the hello promises witness"),
-                                     ({"depth": 0.25, **direction}, "too-shallow", "inconsistent: the hello promises witness, and the reply has none"),
+                                     ({"depth": 0.5, **direction, "witness": {"a": [1, 0, 0]}}, "inconsistent",
+                                      "inconsistent: the hello promises witness"),
+                                     ({"depth": 0.25, **direction}, "too-shallow",
+                                      "inconsistent: the hello promises witness, and the reply has none"),
                                      ({"overlap": False}, "false-separation", "said to be apart"),
-                                     ({"overlap": False, "distance": 1}, "false-separation", "too far by 1: 1 is claimed, the distance is 0")):
+                                     ({"overlap": False, "distance": 1}, "false-separation",
+                                      "too far by 1: 1 is claimed, the distance is 0")):
             with self.subTest(reply):
                 replies = self.file("replies.jsonl", hello + "\n" + json.dumps({**self.REPLY, **reply}) + "\n")
                 _, lines, _ = self.certify("--replay", replies, "-", stdin=boxes(0).replace("box::0", "7"))
@@ -339,8 +368,10 @@ class Runs(CertifyTest):
     def test_ids_too_long_for_the_name_of_a_file(self):
         long = "x" * 300
         stream = boxes(0, marked=True).replace("box::0", long) + boxes(1, marked=True).replace("box::1", long + "y") + boxes(2)
-        code, lines, err = self.certify("--certificates", self.folder / "proofs", "--shrink", self.folder / "small", "--html", self.folder / "page",
-                                        "--junit", self.folder / "junit", "--report", self.folder / "r", "--subject", liar("too-deep"), "-", stdin=stream)
+        code, lines, err = self.certify("--certificates", self.folder / "proofs", "--shrink", self.folder / "small", "--html",
+                                        self.folder / "page",
+                                        "--junit", self.folder / "junit", "--report", self.folder / "r", "--subject", liar("too-deep"), "-",
+                                        stdin=stream)
         self.assertEqual((code, lines[-1]["failed"]), (1, 2), err)
         self.assertEqual(len(list((self.folder / "proofs").iterdir())), 2)
 
@@ -359,9 +390,11 @@ class Runs(CertifyTest):
         """A copy of the program has nothing beside it."""
         shutil.copy(EXECUTABLE, self.folder / "fathom")
         for adapter, why in (("jolt", "verify/subjects/web"), ("libccd-epa", "Debian package")):
-            done = subprocess.run([self.folder / "fathom", "certify", "--adapter", adapter, "-"], input="", capture_output=True, text=True, check=False)
+            done = subprocess.run([self.folder / "fathom", "certify", "--adapter", adapter, "-"], input="", capture_output=True, text=True,
+                                  check=False)
             self.assertEqual(done.returncode, 2)
-            self.assertIn(f"--adapter: {'web-subjects/jolt.mjs' if adapter == 'jolt' else 'fathom-subject-libccd'} is not beside", done.stderr)
+            self.assertIn(f"--adapter: {'web-subjects/jolt.mjs' if adapter == 'jolt' else 'fathom-subject-libccd'} is not beside",
+                          done.stderr)
             self.assertIn(why, " ".join(done.stderr.split()))
 
     def test_output_that_cannot_be_written(self):
@@ -429,7 +462,8 @@ class Replays(CertifyTest):
 class Bar(CertifyTest):
     def test_rate_time_left_and_worst_error(self):
         path = self.file("cases.jsonl", boxes(0, marked=True) + "".join(boxes(i) for i in range(1, 300)))
-        code, out, seen = run_on_terminal("certify", "--jobs", "1", "--subject", liar("too-deep", 0.02), path, stop_at=b"worst error", columns=100)
+        code, out, seen = run_on_terminal("certify", "--jobs", "1", "--subject", liar("too-deep", 0.02), path, stop_at=b"worst error",
+                                          columns=100)
         self.assertEqual((code, out[:7]), (130, b"liar 1 "))
         self.assertRegex(seen, rb"\r\x1b\[K\[#*\.+\] +\d+% \d+ of 300 cases, [0-9.]+/s, \d+ s left, 1 failed, worst error 0\.5")
 
@@ -463,7 +497,8 @@ class Usage(CertifyTest):
     def test_help(self):
         out = self.answer("certify", "--help")
         for option in ("--subject", "--adapter", "--replay", "--jobs", "--time-out", "--tol-rel", "--report", "--resume", "--json",
-                       "--metamorphic", "--expect-fail", "--max-errors", "--junit", "--html", "--certificates", "--shrink", "--list-adapters"):
+                       "--metamorphic", "--expect-fail", "--max-errors", "--junit", "--html", "--certificates", "--shrink",
+                       "--list-adapters"):
             self.assertIn(option, out)
         self.assertLess(out.index("Examples"), out.index("Usage"))
         self.assertLessEqual(max(map(len, out.splitlines())), 120)

@@ -44,7 +44,8 @@ class TwoWays(CertifyTest):
         self.assertFalse(checker.is_valid({**lines[0], "methods": ["auto"]}))
         self.assertEqual(self.certify(*words, "--method", "exact", "--resume", cases)[0], 0)
         for options in ([], ["--method", "naive"]):
-            self.assertIn("of another subject, version, setting, tolerance or policy", self.refused("certify", *words, *options, "--resume", cases))
+            self.assertIn("of another subject, version, setting, tolerance or policy", self.refused("certify", *words, *options, "--resume",
+                                                                                                    cases))
 
     def test_real_cases(self):
         """No difference on the pairs from issue trackers."""

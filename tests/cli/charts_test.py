@@ -18,7 +18,8 @@ class Charts(CliTest):
         picture = self.folder / "charts.svg"
         stream = self.answer("cases", "--family", family, "--size", size)
         self.answer("stages", "--case", name, "--svg", picture, "-", stdin=stream)
-        self.assertEqual(picture.read_bytes(), (ROOT / "docs" / "pictures" / "charts.svg").read_bytes(), "make it again by the command on that page")
+        self.assertEqual(picture.read_bytes(), (ROOT / "docs" / "pictures" / "charts.svg").read_bytes(),
+                         "make it again by the command on that page")
 
     def test_lights_the_pair_with_the_optimum(self):
         picture = self.folder / "charts.svg"

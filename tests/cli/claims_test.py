@@ -39,7 +39,8 @@ class Claims(CliTest):
             self.assertEqual(self.judged({"depth": depth, "tol": tolerance}), [verdict] * 2, (depth, tolerance))
 
     def test_without_a_tolerance_the_digits_count(self):
-        for depth, verdict in ((0.764, "right"), (0.7639, "right"), (0.763, "wrong"), (0.76, "right"), (1, "right"), (0.765, "wrong"), (7.6e-1, "right")):
+        for depth, verdict in ((0.764, "right"), (0.7639, "right"), (0.763, "wrong"), (0.76, "right"), (1, "right"), (0.765, "wrong"),
+                               (7.6e-1, "right")):
             self.assertEqual(self.judged({"depth": depth}), [verdict] * 2, depth)
 
     def test_distance_and_bound(self):
@@ -52,7 +53,8 @@ class Claims(CliTest):
 
     def test_a_direction_is_a_line_and_has_a_price(self):
         unit = [2 / 5 ** 0.5, 1 / 5 ** 0.5, 0]
-        for direction, verdict in (([2, 1, 0], "right"), ([-2, -1, 0], "right"), (unit, "right"), ([-x for x in unit], "right"), ("x", "wrong"),
+        for direction, verdict in (([2, 1, 0], "right"), ([-2, -1, 0], "right"), (unit, "right"), ([-x for x in unit], "right"),
+                                   ("x", "wrong"),
                                    ([2, 1, 1e-7], "wrong"), ("axis", "wrong")):
             self.assertEqual(self.judged({"direction": direction}), [verdict] * 2, direction)
         self.assertEqual(self.judged({"direction": [2, 1, 1e-7], "tol": 1e-6}), ["right"] * 2)
@@ -67,7 +69,8 @@ class Claims(CliTest):
         self.assertEqual(self.judged({"direction": "z"}, cone, above), ["right"] * 2)
 
     def test_bad_lines(self):
-        for line, words in (("{", "expected JSON"), ('{"a": {"shape": "sphere"}, "b": {}}', "a field"), (json.dumps({"a": ball(1), "b": ball(1)}), "expected a field 'claim'"),
+        for line, words in (("{", "expected JSON"), ('{"a": {"shape": "sphere"}, "b": {}}', "a field"),
+                            (json.dumps({"a": ball(1), "b": ball(1)}), "expected a field 'claim'"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": 3}), "claim: expected an object"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": {"depth": "x"}}), "claim.depth: expected a number"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": {"direction": "up"}}), "claim.direction: expected")):

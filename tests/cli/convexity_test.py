@@ -43,7 +43,8 @@ def stl(points, faces):
 
 
 def text_stl(points, faces):
-    return "solid\n" + "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*p) for p in t) + "endloop\nendfacet\n"
+    return "solid\n" + "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*p) for p in t) +
+                               "endloop\nendfacet\n"
                                for t in triangles(points, faces)) + "endsolid\n"
 
 
@@ -58,7 +59,8 @@ class Convexity(CliTest):
             result = self.result("depth", dented, other)
             self.assertEqual(result["hull"]["b"], {"convex": True})
             found = result["hull"]["a"]
-            self.assertEqual((found["convex"], found["volume_ratio"]["exact"], found["deepest"]["depth"]["squared"]), (False, "4/3", "1"), name)
+            self.assertEqual((found["convex"], found["volume_ratio"]["exact"], found["deepest"]["depth"]["squared"]), (False, "4/3", "1"),
+                             name)
             if "stl" not in name:
                 self.assertEqual(found["deepest"]["point"], 8)
             self.assertIn("\nhull ", self.answer("depth", dented, other))
@@ -80,7 +82,8 @@ class Convexity(CliTest):
 
     def test_require_convex(self):
         dented, cube = self.file("dented.off", off(DENTED, PYRAMID)), self.file("cube.off", off(UNIT, CUBE))
-        self.assertIn("expected convex meshes, as --require-convex says: " + SENTENCE, self.refused("depth", "--require-convex", dented, cube))
+        self.assertIn("expected convex meshes, as --require-convex says: " + SENTENCE, self.refused("depth", "--require-convex", dented,
+                                                                                                    cube))
         self.assertIn("B is not convex", self.refused("approx", "--require-convex", cube, dented))
         self.assertIn("A is not convex", self.refused("width", "--require-convex", dented))
         self.assertIn("penetrating", self.answer("depth", "--require-convex", cube, cube))
@@ -99,8 +102,10 @@ class Convexity(CliTest):
         code, out, err = self.run_cli("depth", "--require-convex", "-", stdin=case(PYRAMID) + case(CUBE))
         self.assertEqual((code, out.count("\n")), (2, 1))
         self.assertIn("<stdin>:1: expected convex meshes", err)
-        for faces, fault in (([[0, 1, 9]], "a.faces[0]: expected vertex indices below 9, found 9"), ([[0, 1, -1]], "found -1"), ([3], "a.faces[0]: expected an array"),
-                             ({}, "a.faces: expected an array of faces"), (7, "a.faces: expected an array of faces"), ([["0", 1, 2]], "found \"0\"")):
+        for faces, fault in (([[0, 1, 9]], "a.faces[0]: expected vertex indices below 9, found 9"), ([[0, 1, -1]], "found -1"),
+                             ([3], "a.faces[0]: expected an array"),
+                             ({}, "a.faces: expected an array of faces"), (7, "a.faces: expected an array of faces"),
+                             ([["0", 1, 2]], "found \"0\"")):
             code, out, err = self.run_cli("depth", "-", stdin=case(faces))
             self.assertEqual((code, out), (2, ""))
             self.assertIn(fault, err)
@@ -112,7 +117,8 @@ class Convexity(CliTest):
             return self.result("depth", "-", stdin=json.dumps({"a": body, "b": {"vertices": UNIT}})).get("hull", {}).get("a")
         mesh, turn = {"vertices": DENTED, "faces": PYRAMID}, {"quaternion": [1, 2, 3, 4]}
         for body in (mesh, {**mesh, "pose": "rpy=1,2,3deg"}, {**mesh, "pose": turn}, {**mesh, "shape": "hull"}, {**mesh, "margin": 0},
-                     {**mesh, "pose": [[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}, {**mesh, "pose": turn, "pose_rounding": "binary64"}):
+                     {**mesh, "pose": [[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]},
+                     {**mesh, "pose": turn, "pose_rounding": "binary64"}):
             self.assertFalse(found(**body)["convex"], body)
         for body in ({**mesh, "margin": 1}, {"shape": "box", "half": [1, 1, 1], "faces": [[0, 1, 99]]}):
             self.assertIsNone(found(**body), body)

@@ -36,7 +36,8 @@ class Fields(CliTest):
     def test_order_of_fields(self):
         out = self.answer("depth", "--json", "--counters", "--digits", "3", CUBE, ICOSAHEDRON)
         self.assertEqual(list(json.loads(out)), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction",
-                                                 "contact", "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "hull", "flat", "method", "counters"])
+                                                 "contact", "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes",
+                                                 "hull", "flat", "method", "counters"])
         self.assertEqual(list(json.loads(out)["depth"]), ["squared", "value", "rounded", "enclosure"])
 
     def test_ties_are_listed_in_order(self):
@@ -210,7 +211,8 @@ class Text(CliTest):
         self.assertEqual(out.splitlines()[6:8], ["ties         none", "sizes        A 1 x 1 x 1, B 1 x 1 x 1"])
         self.assertRegex(out.splitlines()[8], r"^method       certificate: an inner polytope of \d+ facets$")
         exact = self.answer("depth", "--exact", a, b).splitlines()
-        self.assertEqual(exact[:5], ["penetrating", "depth        0.25", "depth^2      1/16", "direction    (-1, 0, 0)", "translation  (-1/4, 0, 0)"])
+        self.assertEqual(exact[:5], ["penetrating", "depth        0.25", "depth^2      1/16", "direction    (-1, 0, 0)",
+                                     "translation  (-1/4, 0, 0)"])
         self.assertEqual(len(exact), len(out.splitlines()) + 1)
         self.assertEqual(self.answer("depth", "--exact", "-", stdin=case(UNIT, SHIFTED, id="x")),
                          "x: penetrating; depth 0.25; depth^2 1/16; direction (-1, 0, 0); facet-facet\n")

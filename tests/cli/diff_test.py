@@ -27,7 +27,8 @@ class Diff(CliTest):
         path = self.folder / name
         cases = "".join(case(box([shift, 0, 0], [1.5, 1, 1]), UNIT, id=each) for each in depths)
         replies = (greeting or hello()) + "".join(reply(each, depth) for each, depth in depths.items())
-        code, _, err = self.run_cli("certify", "--replay", self.file("replies.jsonl", replies), "--report", path, self.file("cases.jsonl", cases))
+        code, _, err = self.run_cli("certify", "--replay", self.file("replies.jsonl", replies), "--report", path,
+                                    self.file("cases.jsonl", cases))
         self.assertLess(code, 2, err)
         return path
 
@@ -41,7 +42,8 @@ class Diff(CliTest):
     def test_changes(self):
         old = self.report("old", {"f::a": RIGHT, "f::b": RIGHT, "f::c": DEEP, "f::d": DEEP, "f::e": DEEP, "f::old": RIGHT, "f::g": RIGHT},
                           hello(margin="0"))
-        new = self.report("new", {"f::a": SHALLOW, "f::b": RIGHT, "f::c": RIGHT, "f::d": SHALLOW, "f::e": DEEPER, "f::n1": RIGHT, "f::n2": DEEP,
+        new = self.report("new", {"f::a": SHALLOW, "f::b": RIGHT, "f::c": RIGHT, "f::d": SHALLOW, "f::e": DEEPER, "f::n1": RIGHT,
+                                  "f::n2": DEEP,
                                   "f::g": NONE}, hello("2", margin="0.5"))
         value = self.diff(old, new, 1)
         names = {key: [(each["id"], each["old"], each["new"]) for each in value[key]]
@@ -55,7 +57,8 @@ class Diff(CliTest):
         self.assertEqual((value["both"], value["only_old"], value["only_new"], value["other_points"]), (6, 1, 2, 0))
         self.assertEqual(value["verdicts"], {"false-separation": {"old": 0, "new": 1}, "too-deep": {"old": 3, "new": 1},
                                              "too-shallow": {"old": 0, "new": 2}, "pass": {"old": 3, "new": 2}})
-        self.assertEqual(value["header"], {"subject.version": {"old": "1", "new": "2"}, "subject.settings.margin": {"old": "0", "new": "0.5"}})
+        self.assertEqual(value["header"], {"subject.version": {"old": "1", "new": "2"},
+                                           "subject.settings.margin": {"old": "0", "new": "0.5"}})
         back = self.diff(new, old, 0 if not names["newly_passing"] else 1)
         self.assertEqual([each["id"] for each in back["newly_failing"]], ["f::c"])
         self.assertEqual([each["id"] for each in back["newly_passing"]], ["f::a", "f::g"])
@@ -111,7 +114,8 @@ class Diff(CliTest):
     def test_bad_input(self):
         old = self.report("old", {"f::a": RIGHT})
         text = old.read_text()
-        for content, words in (("", "it is empty: expected a report"), ("{}\n", ":1: expected the header of a report, schema fathom/verdict/1"),
+        for content, words in (("", "it is empty: expected a report"),
+                               ("{}\n", ":1: expected the header of a report, schema fathom/verdict/1"),
                                (text.replace('"verdict":"pass"', '"verdict":"fine"', 1), ":2: expected a line of schema fathom/verdict/1"),
                                ("\n" + text, ":1: expected the header")):
             self.assertIn(words, self.refused("certify", "diff", old, self.file("bad", content)))

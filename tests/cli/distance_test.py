@@ -37,20 +37,25 @@ class Distance(CliTest):
         result = self.result("depth", "--digits", "4", self.file("a.xyz", UNIT), self.file("b.xyz", corner))
         self.check(result)
         self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
-                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "distance", "sizes", "flat", "method"])
+                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "distance", "sizes", "flat",
+                                        "method"])
         self.assertEqual({key: value for key, value in result["distance"].items() if key != "rounded"},
                          {"squared": "12", "value": 12 ** 0.5, "enclosure": ["3.464", "3.465"], "direction": ["-1", "-1", "-1"],
                           "translation": ["2", "2", "2"], "witness": {"a": ["1", "1", "1"], "b": ["3", "3", "3"]},
-                          "unit_f64": [-0.5773502691896257] * 3, "translation_f64": [2, 2, 2], "witness_f64": {"a": [1, 1, 1], "b": [3, 3, 3]}})
-        self.assertEqual((result["unit_f64"], result["translation_f64"], result["witness_f64"]), ([-0.5773502691896257] * 3, [0, 0, 0], None))
+                          "unit_f64": [-0.5773502691896257] * 3, "translation_f64": [2, 2, 2],
+                          "witness_f64": {"a": [1, 1, 1], "b": [3, 3, 3]}})
+        self.assertEqual((result["unit_f64"], result["translation_f64"], result["witness_f64"]),
+                         ([-0.5773502691896257] * 3, [0, 0, 0], None))
 
     def test_signed_depth(self):
         """low <= the number that `exact` says <= high, neighbours among the doubles or equal, whatever the size."""
         def scaled(points, factor):
             return [[str(Fraction(x) * factor) for x in p] for p in points]
 
-        sweep = [box([Fraction(x, 8), 0, 0], [Fraction(x, 8) + 1, 1, 1]) for x in range(5, 12)] + [[[3, 3, 3], [4, 3, 3], [3, 4, 3], [3, 3, 4]]]
-        stream = "".join(case(scaled(UNIT, factor), scaled(b, factor)) for factor in (1, Fraction(1, 3), Fraction(10)**400, Fraction(1, 10**330))
+        sweep = [box([Fraction(x, 8), 0, 0], [Fraction(x, 8) + 1, 1, 1]) for x in range(5, 12)] + [[[3, 3, 3], [4, 3, 3], [3, 4, 3],
+                                                                                                    [3, 3, 4]]]
+        stream = "".join(case(scaled(UNIT, factor), scaled(b, factor)) for factor in (1, Fraction(1, 3), Fraction(10)**400,
+                                                                                      Fraction(1, 10**330))
                          for b in sweep)
         values = []
         for line in self.answer("depth", "--json", "-", stdin=stream).splitlines():
@@ -76,8 +81,10 @@ class Distance(CliTest):
         self.assertNotIn("-0", re.findall(r'"(?:low|high)":(-?0)[,}]', self.answer("depth", "--json", "-", stdin=stream)))
 
     def test_an_approximation_is_signed_too(self):
-        stream = case(UNIT, box([0.3, 0.1, 0.2], [1, 1.5, 9])) + case(UNIT, box([1, 0, 0], [2, 1, 1])) + case(UNIT, box([2, 0, 0], [3, 1, 1]))
-        deep, touching, apart = (json.loads(line)["signed_depth"] for line in self.answer("approx", "--json", "-", stdin=stream).splitlines())
+        stream = case(UNIT, box([0.3, 0.1, 0.2], [1, 1.5, 9])) + case(UNIT,
+                                                                      box([1, 0, 0], [2, 1, 1])) + case(UNIT, box([2, 0, 0], [3, 1, 1]))
+        deep, touching, apart = (json.loads(line)["signed_depth"] for line in self.answer("approx", "--json", "-",
+                                                                                          stdin=stream).splitlines())
         exact = json.loads(self.answer("depth", "--json", "-", stdin=stream).splitlines()[0])["signed_depth"]
         self.assertTrue(0 < deep["low"] <= exact["low"] <= exact["high"] <= deep["high"] <= deep["low"] * 1.02)
         self.assertEqual((touching, apart), ({"low": 0, "high": 0}, {"low": None, "high": 0}))

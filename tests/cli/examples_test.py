@@ -16,7 +16,8 @@ JUDGES = re.compile(r"\bfathom certify\b(?!.*--expect-fail)")
 
 def examples(text):
     """The lines for a shell, each with its meaning beside it or below."""
-    return [line.split("  ")[1].strip() if "  " in line[2:] else line.strip() for line in section(text, "Examples") if re.match(r"  \S", line)]
+    return [line.split("  ")[1].strip() if "  " in line[2:] else line.strip() for line in section(text, "Examples")
+            if re.match(r"  \S", line)]
 
 
 class Examples(CliTest):

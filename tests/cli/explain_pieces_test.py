@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fathom explain --pieces: the numbers of the page are those of `depth --pieces --json`, its data obey their schema, and bad input makes no page."""
+"""fathom explain --pieces: the numbers of the page are those of `depth --pieces --json`, its data obey their schema, and bad input makes no
+page."""
 import json
 import unittest
 from fractions import Fraction
@@ -84,7 +85,8 @@ class ExplainPieces(CliTest):
     def test_tiny_and_huge_bodies(self):
         for unit in (1e-200, 1e300):
             scaled = lambda *boxes: obj(*([[x * unit for x in corner] for corner in each] for each in boxes))
-            page, _, _ = self.check(*self.files(scaled([[-1, -1, -1], [1, 1, 1]]), scaled([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])))
+            page, _, _ = self.check(*self.files(scaled([[-1, -1, -1], [1, 1, 1]]),
+                                                scaled([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])))
             self.assertEqual(numbers(page.fields["depth"]), [3 * unit])
 
     def test_the_same_input_makes_the_same_page(self):
@@ -101,7 +103,8 @@ class ExplainPieces(CliTest):
     def test_the_schema_has_teeth(self):
         jsonschema.Draft202012Validator.check_schema(SCHEMA)
         good = json.loads(self.page(KEY, COMB).block("stages"))
-        for path, value in ((["status"], "inside"), (["sums", 0, "distance_squared"], 0.25), (["ways", 0, "contacts"], []), (["a", 0, "ids"], [-1]),
+        for path, value in ((["status"], "inside"), (["sums", 0, "distance_squared"], 0.25), (["ways", 0, "contacts"], []),
+                            (["a", 0, "ids"], [-1]),
                             (["sums", 0, "through"], [[1]]), (["extra"], 1)):
             self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
 

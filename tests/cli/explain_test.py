@@ -192,7 +192,8 @@ class Content(ExplainTest):
 class Safety(ExplainTest):
     def test_policy_names_what_is_there_and_nothing_else(self):
         page = self.page(CUBE, ICOSAHEDRON)
-        policy = next(attributes["content"] for tag, attributes in page.elements if attributes.get("http-equiv") == "Content-Security-Policy")
+        policy = next(attributes["content"] for tag, attributes in page.elements
+                      if attributes.get("http-equiv") == "Content-Security-Policy")
         scripts = [text for tag, attributes, text in page.raw if tag == "script" and "type" not in attributes]
         styles = [text for tag, _, text in page.raw if tag == "style"]
         self.assertEqual((len(scripts), len(styles)), (1, 1))
@@ -217,7 +218,8 @@ class Safety(ExplainTest):
 
     def test_hostile_names_change_nothing(self):
         plain = self.page("-", stdin=case(UNIT, SHIFTED, id="plain"))
-        for name in ("</script><script>alert(1)</script>", "<!-- <script>", "\" onclick=\"alert(1)", "{{script}}", "&lt;b&gt;", "a\nb\x1b[31m\u202e", "]]>"):
+        for name in ("</script><script>alert(1)</script>", "<!-- <script>", "\" onclick=\"alert(1)", "{{script}}", "&lt;b&gt;",
+                     "a\nb\x1b[31m\u202e", "]]>"):
             with self.subTest(name):
                 page = self.page("-", stdin=case(UNIT, SHIFTED, id=name))
                 self.assertEqual(page.elements, plain.elements)
@@ -246,7 +248,8 @@ class Input(ExplainTest):
                             ([CUBE, "nowhere.off", "-o", self.out], "nowhere.off"), ([CUBE, "-o", self.out], "single mesh"),
                             ([self.file("empty.jsonl", ""), "-o", self.out], "empty.jsonl"),
                             ([self.file("bad.jsonl", '{"id": "x"}\n'), "-o", self.out], "bad.jsonl:1"),
-                            ([self.file("bad2.jsonl", POLYTOPES["same"] + '{"id": "x"}\n'), "--case", "x", "-o", self.out], "bad2.jsonl:2")):
+                            ([self.file("bad2.jsonl", POLYTOPES["same"] + '{"id": "x"}\n'), "--case", "x", "-o", self.out],
+                             "bad2.jsonl:2")):
             self.assertIn(said, self.refused("explain", *words))
             self.assertFalse(self.out.exists())
 

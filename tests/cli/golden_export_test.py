@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fathom golden export`: the exports say what the records say, in every format, and the kit's `accept` prices directions as it promises."""
+"""`fathom golden export`: the exports say what the records say, in every format, and the kit's `accept` prices directions as it
+promises."""
 import decimal
 import json
 import pathlib
@@ -208,7 +209,8 @@ class Export(CliTest):
         def kept(condition):
             return [case.name for case in self.everything if condition(self.records[case.name])]
 
-        for words, flags in (("ties", {"ties"}), ("flat", {"flat_a", "flat_b", "flat_difference"}), ("near_tie,huge", {"near_tie", "huge_coordinates"})):
+        for words, flags in (("ties", {"ties"}), ("flat", {"flat_a", "flat_b", "flat_difference"}),
+                             ("near_tie,huge", {"near_tie", "huge_coordinates"})):
             self.assertEqual(self.names("--exclude", words), kept(lambda record: not flags & set(record["flags"])), words)
         self.assertEqual(self.names("--exclude", "touching,disjoint"), kept(lambda record: record["expected"]["status"] == "penetrating"))
         sizes = lambda record: [len(record[body]["vertices"]) for body in "ab"]
@@ -225,7 +227,8 @@ class Export(CliTest):
         for words, sentence in (
                 ([COMMITTED], "--format"), (["--format", "c"], "export expects a folder"),
                 (["--format", "xml", COMMITTED], "expected c, csv, json or rust, found 'xml'"),
-                (["--format", "c", "--exclude", "flat,huge_cordinates", COMMITTED], "found 'huge_cordinates' (did you mean huge_coordinates?)"),
+                (["--format", "c", "--exclude", "flat,huge_cordinates", COMMITTED],
+                 "found 'huge_cordinates' (did you mean huge_coordinates?)"),
                 (["--format", "c", "--exclude", "blue", COMMITTED], "found 'blue' (there are all, all_tie"),
                 (["--format", "c", "--exclude", "flat,", COMMITTED], "--exclude"),
                 (["--format", "c", "--count", "0", COMMITTED], "expected a positive integer, found '0'"),
@@ -244,10 +247,13 @@ class Export(CliTest):
                 repair(folder)
             return self.refused("golden", "export", "--format", "c", folder)
 
-        self.assertIn(f"changed/{FIRST}: the content is not what the shard's page says", changed(lambda path: packed(unpacked(path)[:-1] + b" \n")))
+        self.assertIn(f"changed/{FIRST}: the content is not what the shard's page says",
+                      changed(lambda path: packed(unpacked(path)[:-1] + b" \n")))
         self.assertIn(f"changed/{FIRST}: ", changed(lambda path: path.read_bytes()[:-9]))
-        for found, put in ((b'"id":"', b'"id":"\\" };'), (b'"flags":["', b'"flags":["new_'), (b'"distance":{"squared":"', b'"distance":{"squared":"-'),
-                           (b'"unit":{"f64":{"rn":["', b'"unit":{"f64":{"rn":["y'), (b'"vertices":[[', b'"vertices":[[]],"x":[['), (b'"expected":', b'"told":')):
+        for found, put in ((b'"id":"', b'"id":"\\" };'), (b'"flags":["', b'"flags":["new_'),
+                           (b'"distance":{"squared":"', b'"distance":{"squared":"-'),
+                           (b'"unit":{"f64":{"rn":["', b'"unit":{"f64":{"rn":["y'), (b'"vertices":[[', b'"vertices":[[]],"x":[['),
+                           (b'"expected":', b'"told":')):
             sentence = changed(lambda path: packed(unpacked(path).replace(found, put, 1)), all_sums_right=True)
             self.assertRegex(sentence, rf"changed/{FIRST}:1: expected .*, found ", put)
 

@@ -58,7 +58,8 @@ class Mpi(GoldenTest):
         self.assertIn("--level L1 --seed 1 --out golden", lines[0])
         (self.folder / "build").mkdir()
         (self.folder / "build" / "release").symlink_to(pathlib.Path(EXECUTABLE).parent)
-        done = subprocess.run(lines[0].replace("--level L1", "--level L0"), shell=True, cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE)
+        done = subprocess.run(lines[0].replace("--level L1", "--level L0"), shell=True, cwd=self.folder, capture_output=True, text=True,
+                              timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("made by 4 processes; the release is complete", done.stdout)
         self.same_as_release(self.folder / "golden")
@@ -142,7 +143,8 @@ class Shapes(GoldenTest):
 
     def test_same_bytes(self):
         folder = self.folder / "shapes"
-        done = subprocess.run([MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", EXECUTABLE, "golden", "generate", "--level", "P0",
+        done = subprocess.run([MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", EXECUTABLE, "golden", "generate", "--level",
+                               "P0",
                                "--seed", "1", "--out", folder], capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.same_as_release(folder)

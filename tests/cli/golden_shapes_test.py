@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fathom golden` on shapes: level P0 is the same bytes on any number of threads, proved, computed again, and refused where it is forged."""
+"""`fathom golden` on shapes: level P0 is the same bytes on any number of threads, proved, computed again, and refused where it is
+forged."""
 import collections
 import json
 import pathlib
@@ -16,7 +17,8 @@ class Shapes(LevelTests, GoldenTest):
         records = self.records_of_whole()
         self.assertGreater(records, 800)
         out = self.answer("golden", "verify", "--method", "exact", self.release)
-        self.assertEqual(out, f"s VERIFIED P0 version=1.1.0 seed=1 shards={len(self.shards)} records={records} agreed=exact {self.release}\n")
+        self.assertEqual(out,
+                         f"s VERIFIED P0 version=1.1.0 seed=1 shards={len(self.shards)} records={records} agreed=exact {self.release}\n")
 
     def test_schemas(self):
         self.validated()

@@ -260,7 +260,8 @@ class Words(GoldenTest):
                 (["generate"], "--level"), (["generate", "--level", "L0"], "--out"), (["generate", "--out", out], "--level"),
                 (["generate", "--level", "L4", "--out", out], "expected L0, L1, L2, L3, P0, P1 or U0, found 'L4'"),
                 (["generate", "--level", "L0", "--out", out, "--seed", "-1"], "--seed"),
-                (["generate", "--level", "L0", "--out", out, "--seed", "18446744073709551616"], "expected an integer from 0 to 2^64 - 1, found"),
+                (["generate", "--level", "L0", "--out", out, "--seed", "18446744073709551616"],
+                 "expected an integer from 0 to 2^64 - 1, found"),
                 (["generate", "--level", "L0", "--out", out, "--jobs", "0"], "expected an integer from 1 to 1024"),
                 (["generate", "--level", "L0", "--out", out, "more"], "more"), (["generate", "--level", "L0", "--out", ""], "--out"),
                 *((["generate", "--level", "L0", "--out", out, "--shard", part], "expected i/n with 1 <= i <= n")

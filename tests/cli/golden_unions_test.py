@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fathom golden` on unions: level U0 is the same bytes on any number of threads, goes on where it was stopped, is proved, computed again, and
-refused where it is forged."""
+"""`fathom golden` on unions: level U0 is the same bytes on any number of threads, goes on where it was stopped, is proved, computed again,
+and refused where it is forged."""
 import json
 import shutil
 import unittest

@@ -60,7 +60,8 @@ class Bash(CliTest):
         if words[-1] == "" and words[-2:-1] == ["="]:
             words.pop()  # bash leaves the = as the word under the cursor
         script = 'eval "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _fathom; printf "%s\\n" "${COMPREPLY[@]}"'
-        done = subprocess.run(["bash", "-c", script, "bash", self.answer("completion", "bash"), *words], cwd=self.folder, capture_output=True)
+        done = subprocess.run(["bash", "-c", script, "bash", self.answer("completion", "bash"), *words], cwd=self.folder,
+                              capture_output=True)
         self.assertEqual(done.stderr, b"")
         return done.stdout.decode().split()
 

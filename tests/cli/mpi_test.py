@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""mpirun -np N fathom: golden verify, certify and depth print the same on any number of processes; a dead one is named, and the next run goes on.
-golden generate: golden_mpi_test.py."""
+"""mpirun -np N fathom: golden verify, certify and depth print the same on any number of processes; a dead one is named, and the next run
+goes on. golden generate: golden_mpi_test.py."""
 import json
 import os
 import pathlib
@@ -106,7 +106,8 @@ class Mpi(GoldenTest):
         self.assertIn("<stdin>:", err)
         self.assertIn("errors: 3 of 299 lines", err)
         path = self.file("cases.jsonl", stream)
-        for words in (["depth", path], ["depth", "--json", "--embed-certificate", "--counters", path], ["depth", "--method", "exact", path]):
+        for words in (["depth", path], ["depth", "--json", "--embed-certificate", "--counters", path],
+                      ["depth", "--method", "exact", path]):
             self.assertEqual(self.same_on_all(*words)[0], 2)
         self.assertEqual(self.same_on_all("depth", "-", stdin="")[0], 2)
         self.assertEqual(self.same_on_all("depth", self.folder / "nothing.jsonl")[0], 2)

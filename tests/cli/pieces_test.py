@@ -45,7 +45,8 @@ class Pieces(CliTest):
 
     def test_the_schema_has_teeth(self):
         good = self.pieces(PLATE, SLOT)
-        for path, value in ((["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["optima", 0, "translation", 0], 0.5),
+        for path, value in ((["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"),
+                            (["optima", 0, "translation", 0], 0.5),
                             (["deepest_pair", "pieces"], [0]), (["extra"], 1)):
             self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
 
@@ -55,7 +56,8 @@ class Pieces(CliTest):
         self.assertEqual([o["translation"] for o in found["optima"]], [["-3/4", "0", "0"]])
         self.assertEqual((found["optima"][0]["clearance"], len(found["optima"][0]["contacts"])), (False, 2))
         text = self.answer("depth", "--pieces", "--exact", self.file("a.obj", PLATE), self.file("b.obj", SLOT))
-        for line in ("penetrating", "depth         0.75", "depth^2       9/16", "translation   (-3/4, 0, 0)", "clearance     none: an exact fit",
+        for line in ("penetrating", "depth         0.75", "depth^2       9/16", "translation   (-3/4, 0, 0)",
+                     "clearance     none: an exact fit",
                      "ties          none"):
             self.assertIn(line + "\n", text)
 
@@ -77,7 +79,8 @@ class Pieces(CliTest):
         apart = self.pieces(PLATE, obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))
         self.assertEqual((apart["status"], apart["apart"]["distance"]["squared"], apart["apart"]["pieces"]), ("disjoint", "4", [0, 1]))
         self.assertIn("between   piece 0 of A, piece 1 of B\n",
-                      self.answer("depth", "--pieces", self.file("a.obj", PLATE), self.file("b.obj", obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))))
+                      self.answer("depth", "--pieces", self.file("a.obj", PLATE),
+                                  self.file("b.obj", obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]]))))
 
     def test_the_comb_and_the_key(self):
         found = self.result("depth", "--pieces", KEY, COMB)
@@ -93,12 +96,15 @@ class Pieces(CliTest):
         slot = {"pieces": [piece([-9, -5, -5], [0, 5, 5]), piece([1, -5, -5], [10, 5, 5])]}
         plate = piece([0.75, -1, -1], [1.75, 1, 1])
         moved = {"pieces": [{"shape": "box", "half": [0.5, 1, 1], "pose": "xyz=1.25,0,7"}], "pose": "xyz=0,0,-7"}
-        path = self.cases({"id": "fit", "a": plate, "b": slot}, {"id": "moved", "a": moved, "b": slot}, {"id": "whole", "a": plate, "b": plate},
+        path = self.cases({"id": "fit", "a": plate, "b": slot}, {"id": "moved", "a": moved, "b": slot},
+                          {"id": "whole", "a": plate, "b": plate},
                           {"id": "apart", "a": moved, "b": {"pieces": [piece([50, 0, 0], [51, 1, 1]), piece([3.75, 0, 0], [4, 1, 1])]}})
         folder = str(self.folder / "proofs")
-        lines = [json.loads(line) for line in self.answer("depth", "--json", "--embed-certificate", "--certificate", folder, path).splitlines()]
+        lines = [json.loads(line) for line in self.answer("depth", "--json", "--embed-certificate", "--certificate", folder,
+                                                          path).splitlines()]
         self.assertEqual([(r["schema"], r["id"], r["depth"]["squared"]) for r in lines],
-                         [("fathom/union/1", "fit", "9/16"), ("fathom/union/1", "moved", "9/16"), ("fathom/result/2", "whole", "1"), ("fathom/union/1", "apart", "0")])
+                         [("fathom/union/1", "fit", "9/16"), ("fathom/union/1", "moved", "9/16"), ("fathom/result/2", "whole", "1"),
+                          ("fathom/union/1", "apart", "0")])
         self.assertEqual(lines[0]["optima"], lines[1]["optima"])
         for result in (lines[0], lines[1], lines[3]):
             VALIDATOR.validate(result)
@@ -116,14 +122,17 @@ class Pieces(CliTest):
         for a, sentence in ((body(), "a.pieces: expected an array of convex pieces, found an array of 0"),
                             ({"pieces": 5}, "a.pieces: expected an array of convex pieces, found 5"),
                             (body(piece, 7), "a.pieces[1]: expected a shape, found 7"),
-                            (body(piece, {"vertices": piece["vertices"][:4]}), "piece 1 of A is flat: the pieces of a union need interiors"),
+                            (body(piece, {"vertices": piece["vertices"][:4]}),
+                             "piece 1 of A is flat: the pieces of a union need interiors"),
                             (body(piece, {"vertices": piece["vertices"], "margin": 0.1}),
                              "a.pieces[1]: expected a piece without a radius: to add the radii of unions to a depth would be wrong"),
-                            (body({"shape": "cylinder", "radius": 1, "half_length": 1}), "a.pieces[0]: expected a hull, a box or a triangle, found another shape"),
+                            (body({"shape": "cylinder", "radius": 1, "half_length": 1}),
+                             "a.pieces[0]: expected a hull, a box or a triangle, found another shape"),
                             (body({"shape": "sphere", "radius": 1}), "a.pieces[0]: expected a piece without a radius"),
                             (body(piece, margin=0.5), "a.margin: expected no such field beside 'pieces', found one"),
                             (body(piece, vertices=piece["vertices"]), "a.vertices: expected no such field beside 'pieces', found one"),
-                            (body({**piece, "pose_rounding": "binary64"}), "a.pieces[0].pose_rounding: expected no such field of a piece, found one"),
+                            (body({**piece, "pose_rounding": "binary64"}),
+                             "a.pieces[0].pose_rounding: expected no such field of a piece, found one"),
                             ({"piecs": [piece]}, "a: expected a field 'vertices', found none; a: the field 'piecs' is not read: is 'pieces' meant?")):
             with self.subTest(sentence):
                 self.refused(sentence, self.cases({"a": a, "b": piece}))
@@ -178,7 +187,8 @@ class Pieces(CliTest):
             (folder / name).write_text(obj([low, high]))
         (folder / "piece_9.mtl").write_text("no mesh")
         expected, found = self.pieces(PLATE, SLOT), self.result("depth", "--pieces", self.file("a.obj", PLATE), folder)
-        self.assertEqual((found["depth"], found["optima"], found["deepest_pair"]), (expected["depth"], expected["optima"], expected["deepest_pair"]))
+        self.assertEqual((found["depth"], found["optima"], found["deepest_pair"]),
+                         (expected["depth"], expected["optima"], expected["deepest_pair"]))
         proof = self.folder / "proof.cert"
         self.answer("depth", "--pieces", "--certificate", proof, folder, str(folder) + "/")
         self.assertIn("VERIFIED penetrating depth_squared=100 optima=4 pieces=2x2 ", self.answer("check", proof))
@@ -186,7 +196,8 @@ class Pieces(CliTest):
         self.refused("slot/piece_1.off:6: expected a number", "--pieces", folder, KEY)
         empty = self.folder / "empty"
         empty.mkdir()
-        self.refused("empty: expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there", "--pieces", empty, KEY)
+        self.refused("empty: expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there", "--pieces", empty,
+                     KEY)
 
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
@@ -195,7 +206,8 @@ class Pieces(CliTest):
         self.refused("none.obj:2: expected at least one face", "--pieces", good, self.file("none.obj", "o a\nv 0 0 0\n"))
         self.refused("far.obj:5: expected a vertex index of at most 3, found '4'", "--pieces", good,
                      self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
-        self.refused("--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found 'a.off'", "--pieces", "a.off", good)
+        self.refused("--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found 'a.off'", "--pieces",
+                     "a.off", good)
         self.refused("found the single mesh", "--pieces", good)
         self.refused("cannot be combined with --optima", "--pieces", "--optima", "1", good, good)
         self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)

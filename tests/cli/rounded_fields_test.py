@@ -11,7 +11,8 @@ from harness import DATA, ROOT, UNIT, CliTest, box, case
 
 VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
 TETRAHEDRON = [["1/3", 0, 0], [0, "2/7", 0], [0, 0, "1/9"], ["-1/5", "-1/3", "-1/4"]]
-PAIRS = [(UNIT, box(["3/4", "1/4", "1/8"], ["7/4", "5/4", "9/8"])), (TETRAHEDRON, UNIT), (TETRAHEDRON, [["1/10", "1/7", "1/30"], [3, 2, 1]]),
+PAIRS = [(UNIT, box(["3/4", "1/4", "1/8"], ["7/4", "5/4", "9/8"])), (TETRAHEDRON, UNIT),
+         (TETRAHEDRON, [["1/10", "1/7", "1/30"], [3, 2, 1]]),
          (UNIT, [["4/3", "5/3", "9/7"], [3, 3, 3]]), (UNIT, box([1, 0, 0], [2, 1, 1])), (UNIT[:4], UNIT)]
 SHAPES = [{"shape": "sphere", "radius": "1/3"}, {"shape": "capsule", "radius": 0.1, "half_length": 1, "pose": {"quaternion": [3, 1, 2, 1]}},
           {"vertices": TETRAHEDRON, "margin": "1/7"}, {"shape": "box", "half": [1, 2, 3], "margin": 0.25, "pose": "xyz=2,1,0 quat=5,1,1,2"},
@@ -80,7 +81,8 @@ class RoundedFields(CliTest):
 
     def test_beyond_binary64(self):
         def scaled(factor):
-            return [[str(x * factor) for x in point] for point in UNIT], [[str((x + Fraction(1, 2)) * factor) for x in point] for point in UNIT]
+            return [[str(x * factor) for x in point] for point in UNIT], [[str((x + Fraction(1, 2)) * factor) for x in point]
+                                                                          for point in UNIT]
         huge = self.result("depth", "-", stdin=case(*scaled(Fraction(10) ** 400)))
         tiny = self.result("depth", "-", stdin=case(*scaled(Fraction(1, 10 ** 400))))
         self.assertEqual((huge["unit_f64"], huge["translation_f64"], tiny["translation_f64"]), ([-1, 0, 0], None, [0, 0, 0]))

@@ -58,7 +58,8 @@ class Schema(CliTest):
             return changed
 
         for wrong in (
-                *(broken(good, field, None) for field in good if field not in ("counters", "sizes") and not field.endswith("_f64")), broken(good, "more", 1), broken(good, "certificate", "trust me"),
+                *(broken(good, field, None) for field in good if field not in ("counters", "sizes") and not field.endswith("_f64")),
+                broken(good, "more", 1), broken(good, "certificate", "trust me"),
                 broken(good, "status", "inside"), broken(good, "depth", "squared", 1), broken(good, "depth", "squared", "-1"),
                 broken(good, "depth", "value", "1"), broken(good, "depth", "rounded", "f64", "rn", "1.0"),
                 broken(good, "depth", "enclosure", ["1"]), broken(good, "translation", [0, 0, 0]), broken(good, "translation", ["1", "0"]),

@@ -7,7 +7,8 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, UNIT, CliTest, case
 
-RESULT, STUDY = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text())) for name in ("result", "study"))
+RESULT, STUDY = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text()))
+                 for name in ("result", "study"))
 CURVED = ("cylinder:r=1,h=2", "cone:r=1,h=1,quaternion=2:1:0:0,at=0.5:0.25:2.5")
 OCTAHEDRON = [[2, 0, 0], [-2, 0, 0], [0, 2, 0], [0, -2, 0], [0, 0, 2], [0, 0, -2]]
 
@@ -54,7 +55,8 @@ class Nearness(CliTest):
 class Counters(CliTest):
     def test_say_what_ran(self):
         counters = {}
-        for name, pair in {"curved": CURVED, "plane": ("sphere:r=1", "halfspace:normal=0:0:1,offset=0"), "cores": ("box:half=1:1:1,margin=0.5", "box:half=1:2:3,at=1:1:1"),
+        for name, pair in {"curved": CURVED, "plane": ("sphere:r=1", "halfspace:normal=0:0:1,offset=0"),
+                           "cores": ("box:half=1:1:1,margin=0.5", "box:half=1:2:3,at=1:1:1"),
                            "apart": ("sphere:r=1", "sphere:r=1,at=3:4:5")}.items():
             result = self.result("depth", "--counters", *pair)
             RESULT.validate(result)
@@ -64,7 +66,8 @@ class Counters(CliTest):
             for stage in result["counters"]["stages"]:
                 self.assertIn(stage, text)
         self.assertEqual({name: found["stages"] for name, found in counters.items()},
-                         {"curved": ["expanding polytope", "supports"], "plane": ["supports"], "cores": ["expanding polytope"], "apart": ["position"]})
+                         {"curved": ["expanding polytope", "supports"], "plane": ["supports"], "cores": ["expanding polytope"],
+                          "apart": ["position"]})
         self.assertGreater(counters["curved"]["support_calls"], 4)
         self.assertEqual(counters["plane"]["support_calls"], 1)
         self.assertNotIn("counted", self.answer("depth", *CURVED))
@@ -74,7 +77,8 @@ class Contacts(CliTest):
     def test_of_disjoint_bodies(self):
         far = [[4, 5, 6], [9, 9, 9]]
         slanted = [[3, 0.5, -1], [3, 0.5, 2], [5, 0, 0], [5, 1, 0]]
-        for b, kind in ((far, "vertex-vertex"), ([[3, 0.5, 0.5]], "facet-vertex"), (slanted, "facet-edge"), ([[2, 2, -1], [2, 2, 3]], "edge-edge"),
+        for b, kind in ((far, "vertex-vertex"), ([[3, 0.5, 0.5]], "facet-vertex"), (slanted, "facet-edge"),
+                        ([[2, 2, -1], [2, 2, 3]], "edge-edge"),
                         ([[2, 2, 0.5]], "edge-vertex"), ([[2, 0, 0], [2, 1, 0], [2, 0, 1]], "facet-facet")):
             result = json.loads(self.answer("depth", "--json", "-", stdin=case(UNIT, b)))
             RESULT.validate(result)
@@ -85,7 +89,8 @@ class Contacts(CliTest):
             self.assertIn(kind, self.answer("depth", "-", stdin=case(UNIT, b)))
 
     def test_of_rounded_bodies(self):
-        for pair, status, kind in ((("sphere:r=1", "box:half=1:1:1,at=0:0:2"), "touching", "vertex-facet"), (("sphere:r=1", "capsule:r=1,h=1,at=1:0:0"), "penetrating", "vertex-edge"),
+        for pair, status, kind in ((("sphere:r=1", "box:half=1:1:1,at=0:0:2"), "touching", "vertex-facet"),
+                                   (("sphere:r=1", "capsule:r=1,h=1,at=1:0:0"), "penetrating", "vertex-edge"),
                                    (("capsule:r=1,h=2", "capsule:r=1,h=1,axis=x,at=0:0:2"), "penetrating", "vertex-edge"),
                                    (("capsule:r=1,h=2", "capsule:r=1,h=1,at=3:0:0"), "disjoint", "edge-edge")):
             result = self.result("depth", *pair)
@@ -152,7 +157,8 @@ class Study(CliTest):
         for field in good:
             if field != "cores":
                 self.assertFalse(STUDY.is_valid({key: good[key] for key in good if key != field}), field)
-        for wrong in ({**good, "more": 1}, {**good, "status": "inside"}, {**good, "contact": {"a": {"feature": "nose"}, "b": {"feature": "face"}}}):
+        for wrong in ({**good, "more": 1}, {**good, "status": "inside"},
+                      {**good, "contact": {"a": {"feature": "nose"}, "b": {"feature": "face"}}}):
             self.assertFalse(STUDY.is_valid(wrong))
 
     def test_names(self):
@@ -166,21 +172,25 @@ class Study(CliTest):
 
     def test_text(self):
         text = self.answer("study", "sphere:r=1", "box:half=1:1:1,at=0:0:2")
-        for words in ("touching; signed depth 0\n", "A  1 point, radius 1\n", "tangent to face              1  A smooth point (0, 0, 1), B face (0, 0, -1)", "none: equal bodies, ",
+        for words in ("touching; signed depth 0\n", "A  1 point, radius 1\n",
+                      "tangent to face              1  A smooth point (0, 0, 1), B face (0, 0, -1)", "none: equal bodies, ",
                       "\ncores\n"):
             self.assertIn(words, text)
-        line = self.answer("study", "-", stdin=json.dumps({"id": "x", "a": {"shape": "sphere", "radius": 1}, "b": {"shape": "sphere", "radius": 2}}))
+        line = self.answer("study", "-",
+                           stdin=json.dumps({"id": "x", "a": {"shape": "sphere", "radius": 1}, "b": {"shape": "sphere", "radius": 2}}))
         self.assertEqual(line, "x: penetrating; signed depth 3; concentric 1; touching cores 1\n")
 
     def test_of_a_mixed_stream(self):
         shapes = json.dumps({"id": "s", "a": {"shape": "sphere", "radius": 1}, "b": {"vertices": UNIT}}) + "\n"
-        kinds = ["predicates" in json.loads(line) for line in self.answer("study", "--json", "-", stdin=case(UNIT, UNIT) + shapes).splitlines()]
+        kinds = ["predicates" in json.loads(line) for line in self.answer("study", "--json", "-",
+                                                                          stdin=case(UNIT, UNIT) + shapes).splitlines()]
         self.assertEqual(kinds, [True, False])
         code, out, _ = self.run_cli("study", "--csv", "-", stdin=case(UNIT, UNIT, id="p") + shapes)
         rows = out.splitlines()
         self.assertEqual((code, len(rows)), (2, 3))
         self.assertIn("--json takes both", rows[2])
-        self.assertIn("expected one half-space at most", self.refused("study", "halfspace:normal=0:0:1,offset=1", "halfspace:normal=0:0:1,offset=1"))
+        self.assertIn("expected one half-space at most", self.refused("study", "halfspace:normal=0:0:1,offset=1",
+                                                                      "halfspace:normal=0:0:1,offset=1"))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,8 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, UNIT, CliTest
 
-RESULT, CASE = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text())) for name in ("result", "case"))
+RESULT, CASE = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text()))
+                for name in ("result", "case"))
 
 
 def at(x, y, z):
@@ -45,11 +46,13 @@ class Shapes(CliTest):
         self.assertEqual(result["depth"]["value"], 0.7639320225002103, "of 3 - sqrt(5); in doubles 3 - 5 ** 0.5 is another")
         self.assertEqual(result["translation"], {"normal": ["-2", "-1", "0"], "alpha": "-1", "beta": "3"})
         apart = self.of(ball(1), ball(2, 3, 4, 0))
-        self.assertEqual((apart["status"], apart["distance"]["squared"], apart["distance"]["translation"]), ("disjoint", "4", ["6/5", "8/5", "0"]))
+        self.assertEqual((apart["status"], apart["distance"]["squared"], apart["distance"]["translation"]),
+                         ("disjoint", "4", ["6/5", "8/5", "0"]))
         self.assertEqual(apart["distance"]["witness"], {"a": ["3/5", "4/5", "0"], "b": ["9/5", "12/5", "0"]})
         self.assertEqual(apart["signed_depth"], {"low": -2, "high": -2, "exact": {"sign": -1, "root": "25", "plus": "3"}})
         self.assertEqual(self.of(ball("3"), ball(2, 3, 4, 0))["status"], "touching")
-        self.assertEqual([self.of(ball(radius), ball(2, 3, 4, 0))["status"] for radius in ("3.0000000000000000000001", "2.9999999999999999999999")],
+        self.assertEqual([self.of(ball(radius), ball(2, 3, 4, 0))["status"]
+                          for radius in ("3.0000000000000000000001", "2.9999999999999999999999")],
                          ["penetrating", "disjoint"])
 
     def test_concentric_spheres_have_every_direction(self):
@@ -61,9 +64,11 @@ class Shapes(CliTest):
         radii = {"radius_low": 1, "radius_high": "1/2", "half_length": 2}
         plane = {"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}
         depths = {"sphere": ({"radius": 1}, 1), "capsule": ({"radius": 1, "half_length": 2}, 3), "tapered_capsule": (radii, 3),
-                  "box": ({"half": [1, 2, 3]}, 3), "cylinder": ({"radius": 1, "half_length": 2}, 2), "cone": ({"radius": 1, "half_length": 2}, 2),
+                  "box": ({"half": [1, 2, 3]}, 3), "cylinder": ({"radius": 1, "half_length": 2}, 2),
+                  "cone": ({"radius": 1, "half_length": 2}, 2),
                   "frustum": (radii, 2), "ellipsoid": ({"radii": [1, 2, 3]}, 3), "hull": ({"vertices": UNIT}, 0),
-                  "triangle": ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1]]}, 0), "sum": ({"terms": [ball(1), {"shape": "box", "half": [1, 1, 1]}]}, 2)}
+                  "triangle": ({"vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1]]}, 0),
+                  "sum": ({"terms": [ball(1), {"shape": "box", "half": [1, 1, 1]}]}, 2)}
         for name, (fields, depth) in depths.items():
             for axis in ({}, {"axis": "x"}) if "half_length" in fields else ({},):
                 result = self.of({"shape": name, **fields, **axis, "pose": at(0, 0, 0)}, plane)["signed_depth"]
@@ -93,7 +98,8 @@ class Shapes(CliTest):
         turned = self.result("depth", "rounded_box:half=1:2:3,margin=1/2,quaternion=1:1:0:0", "halfspace:normal=0:0:1,offset=0")
         self.assertEqual(turned["signed_depth"]["low"], 2.5)
         exact = self.result("depth", "--exact-decimals", "sphere:r=0.1", "sphere:radius=0.2,at=0.3:0:0")
-        self.assertEqual((exact["status"], self.result("depth", "sphere:r=0.1", "sphere:r=0.2,at=0.3:0:0")["status"]), ("touching", "penetrating"))
+        self.assertEqual((exact["status"], self.result("depth", "sphere:r=0.1", "sphere:r=0.2,at=0.3:0:0")["status"]),
+                         ("touching", "penetrating"))
         plain = self.result("depth", "box:half=1:1:1", "box:half=1:1:1,at=1:0:0")
         self.assertEqual((plain["method"], len(plain["optima"])), ("certificate", 1))
 
@@ -132,32 +138,42 @@ class Shapes(CliTest):
         good = ball(1)
         for body, words in (
                 ({"shape": "cube"}, "a.shape: expected sphere, "), ({"shape": 3}, "a.shape: expected sphere, "),
-                ({"shape": "sphere"}, "a: expected a field 'radius', found none"), ({"shape": "sphere", "radius": 0}, "a: the radius of a sphere is not positive"),
+                ({"shape": "sphere"}, "a: expected a field 'radius', found none"),
+                ({"shape": "sphere", "radius": 0}, "a: the radius of a sphere is not positive"),
                 ({"shape": "sphere", "radius": -1}, "not positive"), ({"shape": "sphere", "radius": "nan"}, "a.radius: expected a number"),
-                ({"shape": "sphere", "radius": [1]}, "a.radius: expected a number"), ({"shape": "sphere", "radius": 1, "half": [1, 1, 1]}, "a.half: expected no such field of a sphere"),
+                ({"shape": "sphere", "radius": [1]}, "a.radius: expected a number"), ({"shape": "sphere", "radius": 1, "half": [1, 1, 1]},
+                                                                                      "a.half: expected no such field of a sphere"),
                 ({"shape": "box", "half": [1, 1]}, "a.half: expected three numbers, found an array of 2"),
                 ({"shape": "capsule", "radius": 1, "half_length": 1, "axis": "w"}, 'a.axis: expected "x", "y" or "z"'),
                 ({"shape": "rounded_box", "half": [1, 1, 1]}, "a: expected a field 'margin', found none"),
-                ({"vertices": UNIT, "margin": -1}, "a margin is negative"), ({"shape": "triangle", "vertices": UNIT}, "a triangle has three vertices, found 8"),
+                ({"vertices": UNIT, "margin": -1}, "a margin is negative"),
+                ({"shape": "triangle", "vertices": UNIT}, "a triangle has three vertices, found 8"),
                 ({"shape": "hull", "vertices": []}, "a.vertices: expected"), ({"shape": "sum", "terms": []}, "a sum has at least one term"),
                 ({"shape": "sum", "terms": [good, {"shape": "box"}]}, "a.terms[1]: expected a field 'half'"),
-                ({"shape": "sum", "terms": [{"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}, good]}, "a half-space cannot be a part of a sum"),
+                ({"shape": "sum", "terms": [{"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}, good]},
+                 "a half-space cannot be a part of a sum"),
                 ({"shape": "halfspace", "normal": [0, 0, 0], "offset": 1}, "normal"),
                 ({**good, "pose": {"quaternion": [0, 0, 0, 0]}}, "a.pose: expected a quaternion that is not 0"),
-                ({**good, "pose": {"quaternion": [1, 0, 0]}}, "a.pose.quaternion: expected four numbers"), ({**good, "pose": {}}, "a.pose: expected three rows of four numbers"),
+                ({**good, "pose": {"quaternion": [1, 0, 0]}}, "a.pose.quaternion: expected four numbers"),
+                ({**good, "pose": {}}, "a.pose: expected three rows of four numbers"),
                 ({**good, "pose": [[1, 0, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]]}, "a.pose: the matrix of a pose is singular"),
-                ({"shape": "cylinder", "radius": 1, "half_length": 1, "pose_rounding": "binary64"}, "a.pose_rounding: expected a body of points")):
+                ({"shape": "cylinder", "radius": 1, "half_length": 1, "pose_rounding": "binary64"},
+                 "a.pose_rounding: expected a body of points")):
             with self.subTest(body=body):
                 code, out, _ = self.run_cli("depth", "--json", "-", stdin=json.dumps({"a": body, "b": good}) + "\n")
                 self.assertEqual(code, 2)
                 self.assertIn(words, json.loads(out)["error"])
         self.assertIn("expected one field 'radius' in an object", self.run_cli(
-            "depth", "--json", "-", stdin='{"a": {"shape": "sphere", "radius": 1, "radius": 2}, "b": {"shape": "sphere", "radius": 1}}\n')[1])
+            "depth", "--json", "-",
+            stdin='{"a": {"shape": "sphere", "radius": 1, "radius": 2}, "b": {"shape": "sphere", "radius": 1}}\n')[1])
         self.assertEqual(self.run_cli("depth", "-", stdin=json.dumps({"a": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0},
-                                                                      "b": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}}) + "\n")[0], 2)
-        for word, words in (("sphere:", "expected FIELD=VALUE"), ("sphere:r=x", "expected a number"), ("sphere:r=1,r=2", "found a second one"), ("sphere:r=-1", "not positive"),
+                                                                      "b": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0}}) +
+                                      "\n")[0], 2)
+        for word, words in (("sphere:", "expected FIELD=VALUE"), ("sphere:r=x", "expected a number"),
+                            ("sphere:r=1,r=2", "found a second one"), ("sphere:r=-1", "not positive"),
                             ("sphere:q=1", "expected a field of a sphere: radius, margin, at or quaternion; found 'q'"),
-                            ("torus:r=1", "expected one of the shapes sphere, capsule, "), ("cone:q=1", "radius, half_length, axis, margin, at or quaternion; found 'q'"),
+                            ("torus:r=1", "expected one of the shapes sphere, capsule, "),
+                            ("cone:q=1", "radius, half_length, axis, margin, at or quaternion; found 'q'"),
                             ("box:half=1:2", "expected 3 numbers joined by colons"),
                             ("sum:x=1", "has no short form"), ("cone:r=1", "expected a field 'half_length', found none")):
             self.assertIn(words, self.refused("depth", word, "sphere:r=1"))

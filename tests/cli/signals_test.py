@@ -91,7 +91,8 @@ class Output(CliTest):
             cases.write_text(case(UNIT, UNIT, id="good"))
             replies = pathlib.Path(folder) / "replies"
             replies.write_text('{"type":"reply","id":"good","overlap":false}\n')
-            done = subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", EXECUTABLE, "certify", "--report", report, "--replay", replies, cases])
+            done = subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", EXECUTABLE, "certify", "--report", report, "--replay",
+                                   replies, cases])
             self.assertEqual(done.returncode, 3)
             self.assertEqual([json.loads(line)["type"] for line in report.read_text().splitlines()], ["header", "case", "summary"])
 
@@ -171,7 +172,8 @@ class Bar(CliTest):
         """Of a file it is known how many there are, also where a case takes several lines. The last one takes long, and is named."""
         several_lines = json.dumps(json.loads(GOOD), indent=1) + "\n"
         path = self.file("cases.jsonl", GOOD + several_lines + GOOD + LONG)
-        code, out, seen = run_on_terminal("depth", "--threads", "1", "--method", "naive", path, stop_at=b"hull of all differences ", columns=160)
+        code, out, seen = run_on_terminal("depth", "--threads", "1", "--method", "naive", path, stop_at=b"hull of all differences ",
+                                          columns=160)
         self.assertEqual((code, out.count(b"\n")), (130, 3))
         self.assertRegex(seen, rb"\[#+\.+\]  75% 3 of 4 cases, [\d.]+/s, [\d hmins]+ left; line \d+: hull of all differences 0%, \d+ s")
         self.assertTrue(seen.endswith(b"\r\x1b[Kfathom: interrupted\r\n"), seen[-80:])

@@ -14,10 +14,12 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 BAD = '{"schema": "fathom/case/1", "id": "cut", "a":\n'
 ODD = [
     case(UNIT, UNIT, id="ties"), case(UNIT, box([1, 0, 0], [2, 1, 1]), id="touch"), case(UNIT, box([2, 0, 0], [3, 1, 1]), id="apart"),
-    case(SQUARE, UNIT, id="flat"), case(SQUARE, SQUARE, id="both flat"), case([[0, 0, 0]], UNIT, id="point"), case([[5, 5, 5]], [[5, 5, 5]], id="points"),
+    case(SQUARE, UNIT, id="flat"), case(SQUARE, SQUARE, id="both flat"), case([[0, 0, 0]], UNIT, id="point"),
+    case([[5, 5, 5]], [[5, 5, 5]], id="points"),
     case([[0, 0, 0], [1, 1, 1]], [[1, 0, 0], [0, 1, 1]], id="segments"), case([[0, 0, 0], [1, 1, 1]], UNIT, id="segment"),
     case([["0", "0", "0"], ["1e400", "0", "0"], ["0", "1e400", "0"], ["0", "0", "1e400"]], [["1e399", "1e399", "1e399"]], id="huge"),
-    case([["1e300", "0", "0"], ["-1e300", "0", "0"], ["0", "1e300", "0"], ["0", "0", "1e300"]], [["1e-300", "1e-300", "0"], ["0", "0", "1e-300"]], id="wide"),
+    case([["1e300", "0", "0"], ["-1e300", "0", "0"], ["0", "1e300", "0"], ["0", "0", "1e300"]],
+         [["1e-300", "1e-300", "0"], ["0", "0", "1e-300"]], id="wide"),
     case([["1/3", "0", "0"], ["0", "1/7", "0"], ["0", "0", "1/11"], ["1", "1", "1"]], UNIT, id="thirds"),
 ]
 
@@ -36,7 +38,8 @@ class Stages(CliTest):
     def check_against_depth(self, stdin):
         """Every number that depth has too is that of depth."""
         results = [json.loads(line) for line in self.answer("depth", "--json", "-", stdin=stdin).splitlines()]
-        exact = [json.loads(line) for line in self.answer("depth", "--json", "--method", "exact", "--counters", "-", stdin=stdin).splitlines()]
+        exact = [json.loads(line) for line in self.answer("depth", "--json", "--method", "exact", "--counters", "-",
+                                                          stdin=stdin).splitlines()]
         for stages, depth, run in zip(self.stages(stdin=stdin), results, exact, strict=True):
             with self.subTest(depth["id"]):
                 self.check_answer(stages, depth)
@@ -50,7 +53,8 @@ class Stages(CliTest):
         contact, unit = stages["contact"], depth["unit_f64"]
         if overlap:
             self.assertLess(math.dist(contact["direction"], unit), 1e-5)
-            self.assertEqual([optimum["kind"] for optimum in contact["optima"]], [optimum["contact"]["kind"] for optimum in depth["optima"]])
+            self.assertEqual([optimum["kind"] for optimum in contact["optima"]],
+                             [optimum["contact"]["kind"] for optimum in depth["optima"]])
             self.assertEqual([optimum["features"] for optimum in contact["optima"]],
                              [{body: optimum["contact"][body] for body in "ab"} for optimum in depth["optima"]])
             self.assertEqual([facet["distance_squared"] for facet in stages["sum"]["facets"] if facet["optimal"]],
@@ -130,7 +134,8 @@ class Stages(CliTest):
     def test_schema_has_teeth(self):
         good = self.result("stages", CUBE, ICOSAHEDRON)
         for change in (lambda s: s.pop("pairs"), lambda s: s["pairs"][0].pop("strip"), lambda s: s["a"].update(arcs_of="A"),
-                       lambda s: s["charts"][0]["walls"].append(["c", 0]), lambda s: s.update(depth=0), lambda s: s.update(depth_squared="2/-3"),
+                       lambda s: s["charts"][0]["walls"].append(["c", 0]), lambda s: s.update(depth=0),
+                       lambda s: s.update(depth_squared="2/-3"),
                        lambda s: s["a"]["arcs"][0].append(1), lambda s: s["winner"].update(kind="edge"), lambda s: s.update(more=1)):
             wrong = copy.deepcopy(good)
             change(wrong)

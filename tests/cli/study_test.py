@@ -102,7 +102,8 @@ class Text(CliTest):
         short, full = (self.answer("study", *options, CUBE, CUBE) for options in ([], ["--all"]))
         self.assertTrue(short.startswith("penetrating; depth^2 1; 6 optima\nA  8 vertices, 12 edges, 6 facets\nB  8 vertices, "), short)
         words = " ".join(short.split())
-        for line in ("side of arc ", "decided by", "parallel edges 48 A ", "parallel edges of A 18 A ", "coincident normals 6 A ", "none: "):
+        for line in ("side of arc ", "decided by", "parallel edges 48 A ", "parallel edges of A 18 A ", "coincident normals 6 A ",
+                     "none: "):
             self.assertIn(line, words)
         self.assertGreater(len(full.splitlines()), 100)
         self.assertLessEqual(max(map(len, short.splitlines())), 140)

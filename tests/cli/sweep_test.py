@@ -51,7 +51,8 @@ class Sweep(CliTest):
                     self.assertEqual(int(row[column]), expected.get(column, counts.get(column)), column)
 
     def test_sizes(self):
-        for sizes, expected in (("10..100", [10, 20, 50, 100]), ("7..60", [7, 10, 20, 50, 60]), ("5..5", [5]), ("3,4,9", [3, 4, 9]), ("12", [12])):
+        for sizes, expected in (("10..100", [10, 20, 50, 100]), ("7..60", [7, 10, 20, 50, 60]), ("5..5", [5]), ("3,4,9", [3, 4, 9]),
+                                ("12", [12])):
             self.assertEqual([int(row["size"]) for row in self.sweep("random_lattice", "--sizes", sizes)[0]], expected)
 
     def test_text_and_chart_agree_with_csv(self):

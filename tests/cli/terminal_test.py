@@ -15,7 +15,8 @@ WITHOUT_COLUMNS = {name: value for name, value in os.environ.items() if name != 
 
 def on_terminal(columns, *arguments, environment=None):
     """(exit code, the lines that appeared on a terminal of this width, on standard output and error)."""
-    code, _, seen = run_on_terminal(*arguments, columns=columns, stdout=None, cwd=DATA, stdin=subprocess.DEVNULL, env=environment or WITHOUT_COLUMNS)
+    code, _, seen = run_on_terminal(*arguments, columns=columns, stdout=None, cwd=DATA, stdin=subprocess.DEVNULL, env=environment
+                                    or WITHOUT_COLUMNS)
     return code, seen.decode().replace("\x1b[K", "").replace("\r\n", "\n").splitlines()
 
 
@@ -28,7 +29,8 @@ class Width(CliTest):
         for name in page_names(self):
             pages = {}
             for columns in WIDTHS:
-                done = subprocess.run([EXECUTABLE, *name.split(), "--help"], env={**os.environ, "COLUMNS": str(columns)}, capture_output=True)
+                done = subprocess.run([EXECUTABLE, *name.split(), "--help"], env={**os.environ, "COLUMNS": str(columns)},
+                                      capture_output=True)
                 self.assertEqual((done.returncode, done.stderr), (0, b""))
                 pages[columns] = done.stdout.decode()
                 self.assertTrue(pages[columns].startswith("Examples\n"))
@@ -48,11 +50,13 @@ class Width(CliTest):
             self.assertEqual(on_terminal(50, "depth", "--help", environment={**os.environ, "COLUMNS": columns})[1], narrow)
 
     def test_results(self):
-        for arguments in (["depth", "a.off", "b.stl"], ["depth", "--counters", "a.off", "b.stl"], ["width", "a.off"], ["depth", "cases.jsonl"],
+        for arguments in (["depth", "a.off", "b.stl"], ["depth", "--counters", "a.off", "b.stl"], ["width", "a.off"],
+                          ["depth", "cases.jsonl"],
                           ["approx", "a.off", "b.stl"], ["ray", "--direction", "1,2,3", "a.off", "b.stl"], ["study", "a.off", "b.stl"],
                           ["metric", "--ball", "q.off", "a.off", "b.stl"], ["cases", "--list"], ["certify", "--list-adapters"],
                           ["certify", "--subject", "./mine", "cases.jsonl"], ["depth", "sphere:r=1", "box:half=1:1:1"]):
-            whole = subprocess.run([EXECUTABLE, *arguments], cwd=DATA, env={**os.environ, "COLUMNS": "40"}, capture_output=True).stdout.decode()
+            whole = subprocess.run([EXECUTABLE, *arguments], cwd=DATA, env={**os.environ, "COLUMNS": "40"},
+                                   capture_output=True).stdout.decode()
             for columns in WIDTHS:
                 with self.subTest(arguments=arguments, columns=columns):
                     _, lines = on_terminal(columns, *arguments)

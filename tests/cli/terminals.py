@@ -16,8 +16,8 @@ END = b"\x1c\x1c"  # what no program here writes
 
 
 def run_on_terminal(*arguments, stop_at=None, columns=0, stdout=subprocess.PIPE, **how):
-    """(exit code, stdout, what appeared on stderr, a terminal); with stdout=None that is the terminal too. SIGINT is sent once `stop_at` has
-    appeared. `how`: for Popen."""
+    """(exit code, stdout, what appeared on stderr, a terminal); with stdout=None that is the terminal too. SIGINT is sent once `stop_at`
+    has appeared. `how`: for Popen."""
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     with subprocess.Popen([EXECUTABLE, *arguments], stdout=stdout or theirs, stderr=theirs, **how) as process:

@@ -29,7 +29,8 @@ def mixed():
            case(UNIT, UNIT, id="twice", schema="other").replace("fathom/case/1", "other")]
     shapes = [case(UNIT, box([1, 0, 0], [2, 1, 1]), id="touching"), case(UNIT, box([3, 3, 3], [4, 4, 4]), id="disjoint"),
               case([[0, 0, 0], [1, 0, 0], [0, 1, 0]], UNIT, id="flat"), case([[0.5, 0.5, 0.5]], UNIT, id="point"),
-              case(INNER, UNIT, id="inner"), case(UNIT, INNER, id="good"), case(UNIT, SHIFTED), case(UNIT, SHIFTED, comment="x" * (1 << 20)),
+              case(INNER, UNIT, id="inner"), case(UNIT, INNER, id="good"), case(UNIT, SHIFTED),
+              case(UNIT, SHIFTED, comment="x" * (1 << 20)),
               "{\n" + GOOD.lstrip("{").rstrip("}\n") + "\n}\n"]
     made = [line for text in families() for line in text.splitlines(keepends=True)]
     lines = []
@@ -141,7 +142,8 @@ class Check(CliTest):
     def test_each_verdict_comes_before_the_next_certificate_is_sent(self):
         text = (DATA / "certificates" / "depth_cubes.cert").read_bytes()
         for threads in THREADS:
-            with subprocess.Popen([EXECUTABLE, "check", f"--threads={threads}", "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+            with subprocess.Popen([EXECUTABLE, "check", f"--threads={threads}", "-"], stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE) as process:
                 for count in (1, 3, 1):
                     process.stdin.write(text * count)
                     process.stdin.flush()

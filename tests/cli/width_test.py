@@ -15,7 +15,8 @@ class Width(CliTest):
         path = self.file("slab.xyz", SLAB)
         result = self.result("width", "--counters", path)
         self.assertEqual(list(result), ["schema", "fathom", "id", "status", "signed_depth", "depth", "translation", "direction", "contact",
-                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "flat", "method", "counters", "width"])
+                                        "witness", "unit_f64", "translation_f64", "witness_f64", "optima", "sizes", "flat", "method",
+                                        "counters", "width"])
         self.assertEqual((result["id"], result["width"]["squared"], result["width"]["value"]), (path, "1/4", 0.5))
         self.assertEqual(result["width"], result["depth"])
         self.assertEqual([optimum["direction"] for optimum in result["optima"]], [["0", "-1", "0"], ["0", "1", "0"]])
@@ -37,7 +38,8 @@ class Width(CliTest):
         self.assertRegex(lines[4], r"^witness    \(.*, 0.5, .*\) of A, \(.*, 0, .*\) of A$")
         self.assertEqual(lines[5:7], ["ties       none", "sizes      A 3 x 0.5 x 2"])
         self.assertRegex(lines[7], r"^method     certificate: an inner polytope of \d+ facets$")
-        self.assertEqual(self.answer("width", "--exact", self.file("slab.xyz", SLAB)).splitlines()[:2], ["width      0.5", "width^2    1/4"])
+        self.assertEqual(self.answer("width", "--exact", self.file("slab.xyz", SLAB)).splitlines()[:2],
+                         ["width      0.5", "width^2    1/4"])
         self.assertIn("3 pairs of planes", self.answer("width", self.file("unit.xyz", UNIT)))
 
     def test_flat_body(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds where the answer is known: where people put shapes on each other, in closed form, at the ends of numbers, and where they cannot meet.
+// Bounds where the answer is known: where people put shapes on each other, in closed form, at the ends of numbers, and out of reach.
 #include "reference/curved/curved_bounds.hpp"
 
 #include <gtest/gtest.h>

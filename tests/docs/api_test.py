@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages of the public headers: Doxygen makes them without a warning, whatever is public has a comment, and their links lead somewhere."""
+"""The pages of the public headers: Doxygen makes them without a warning, whatever is public has a comment, and their links lead
+somewhere."""
 import html.parser
 import os
 import pathlib
@@ -60,7 +61,8 @@ class ApiPages(unittest.TestCase):
     def test_every_header_has_a_page(self):
         headers = [*(ROOT / "include/fathom").glob("*.h*"), ROOT / "verify/check/check.hpp"]
         listed = self.pages["files.html"].links
-        self.assertEqual([], [header.name for header in headers if header.name.replace("_", "__").replace(".", "_8") + ".html" not in listed])
+        self.assertEqual([], [header.name for header in headers if header.name.replace("_", "__").replace(".", "_8") +
+                              ".html" not in listed])
 
     def test_links(self):
         for name, page in self.pages.items():
@@ -74,7 +76,8 @@ class ApiPages(unittest.TestCase):
 
     def test_what_has_no_comment_fails(self):
         """Law: neither a function nor a type, a member, an enumeration or a constant passes without a comment."""
-        for bare in ("int bare();", "struct Bare {\n  int size;  ///< of it\n};", "/// A type.\nstruct Type {\n  int bare;\n};", "enum class Bare { a };",
+        for bare in ("int bare();", "struct Bare {\n  int size;  ///< of it\n};", "/// A type.\nstruct Type {\n  int bare;\n};",
+                     "enum class Bare { a };",
                      "inline constexpr int bare = 1;", "using Bare = int;"):
             with tempfile.TemporaryDirectory() as folder, self.subTest(bare):
                 header = pathlib.Path(folder) / "bare.hpp"
@@ -107,7 +110,8 @@ class ApiPages(unittest.TestCase):
         for text, expected in cases.items():
             self.assertEqual("/// \\file\n" + expected, filtered("// SPDX\n" + text))
         self.assertEqual("/// \\file\n/// About C.\n\n/// A call\n/// of C.\nint f(void);\n  int a;  ///< of the body\n",
-                         filtered("/* SPDX */\n/* About C. */\n\n/* A call\n * of C. */\nint f(void);\n  int a; /* of the body */\n", "c.h"))
+                         filtered("/* SPDX */\n/* About C. */\n\n/* A call\n * of C. */\nint f(void);\n  int a; /* of the body */\n",
+                                  "c.h"))
 
 
 if __name__ == "__main__":

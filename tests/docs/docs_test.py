@@ -161,7 +161,8 @@ class Docs(unittest.TestCase):
             self.assertEqual([], [line for line in page.read_text().splitlines() if len(line) > COLUMNS], name(page))
         made = {ROOT / "verify/survey/RESULTS.md", ROOT / "verify/golden/NOTES.md", ROOT / "tests/data/golden/NOTES.md"}
         for page in set(all_pages()) - made:
-            prose = [line for line in BLOCK.sub("", page.read_text()).splitlines() if not line.lstrip().startswith("|") and line[:4] != "    "]
+            prose = [line for line in BLOCK.sub("", page.read_text()).splitlines() if not line.lstrip().startswith("|")
+                     and line[:4] != "    "]
             self.assertEqual([], [line for line in prose if len(line) > COLUMNS], name(page))
         self.assertLessEqual(len((ROOT / "README.md").read_text().splitlines()), FRONT)
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be said of the Debian packages without building them: versions agree, what the build needs is asked for, the scripts are bash."""
+"""What can be said of the Debian packages without building them: versions agree, what the build needs is asked for, the scripts are
+bash."""
 import os
 import pathlib
 import re

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they leave open; and that shapes that are polytopes
-// are judged as polytopes are.
+// Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they leave open; and that shapes that are
+// polytopes are judged as polytopes are.
 #include <gtest/gtest.h>
 
 #include <cmath>

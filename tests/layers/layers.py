@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the laws that keep the rooms apart; prints one line per breach and exits with 1 if there is any.
 
-order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by name
+order     a file includes its own room and rooms to its left, by their path from the project's root; verify/check nothing but itself, by
+          name
 doors     the headers of include/fathom, kernels, reference and verify/judge include only the standard library, GMP and each other
 installed only the headers in INSTALLED are installed
 first     a source includes the header of its name before all else: so its compilation shows that the header stands alone
@@ -52,7 +53,8 @@ ORDER = [
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
 CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "tests")
-ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")  # programs of their own: they know other libraries, and nothing of ours
+# programs of their own: they know other libraries, and nothing of ours
+ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")
 FIRST = ("kernels/", "reference/", "verify/", "view/", "cli/")
 APACHE = ("verify/check/", "verify/examples/", "verify/subjects/kit/")

@@ -22,7 +22,8 @@ CLEAN = {
     "kernels/round.cpp": SPDX + "#include <cfenv>\n#include <mpfr.h>\n",
     "reference/polytope/hull.hpp": SPDX + '#include "kernels/sign.hpp"\n',
     "reference/polytope/mesh_cgal.hpp": SPDX + "#include <CGAL/Surface_mesh.h>\n",
-    "reference/depth/depth.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include "reference/polytope/hull.hpp"\n#include <fmt/format.h>\n',
+    "reference/depth/depth.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include "reference/polytope/hull.hpp"\n'
+                                        "#include <fmt/format.h>\n",
     "reference/depth/depth.hpp": SPDX + "#include <vector>\n",
     "verify/check/checker.cpp": "// SPDX-License-Identifier: Apache-2.0\n#include <gmpxx.h>\n",
     "cli/main.cpp": SPDX + '#include "reference/depth/depth.hpp"\n#include <CLI/CLI.hpp>\n',
@@ -117,9 +118,11 @@ class Layers(unittest.TestCase):
 
     def test_a_type_has_a_name_of_its_own(self):
         first = SPDX + "namespace fathom {\n\n%s\n}  // namespace fathom\n"
-        for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {", "class [[nodiscard]] Place {",
+        for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {",
+                     "class [[nodiscard]] Place {",
                      "struct alignas(16) Place {", "using Place = int;", "using Place =\n    int;", "struct Place\n    : Base {"):
-            changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first % (text + ("\n};\n" if "{" in text else "\n"))}
+            changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first %
+                       (text + ("\n};\n" if "{" in text else "\n"))}
             self.assertEqual(breaches(changes), [("reference/depth/two.cpp", "names")], text)
 
     def test_whatever_the_namespace(self):
@@ -129,7 +132,8 @@ class Layers(unittest.TestCase):
 
     def test_a_room_has_a_namespace_of_its_own(self):
         space = SPDX + "namespace fathom::%s {\n}  // namespace fathom::%s\n"
-        for name, own in (("kernels/number/a.hpp", "kernels"), ("reference/depth/a.cpp", "depth"), ("verify/judge/a.cpp", "judging"), ("cli/io/a.hpp", "cli")):
+        for name, own in (("kernels/number/a.hpp", "kernels"), ("reference/depth/a.cpp", "depth"), ("verify/judge/a.cpp", "judging"),
+                          ("cli/io/a.hpp", "cli")):
             self.expect(name, space % (own, own))
             self.expect(name, SPDX + "namespace fathom {\n}  // namespace fathom\n")
             self.expect(name, space % ("polytope", "polytope"), "namespace")
@@ -140,7 +144,8 @@ class Layers(unittest.TestCase):
     def test_types_that_may_share_a_name(self):
         inside = SPDX + "namespace fathom {\n%s}  // namespace fathom\n"
         one = {"reference/depth/one.hpp": inside % "struct Place {\n};\n"}
-        for text in ("namespace {\n\nstruct Place {\n};\n\n}  // namespace\n", "struct Place;\n", "struct Other {\n  struct Place {\n  };\n};\n"):
+        for text in ("namespace {\n\nstruct Place {\n};\n\n}  // namespace\n", "struct Place;\n",
+                     "struct Other {\n  struct Place {\n  };\n};\n"):
             self.assertEqual(breaches({**one, "reference/depth/two.cpp": inside % text}), [], text)
         place = "namespace other {\nstruct Place {\n};\n}  // namespace other\n"
         self.assertEqual(breaches({**one, "tests/depth/place.hpp": SPDX + place}), [])
@@ -188,7 +193,8 @@ requires(Solid<T>) Box largest(const std::vector<T>& boxes, int from = first(0),
         self.assertEqual(breaches({"include/fathom/box.h": c}), [("include/fathom/box.h", "examples")] * 2)
         check = "// SPDX-License-Identifier: Apache-2.0\nnamespace fathom_check {\nbool verify(int x);\n}  // namespace fathom_check\n"
         self.assertEqual(breaches({"verify/check/check.hpp": check}), [("verify/check/check.hpp", "examples")] * 2)
-        self.assertEqual(breaches({"include/fathom/box.h": c, "examples/box.c": "#include <fathom/box.h>\nint x = fathom_volume(3);\n"}), [])
+        self.assertEqual(breaches({"include/fathom/box.h": c, "examples/box.c": "#include <fathom/box.h>\nint x = fathom_volume(3);\n"}),
+                         [])
 
     def test_exit_code(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):

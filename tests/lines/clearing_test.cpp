@@ -52,7 +52,8 @@ mpq_class threshold_above(const mpq_class& least, int k) {
   return least * mpq_class(part + 1, part);
 }
 
-// The tests in wide floats, on one block. `left_nearer` counts the pairs that the offset test leaves and that are nearer than the threshold.
+// The tests in wide floats, on one block. `left_nearer` counts the pairs that the offset test leaves and that are nearer than the
+// threshold.
 struct WideVerdict {
   bool clear = false, offset = false;
   std::uint64_t left_nearer = 0;

@@ -71,7 +71,8 @@ TEST(Hiding, SeamsOnTheSurfaceAreSeen) {
   }
 }
 
-// A look along a plane is rounded: it leaves the plane to either side. Bodies on both sides of it, one behind the other, hide nothing in it.
+// A look along a plane is rounded: it leaves the plane to either side. Bodies on both sides of it, one behind the other, hide nothing in
+// it.
 TEST(Hiding, FacesSeenFromTheirEdge) {
   for (int p = 1; p <= 7; ++p)
     for (const int q : {-5, 3, 11}) {

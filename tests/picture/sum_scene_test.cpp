@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// P round O: the circle's radius is the depth, it touches the nearest facet, hidden edges are those behind, and what is small gets a close-up.
+// P round O: the circle's radius is the depth, it touches the nearest facet, hidden edges are those behind, and what is small gets a
+// close-up.
 #include "view/picture/sum_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,8 @@ def test_forms_of_a_body():
 
     other = CUBE + [0.5, 0, 0]
     forms = [other, other.astype(np.float32), np.asfortranarray(other), other.tolist(), Mesh(), fathom.Body(other), other[::-1][::-1],
-             [[Fraction(x) for x in p] for p in other], [[str(x) for x in p] for p in other], [[decimal.Decimal(x) for x in p] for p in other],
+             [[Fraction(x) for x in p] for p in other], [[str(x) for x in p] for p in other],
+             [[decimal.Decimal(x) for x in p] for p in other],
              np.array(other, dtype=object), (2 * other).astype(int) * 0.5]
     for form in forms:
         hit = fathom.depth(CUBE, form)
@@ -124,7 +125,8 @@ def test_bounds_without_a_float():
 def test_the_program_says_the_same():
     if not FATHOM:
         pytest.skip("FATHOM_EXECUTABLE is not set")
-    cases = subprocess.run([FATHOM, "cases", "--family", "all", "--count", "150", "--size", "10"], capture_output=True, text=True, check=True).stdout
+    cases = subprocess.run([FATHOM, "cases", "--family", "all", "--count", "150", "--size", "10"], capture_output=True, text=True,
+                           check=True).stdout
     said = subprocess.run([FATHOM, "depth", "--json", "-"], input=cases, capture_output=True, text=True, check=True).stdout.splitlines()
     found = 0
     for case, answer in zip(map(json.loads, cases.splitlines()), map(json.loads, said)):

@@ -28,7 +28,8 @@ def test_the_page():
 
 def test_there_are_examples():
     finder = doctest.DocTestFinder(exclude_empty=True)
-    with_examples = {test.name.rsplit(".", 1)[-1] for name in MODULES for test in finder.find(importlib.import_module(name)) if test.examples}
+    with_examples = {test.name.rsplit(".", 1)[-1] for name in MODULES for test in finder.find(importlib.import_module(name))
+                     if test.examples}
     assert {"depth", "distance", "depths", "ray", "width", "metric", "approx", "study", "judge", "check", "cases", "golden",
             "union", "union_depth", "read_pieces"} <= with_examples
 
@@ -61,5 +62,6 @@ def test_the_stub_is_about_this_module():
             continue
         real.add(name)
         if isinstance(thing, type):
-            real |= {f"{name}.{member}" for member in vars(thing) if not member.startswith("_") or member in ("__add__", "__iter__", "__next__")}
+            real |= {f"{name}.{member}" for member in vars(thing) if not member.startswith("_")
+                     or member in ("__add__", "__iter__", "__next__")}
     assert {name for name in stub if not name.endswith(".__init__")} == real

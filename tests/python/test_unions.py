@@ -49,7 +49,8 @@ def same_as_said(hit, said):
         assert [(c.pieces, c.normal, c.contact) for c in optimum.contacts] == [
             (tuple(c["pieces"]), tuple(map(int, c["direction"])), contact(c["contact"])) for c in told["contacts"]]
     bounds = hit.bounds
-    assert (bounds.deepest_pair_squared, bounds.pieces) == (Fraction(said["deepest_pair"]["depth"]["squared"]), tuple(said["deepest_pair"]["pieces"]))
+    assert (bounds.deepest_pair_squared, bounds.pieces) == (Fraction(said["deepest_pair"]["depth"]["squared"]),
+                                                            tuple(said["deepest_pair"]["pieces"]))
     assert bounds.hulls_squared == Fraction(said["hulls"]["squared"])
     assert hit.counters == said["counters"]
     assert (hit.apart is None) == (said["apart"] is None)
@@ -96,14 +97,16 @@ def test_forms_of_a_union():
         def __init__(self, vertices):
             self.vertices = vertices
 
-    forms = [BLOCK, tuple(BLOCK), iter(BLOCK), np.array(BLOCK), np.array(BLOCK, np.float32), [p.tolist() for p in BLOCK], np.array(BLOCK).tolist(),
+    forms = [BLOCK, tuple(BLOCK), iter(BLOCK), np.array(BLOCK), np.array(BLOCK, np.float32), [p.tolist() for p in BLOCK],
+             np.array(BLOCK).tolist(),
              [Mesh(p) for p in BLOCK], [fathom.Body(p) for p in BLOCK], fathom.union(BLOCK), fathom.union(fathom.union(BLOCK)),
              [[[Fraction(x) for x in q] for q in p] for p in BLOCK], [[[str(x) for x in q] for q in p] for p in BLOCK],
              [BLOCK[0], Mesh(BLOCK[1]), fathom.Body(BLOCK[2])], np.array(BLOCK, dtype=object), BLOCK + BLOCK[:1]]
     for form in forms:
         hit = fathom.union_depth(BAR, form)
         assert (hit.depth, [o.exact for o in hit.optima], hit.optima[0].clearance) == (1.0, [(1, 0, 0)], False)
-    for one in (BAR[0], BAR[0].tolist(), Mesh(BAR[0]), fathom.Body(BAR[0]), tuple(map(tuple, BAR[0])), [[str(x) for x in p] for p in BAR[0]]):
+    for one in (BAR[0], BAR[0].tolist(), Mesh(BAR[0]), fathom.Body(BAR[0]), tuple(map(tuple, BAR[0])),
+                [[str(x) for x in p] for p in BAR[0]]):
         assert fathom.union_depth(one, BLOCK).depth == 1.0
 
 
@@ -129,7 +132,8 @@ def test_cut_bodies_and_the_deepest_pair():
     other = CUBE * 3 - 0.75
     assert fathom.union_depth(halves, [other]).squared == fathom.depth(CUBE, other).exact.depth_squared
     a, b = cluster(4, 8), cluster(3, 8, 2)
-    hit, pairs = fathom.union_depth(a, b), {(i, j): fathom.depth(p, q).exact.depth_squared for i, p in enumerate(a) for j, q in enumerate(b)}
+    hit, pairs = fathom.union_depth(a, b), {(i, j): fathom.depth(p, q).exact.depth_squared for i, p in enumerate(a) for j,
+                                            q in enumerate(b)}
     assert hit.bounds.deepest_pair_squared == max(pairs.values()) == pairs[hit.bounds.pieces]
     assert hit.bounds.hulls_squared == fathom.depth(np.concatenate(a), np.concatenate(b)).exact.depth_squared
     assert pairs[hit.bounds.pieces] <= hit.squared <= hit.bounds.hulls_squared
@@ -145,7 +149,8 @@ def test_poses_and_bodies():
     assert fathom.Body(CUBE).pieces is None and fathom.sphere(1).pieces is None
     turn = fathom.pose((1, 0, 0, 1), ("1/3", 0, 0))
     hit = fathom.union_depth(BAR, block, pose_a=turn, pose_b=turn)
-    assert hit.depth == 1.0 and fathom.union_depth(fathom.union(BAR).moved(turn), block.moved(turn)).optima[0].exact == hit.optima[0].exact == (0, 1, 0)
+    assert hit.depth == 1.0 and fathom.union_depth(fathom.union(BAR).moved(turn),
+                                                   block.moved(turn)).optima[0].exact == hit.optima[0].exact == (0, 1, 0)
     assert fathom.union_depth(BAR, BLOCK, pose_b=np.diag([2, 2, 2, 1])).notes == ["pose_b: det 8, not a rotation: the body is scaled by 2"]
     [note] = fathom.union_depth(BAR, [p * 1000 for p in BLOCK]).notes
     assert "same unit" in note
@@ -158,7 +163,8 @@ def test_statuses_and_text():
     touch, apart = fathom.union_depth(BAR, [CUBE + (3, 1, 2)]), fathom.union_depth(BAR, [CUBE + (7, 1, 2), CUBE + (5, 1, 2)])
     assert (touch.status, touch.depth, touch.distance, touch.translation.tolist()) == ("touching", 0.0, 0.0, [0, 0, 0])
     assert len(touch.optima) == 1 and touch.optima[0].contacts[0].contact["kind"] == "facet-facet"
-    assert (apart.status, apart.depth, apart.distance, apart.translation.tolist(), apart.apart.pieces) == ("disjoint", 0.0, 2.0, [2, 0, 0], (0, 1))
+    assert (apart.status, apart.depth, apart.distance, apart.translation.tolist(),
+            apart.apart.pieces) == ("disjoint", 0.0, 2.0, [2, 0, 0], (0, 1))
     assert apart.optima == [] and apart.squared == 0
     assert [repr(x) for x in (touch, apart)] == ["UnionDepth(touching, depth=0.0)", "UnionDepth(disjoint, distance=2.0)"]
     for hit in (touch, apart, fathom.union_depth(BAR, BLOCK)):
@@ -223,7 +229,8 @@ UNION = fathom.union(BLOCK)
     lambda: fathom.depth(UNION, CUBE), lambda: fathom.distance(CUBE, UNION), lambda: fathom.depths([(CUBE, UNION)]),
     lambda: fathom.width(UNION), lambda: fathom.ray(UNION, CUBE, (1, 0, 0)), lambda: fathom.metric(CUBE, UNION, CUBE - 0.5),
     lambda: fathom.metric(CUBE, CUBE, UNION), lambda: fathom.approx(UNION, CUBE), lambda: fathom.study(UNION, CUBE),
-    lambda: fathom.judge(UNION, CUBE, overlap=True), lambda: fathom.convexity(UNION), lambda: UNION.with_margin(1), lambda: UNION + fathom.sphere(1),
+    lambda: fathom.judge(UNION, CUBE, overlap=True), lambda: fathom.convexity(UNION), lambda: UNION.with_margin(1),
+    lambda: UNION + fathom.sphere(1),
     lambda: fathom.sphere(1) + UNION, lambda: fathom.Body(UNION),
 ])
 def test_who_takes_convex_bodies_says_so(call):

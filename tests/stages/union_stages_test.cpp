@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures of unions show: every pair of pieces whose differences reach into the ball, with its exact distance; the facets that hold the end
-// of a way; pieces as they are. Twins go through all pairs, and through all facets by exact fractions.
+// What pictures of unions show: every pair of pieces whose differences reach into the ball, with its exact distance; the facets that hold
+// the end of a way; pieces as they are. Twins go through all pairs, and through all facets by exact fractions.
 #include "view/stages/union_stages.hpp"
 
 #include <gtest/gtest.h>

@@ -55,7 +55,8 @@ class Kit(unittest.TestCase):
             self.assertEqual(json.loads(done.stdout),
                              {"type": "hello", "protocol": "fathom/subject/1", "name": "trial", "version": "7",
                               "precision": {"points": "binary32", "answers": "binary64"},
-                              "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False, "claims": "separating"},
+                              "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False,
+                                              "claims": "separating"},
                               "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
                               "rounding": {"vertices": 0.1, "box": 0.25}, "settings": {"limit": "3"}})
 
@@ -128,7 +129,8 @@ class Examples(unittest.TestCase):
         cases = subprocess.run([fathom, "cases", "--family", "boxes_aligned", "--count", "60"], capture_output=True, check=True).stdout
         for language, command in examples.items():
             with self.subTest(language=language):
-                done = subprocess.run([fathom, "certify", "--subject", command, "--json", "-"], input=cases, capture_output=True, check=False)
+                done = subprocess.run([fathom, "certify", "--subject", command, "--json", "-"], input=cases, capture_output=True,
+                                      check=False)
                 self.assertEqual(done.returncode, 0, done.stderr.decode())
                 verdicts = [json.loads(line) for line in done.stdout.splitlines()]
                 passed = [v for v in verdicts if v.get("verdict") in ("pass", "touching-by-convention")]

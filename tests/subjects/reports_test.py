@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""verify/reports: each folder is whole and in the table, its proof is accepted by both checkers, the adapter gets the verdict that the table
-tells, and the program for the library prints what the folder's page shows. What needs a library that is not here is left out; with
+"""verify/reports: each folder is whole and in the table, its proof is accepted by both checkers, the adapter gets the verdict that the
+table tells, and the program for the library prints what the folder's page shows. What needs a library that is not here is left out; with
 argument `programs` only the programs and adapters are tried, with `proofs` the rest."""
 import json
 import os
@@ -75,7 +75,8 @@ class Proofs(unittest.TestCase):
                 if "shape" in bodies["a"]:  # check --case reads vertices alone: what fathom proves of the case is the proof
                     with tempfile.TemporaryDirectory() as folder:
                         run(FATHOM, "depth", "--certificate", folder, case)
-                        self.assertEqual((pathlib.Path(folder) / f"{name}.cert").read_text(encoding="utf-8"), proof.read_text(encoding="utf-8"))
+                        self.assertEqual((pathlib.Path(folder) / f"{name}.cert").read_text(encoding="utf-8"),
+                                         proof.read_text(encoding="utf-8"))
                 same = ["--case", case] if "vertices" in bodies["a"] else []
                 for command in ([FATHOM, "check", *same, proof], [sys.executable, "-B", ROOT / "verify" / "check" / "check.py", proof]):
                     done = run(*command)

@@ -35,11 +35,13 @@ HAT = posed(shape="cone", radius=2, half_length=1, axis="z")
 HATS = [HAT, {**HAT, "axis": "x"}, {**HAT, "axis": "y"}]
 # A body about the origin, and a farthest point of it in each direction of UP of which we are sure. The way out is unique.
 REACHES = [
-    (posed(shape="sphere", radius=0.75), {"straight": [0, 0, 0.75], "over x": [0.75, 0, 0], "over y": [0, 0.75, 0], "slanted": [0.45, 0, 0.6]}),
+    (posed(shape="sphere", radius=0.75), {"straight": [0, 0, 0.75], "over x": [0.75, 0, 0], "over y": [0, 0.75, 0],
+                                          "slanted": [0.45, 0, 0.6]}),
     (CAP, {"straight": [0, 0, 2], "over x": [0.5, 0, 0], "over y": [0, 0.5, 0], "slanted": [0.3, 0, 1.9]}),
     (long_one("capsule", "x"), {"straight": [0, 0, 0.5], "over x": [2, 0, 0], "over y": [0, 0.5, 0], "slanted": [1.8, 0, 0.4]}),
     (long_one("capsule", "y"), {"straight": [0, 0, 0.5], "over x": [0.5, 0, 0], "over y": [0, 2, 0], "slanted": [0.3, 0, 0.4]}),
-    (long_one("capsule", quaternion=OVER_X), {"straight": [0, 0, 0.5], "over x": [2, 0, 0], "over y": [0, 0.5, 0], "slanted": [1.8, 0, 0.4]}),
+    (long_one("capsule", quaternion=OVER_X), {"straight": [0, 0, 0.5], "over x": [2, 0, 0], "over y": [0, 0.5, 0],
+                                              "slanted": [1.8, 0, 0.4]}),
     (PIN, {"straight": [0, 0, 1.5], "over x": [0.5, 0, 0], "over y": [0, 0.5, 0], "slanted": [0.5, 0, 1.5]}),
     (long_one("cylinder", "x"), {"straight": [0, 0, 0.5], "over x": [1.5, 0, 0], "over y": [0, 0.5, 0], "slanted": [1.5, 0, 0.5]}),
     (long_one("cylinder", "y"), {"straight": [0, 0, 0.5], "over x": [0.5, 0, 0], "over y": [0, 1.5, 0], "slanted": [0.3, 0, 0.4]}),
@@ -211,8 +213,9 @@ class Shapes(unittest.TestCase):
         slab = posed(shape="box", half=[8, 8, 4], translation=[0, 0, 4])
         for margin in ("0", "0.0625", "0.25"):
             with Client(PROGRAM, "pair", f"margin={margin}") as subject:
-                for body, height in ((PIN, 1.5), (BRICK, 1.5), (HAT, 1), (posed(shape="cylinder", radius=0.5, half_length=1.5, axis="z", quaternion=[3, 0, 1, 0]),
-                                                                         0.5 * 0.6 + 1.5 * 0.8)):
+                for body, height in ((PIN, 1.5), (BRICK, 1.5), (HAT, 1),
+                                     (posed(shape="cylinder", radius=0.5, half_length=1.5, axis="z", quaternion=[3, 0, 1, 0]),
+                                     0.5 * 0.6 + 1.5 * 0.8)):
                     with self.subTest(body=body, margin=margin):
                         reply = subject.ask(moved(body, [0, 0, DEPTH - height]), slab)
                         self.assertAlmostEqual(reply["depth"], -DEPTH, delta=1e-4 if PROGRAM == "bullet" else 1e-6)
@@ -231,9 +234,12 @@ class Shapes(unittest.TestCase):
     def test_declined(self):
         bent = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0.001, 1, 0]]
         for mode, subject in self.each_mode():
-            for word, body in (("frustum", {"shape": "frustum", "radius_low": 1}), ("sum", {"shape": "sum", "terms": []}), ("margin", {"shape": "margin"}),
-                               ("rotation", {**BRICK, "pose": bent}), ("rotation", {**BRICK, "pose": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]}),
-                               ("rotation", {**BRICK, "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]]}), ("rotation", {**BRICK, "pose": [[0] * 4] * 3})):
+            for word, body in (("frustum", {"shape": "frustum", "radius_low": 1}), ("sum", {"shape": "sum", "terms": []}),
+                               ("margin", {"shape": "margin"}),
+                               ("rotation", {**BRICK, "pose": bent}),
+                               ("rotation", {**BRICK, "pose": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]}),
+                               ("rotation", {**BRICK, "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]]}),
+                               ("rotation", {**BRICK, "pose": [[0] * 4] * 3})):
                 for a, b in ((body, BRICK), (BRICK, body)):
                     reply = subject.ask(a, b)
                     self.assertEqual(set(reply), {"type", "id", "unsupported"})
@@ -249,8 +255,10 @@ class Shapes(unittest.TestCase):
         for body in ({**BRICK, "half": [1, 2]}, {**BRICK, "half": [1, 2, 3, 4]}, {**BRICK, "half": [1, 0, 1]}, {**BRICK, "half": "111"},
                      {**BRICK, "pose": None}, {**BRICK, "pose": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, {**BRICK, "pose": [[1, 0, 0, 0]]},
                      {**BRICK, "pose": {**pose, "quaternion": [0, 0, 0, 0]}}, {**BRICK, "pose": {**pose, "quaternion": [1, 0, 0]}},
-                     {**BRICK, "pose": {"quaternion": [1, 0, 0, 0]}}, {**BRICK, "margin": -1}, {**BRICK, "margin": "1"}, {**BRICK, "shape": 7},
-                     {"shape": "box", "half": [1, 1, 1]}, {**CAP, "radius": 0}, {**CAP, "half_length": -1}, {**CAP, "axis": "w"}, {**CAP, "axis": "xy"},
+                     {**BRICK, "pose": {"quaternion": [1, 0, 0, 0]}}, {**BRICK, "margin": -1}, {**BRICK, "margin": "1"},
+                     {**BRICK, "shape": 7},
+                     {"shape": "box", "half": [1, 1, 1]}, {**CAP, "radius": 0}, {**CAP, "half_length": -1}, {**CAP, "axis": "w"},
+                     {**CAP, "axis": "xy"},
                      {**CAP, "axis": 2}, posed(shape="sphere"), posed(shape="sphere", radius="1"), posed(shape="hull", vertices=[]),
                      posed(shape="hull", vertices=[[0, 0]]), posed(shape="ellipsoid", radii=[1, 1, -1]),
                      posed(shape="halfspace", normal=[0, 0, 0], offset=1), posed(shape="halfspace", normal=[0, 0, 1])):

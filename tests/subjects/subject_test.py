@@ -21,7 +21,8 @@ PENETRATING = [
     ("a cube before a box, along x", CUBE, box([0.875, -0.25, -0.125], [2, 0.875, 1.25]), 0.125),
     ("a cube on a box, along y", CUBE, box([-0.25, -1.5, -0.375], [1.5, 0.25, 1.25]), 0.25),
     ("a plate under a tall box, along z", box([-2, -2, 0], [2, 2, 1]), box([-1.25, -1, 0.5], [1, 1.5, 4]), 0.5),
-    ("the corner of a tetrahedron in a facet", [[0.25, 0.125, -0.25], [3, 0, 2], [-2, 2, 2], [-1, -3, 2]], box([-4, -4, -3], [4, 4.5, 0]), 0.25),
+    ("the corner of a tetrahedron in a facet", [[0.25, 0.125, -0.25], [3, 0, 2], [-2, 2, 2], [-1, -3, 2]], box([-4, -4, -3], [4, 4.5, 0]),
+     0.25),
     ("an edge across an edge", WEDGE, [[x + 0.25, y - 0.5, z - 3.5] for x, y, z in WEDGE], 0.5)]
 # With their exact distances.
 APART = [("apart by a quarter, along x", CUBE, box([1.25, -0.5, -0.25], [2, 0.5, 1.5]), 0.25),
@@ -96,7 +97,8 @@ class Hello(Conversation):
             self.assertEqual(subject.hello["settings"].get("margin"), margin)
 
     def test_settings_from_the_command_line(self):
-        key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance", "fcl-collide": "gjk_tolerance",
+        key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance",
+               "fcl-collide": "gjk_tolerance",
                "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin", "ode-collide": "contacts"}
         for mode in OWN:
             name = key.get(f"{PROGRAM}-{mode}")
@@ -216,9 +218,11 @@ class Lines(Conversation):
     def test_lines_that_are_not_of_the_protocol(self):
         run = {"type": "run", "id": "1", "a": {"vertices": CUBE}, "b": {"vertices": CUBE}}
         with_faces = {"vertices": CUBE, "faces": [[0, 1, 8]]}
-        for line in ("", "{", "[]", "7", {}, {"type": "go"}, {"type": 1}, {**HELLO, "protocol": "fathom/subject/2"}, {"type": "run", "id": "1"},
+        for line in ("", "{", "[]", "7", {}, {"type": "go"}, {"type": 1}, {**HELLO, "protocol": "fathom/subject/2"},
+                     {"type": "run", "id": "1"},
                      {**run, "b": {}}, {**run, "b": {"vertices": []}}, {**run, "b": {"vertices": [[0, 0]]}},
-                     {**run, "b": {"vertices": [["x", 0, 0]]}}, {**run, "a": with_faces}, {**run, "a": {"vertices": CUBE, "faces": [[0, 1]]}},
+                     {**run, "b": {"vertices": [["x", 0, 0]]}}, {**run, "a": with_faces},
+                     {**run, "a": {"vertices": CUBE, "faces": [[0, 1]]}},
                      {key: run[key] for key in ("type", "a", "b")}):
             with self.subTest(line=line), Client(PROGRAM, OWN[0]) as subject:
                 subject.send(line)

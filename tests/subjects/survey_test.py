@@ -20,7 +20,8 @@ COUNT, PRIMITIVES = 92, 7
 
 
 def run(program, *arguments):
-    return subprocess.run([sys.executable, "-B", SURVEY / program, "--fathom", FATHOM, *map(str, arguments)], capture_output=True, text=True,
+    return subprocess.run([sys.executable, "-B", SURVEY / program, "--fathom", FATHOM, *map(str, arguments)], capture_output=True,
+                          text=True,
                           timeout=PATIENCE, check=False)
 
 

@@ -20,7 +20,8 @@ class Versions(unittest.TestCase):
     def test_history(self):
         with tempfile.TemporaryDirectory() as folder:
             made = os.path.join(folder, "history.json")
-            done = subprocess.run([sys.executable, "-B", SURVEY / "versions.py", "--fathom", os.environ["FATHOM_EXECUTABLE"], "--out", made],
+            done = subprocess.run([sys.executable, "-B", SURVEY / "versions.py", "--fathom", os.environ["FATHOM_EXECUTABLE"], "--out",
+                                   made],
                                   capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(made, encoding="utf-8") as file:

@@ -145,7 +145,8 @@ class Web(unittest.TestCase):
 
     @in_each_mode
     def test_hulls(self, mode, client):
-        """The hull of a cube and a point inside it, placed elsewhere, has the cube's corners, to the rounding of a frame; a shape has none."""
+        """The hull of a cube and a point inside it, placed elsewhere, has the cube's corners, to the rounding of a frame; a shape has
+        none."""
         corners = [[x + 5, y + 2, z - 7] for x, y, z in CUBE]
         reply = client.ask([[5.5, 2.25, -6.5], *corners], CUBE)
         self.assertEqual("hull" in reply, f"{ENGINE}-{mode}" in TELL_HULLS)

@@ -228,7 +228,8 @@ class Reader:
         else:
             self.convex(c)
         counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
-        demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again", Malformed)
+        demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again",
+               Malformed)
 
     def convex(self, c):
         self.body(c, "a")
@@ -429,7 +430,8 @@ def check_cone(c):
     lines, rays = c["lineality"], c["rays"]
     k, r = len(lines), len(rays)
     demand(k < 2 or any(cross(lines[0], lines[1])), "lineality vectors that are not independent")
-    demand(k < 4 and all(map(any, lines)) and (k < 3 or dot(lines[0], cross(lines[1], lines[2]))), "lineality vectors that are not independent")
+    demand(k < 4 and all(map(any, lines)) and (k < 3 or dot(lines[0], cross(lines[1], lines[2]))),
+           "lineality vectors that are not independent")
     for u in rays + lines + [minus(l) for l in lines]:
         demand(sum(support(c, x, towards(x, u)) for x in "ab") == 0, "a vector of the cone with h > 0")
     demand(all(gcd(*u) == 1 and not any(dot(u, l) for l in lines) for u in rays), "a ray that is not primitive, or not orthogonal")

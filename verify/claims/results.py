@@ -13,7 +13,8 @@ def cell(text):
 
 def main():
     fathom, claims = sys.argv[1:]
-    lines = subprocess.run([fathom, "certify", "--claims", claims, "--json"], stdout=subprocess.PIPE, check=False).stdout.decode().splitlines()
+    lines = subprocess.run([fathom, "certify", "--claims", claims, "--json"], stdout=subprocess.PIPE,
+                           check=False).stdout.decode().splitlines()
     results = [json.loads(line) for line in lines]
     count = collections.Counter(result["verdict"] for result in results)
     print("# Published claims, judged\n")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In the plane, in units of r: features reach out by 1/2 to 3/2 and hold O, the rims by 3 to 5 along each axis. So for a direction at the
 // angle t to n or -n, with d the distance there, h >= d cos t + c r sin t, with the least reach c of the features' sum; and from the rims
-// h > 6 r sin t - r cos t. Where the first is not well above r the second is, except for angles near 0, and no facet but the chosen ones has
-// such an angle.
+// h > 6 r sin t - r cos t. Where the first is not well above r the second is, except for angles near 0, and no facet but the chosen ones
+// has such an angle.
 #include "verify/families/inverse_lenses.hpp"
 
 #include <algorithm>

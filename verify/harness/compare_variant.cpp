@@ -88,7 +88,8 @@ class Comparison {
     allowed_price_ = allowed(&judging::Slack::direction);
   }
 
-  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says are apart and the other not, the depth: 0.
+  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says are apart and the other not, the depth:
+  /// 0.
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
     if (!reply.overlap && !both_apart()) return mpq_class(0);
     const double* const length = judging::length_of(reply);

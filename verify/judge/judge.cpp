@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance, the direction, the witness points. Every
-// comparison is exact; only what is shown is rounded.                                                      [proofs/judge.md]
+// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance, the direction, the witness points.
+// Every comparison is exact; only what is shown is rounded.                                                [proofs/judge.md]
 #include "fathom/judge.hpp"
 
 #include <algorithm>

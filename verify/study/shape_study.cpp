@@ -123,8 +123,8 @@ class Search {
     if (study_[Kind::tangent_generators].count == 0) find_tangent_cones();
   }
 
-  /// Planes that are tangent to both along generators: a common direction of these is that from apex to apex, or that of a cylinder, and the
-  /// plane's normal lies in a plane with it and the axis.
+  /// Planes that are tangent to both along generators: a common direction of these is that from apex to apex, or that of a cylinder, and
+  /// the plane's normal lies in a plane with it and the axis.
   void find_tangent_cones() {
     std::vector<RationalVector> generators;
     for (const Solid* solid : {&a_, &b_})

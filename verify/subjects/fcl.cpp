@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-fcl signed|collide|indep: FCL's distance and collide, on fcl::Convex<double> in world coordinates and FCL's own primitives.
+// fathom-subject-fcl signed|collide|indep: FCL's distance and collide, on fcl::Convex<double> in world coordinates and FCL's own
+// primitives.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>

@@ -22,7 +22,8 @@ def drawn(cases, fathom, folder):
     """{case: (result, picture, certificate)} of lines of cases, by fathom."""
     stream = folder / "cases.jsonl"
     stream.write_text("".join(line + "\n" for line in cases.values()), encoding="utf-8")
-    done = subprocess.run([fathom, "depth", "--json", "--svg", folder / "svg", "--certificate", folder / "cert", stream], stdout=subprocess.PIPE,
+    done = subprocess.run([fathom, "depth", "--json", "--svg", folder / "svg", "--certificate", folder / "cert", stream],
+                          stdout=subprocess.PIPE,
                           check=False)
     results = {result["id"]: result for result in map(json.loads, done.stdout.decode().splitlines()) if "id" in result}
 
@@ -71,7 +72,8 @@ def table(name, row, results):
         rows.append(f'<tr id="{subject["adapter"]}"><th scope="row"><a href="../../index.html#s-{subject["adapter"]}">{subject["adapter"]}</a> '
                     f'<span class="soft">{e(subject["hello"]["version"])}</span></th><td class="text">{counts}</td><td class="text">{case}</td></tr>')
     return ('<div class="wide" tabindex="0" role="region" aria-label="Subjects"><table class="facts"><thead><tr><th scope="col">subject</th>'
-            '<th scope="col">verdicts</th><th scope="col">worst case</th></tr></thead><tbody>' + "\n".join(rows) + "</tbody></table></div>\n")
+            '<th scope="col">verdicts</th><th scope="col">worst case</th></tr></thead><tbody>' + "\n".join(rows) +
+            "</tbody></table></div>\n")
 
 
 def worst_cases(name, row, results):
@@ -84,7 +86,8 @@ def worst_cases(name, row, results):
 
 
 def write(results, fathom, out):
-    """Writes cells/SET/ROW.html and the certificates beside; returns how many pages. Cases that the commands no longer make are left out."""
+    """Writes cells/SET/ROW.html and the certificates beside; returns how many pages. Cases that the commands no longer make are left
+    out."""
     made = 0
     for name, found in results["sets"].items():
         folder = out / "cells" / name

@@ -20,7 +20,8 @@ import tables
 import tally
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Of certify: 1 is a verdict that failed, which we are here for; 2 a case that has no form in the subject's numbers; 4 that all were declined.
+# Of certify: 1 is a verdict that failed, which we are here for; 2 a case that has no form in the subject's numbers; 4 that all were
+# declined.
 ENDS = (0, 1, 2, 4)
 
 

@@ -8,7 +8,8 @@ Made by `verify/survey/survey.py` on {date}, by {fathom}; every number is in `re
 
 Right: the classification is, and the depth and all that comes with it are within the larger of 1e-3 of the depth and 1e-6 of the bodies'
 longer side. A binary32 subject is judged on the binary32 numbers that it sees. Each answer has one verdict, the first in the order of
-[VERDICTS.md](../judge/VERDICTS.md) that holds. Declined is neither: a flat body for a library of faces, a coordinate beyond its numbers, a shape
+[VERDICTS.md](../judge/VERDICTS.md) that holds. Declined is neither: a flat body for a library of faces, a coordinate beyond its numbers, \
+a shape
 that it lacks. Each case had {time_out:g} s.
 
 ## Subjects
@@ -20,7 +21,8 @@ SECTION = """## {title}
 
     {command}
 
-{about} {cases} cases. The median of the errors is relative to the depth, over all depths that were answered for bodies that overlap; the two
+{about} {cases} cases. The median of the errors is relative to the depth, over all depths that were answered for bodies that overlap; the \
+two
 worst are in parts of the largest coordinate. Times are those of the query alone, as the subject measured it.
 
 {groups}
@@ -67,7 +69,8 @@ def errors_table(results, name):
             end = found[key]
             ends += [number(end and end["error"]), end["case"] if end else ""]
         times = found["microseconds"] or {}
-        rows.append([subject["adapter"], number(found["median_relative_error"]), *ends, number(times.get("median")), number(times.get("worst"))])
+        rows.append([subject["adapter"], number(found["median_relative_error"]), *ends, number(times.get("median")),
+                     number(times.get("worst"))])
     return table(["subject", "median error", "most too deep", "case", "most too shallow", "case", "median us", "worst us"], rows)
 
 

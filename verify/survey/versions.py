@@ -21,7 +21,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ADAPTER = "mujoco-native"
-# Releases as the project's own list of changes dates them, which has no 3.3.8; of the two newest, the day on which the package was published.
+# Releases as the project's own list of changes dates them, which has no 3.3.8; of the two newest, the day on which the package was
+# published.
 RELEASED = {"3.9.0": "2026-05-27", "3.10.0": "2026-06-22", "3.12.0": "2026-08-20", "3.13.0": "2026-09-10", "3.14.0": "2026-09-23"}
 
 

@@ -14,8 +14,8 @@ struct Reach {
   [[nodiscard]] mpq_class value(const mpq_class& t) const { return at + slope * t; }
 };
 
-/// The strip of looks from a segment, cut by the facets of a body: the points of it with t in [from, to] and s between the least `above` and
-/// the greatest `below`.
+/// The strip of looks from a segment, cut by the facets of a body: the points of it with t in [from, to] and s between the least `above`
+/// and the greatest `below`.
 struct Strip {
   mpq_class from = 0, to = 1;
   std::vector<Reach> below{{0, 0}}, above;  // looks begin at s = 0

@@ -118,8 +118,8 @@ std::vector<Disc> discs_of(const std::vector<NearTerm>& terms) {
   return result;
 }
 
-/// Whether an outward normal at the place of the rim looks at us. The outward normals are those between that of the end face and the last one
-/// that is extreme when it is turned to the side.
+/// Whether an outward normal at the place of the rim looks at us. The outward normals are those between that of the end face and the last
+/// one that is extreme when it is turned to the side.
 bool is_seen(const Body& body, const Disc& disc, const Triple& face, double turn, const Triple& towards) {
   constexpr int halvings = 40;
   constexpr double from_its_edge = -1e-9;

@@ -31,6 +31,7 @@ def solve(a, b):
     return Reply(False) if what == 5 else Reply(True, 1 / 3 + len(a.faces))
 
 
-fathom_subject.run(solve, name="trial", version="7", precision={"points": "binary32", "answers": "binary64"}, touching="overlap", depth="negative", moves="b", unit=False,
+fathom_subject.run(solve, name="trial", version="7", precision={"points": "binary32", "answers": "binary64"}, touching="overlap",
+                   depth="negative", moves="b", unit=False,
                    faces=True, shapes=["capsule", "box", "margin"], promises=["depth"], settings={"limit": "3"},
                    rounding={"vertices": 0.1, "box": 0.25}, claims="separating")

@@ -94,7 +94,8 @@ class Reply:
         if self.distance is not None:
             found["distance"] = _number(self.distance)
         if self.contacts:
-            found["contacts"] = [{"position": _vector(p), **({} if depth is None else {"depth": _number(depth)})} for p, depth in self.contacts]
+            found["contacts"] = [{"position": _vector(p), **({} if depth is None else {"depth": _number(depth)})} for p,
+                                 depth in self.contacts]
         if self.hull is not None:
             found["hull"] = {name: [_vector(v) for v in hull] for name, hull in zip("ab", self.hull) if hull is not None}
         return found
@@ -136,15 +137,16 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
-    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent. Or {"points": ..., "answers":
+    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent. Or {"points": ...,
+                    "answers":
                     ...}, if points are seen in one and answers are of the other
     touching        what it says of bodies that touch: "overlap", "separate", or "either" if it makes no promise
     depth           the sign of the depth of bodies that overlap: "positive" or "negative"
     moves           which body |depth| * direction moves apart: "a" or "b"
     unit            whether directions are promised to have length 1
     faces           whether bodies of vertices need faces
-    shapes          names of the shapes that it takes, "margin" if they may have one, "pieces" if it takes unions; others come as vertices, unions
-                    in pairs of pieces, or not at all
+    shapes          names of the shapes that it takes, "margin" if they may have one, "pieces" if it takes unions; others come as vertices,
+                    unions in pairs of pieces, or not at all
     promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; and "distance" of the others
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
