@@ -323,8 +323,8 @@ typedef struct fathom_judgement {
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
-/** Judges an answer about A and B. `sentence` gets what is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6".
- * It may be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
+/** Judges an answer about A and B, convex bodies: unions of pieces are refused. `sentence` gets what is wrong, for people: "too deep by
+ * 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
 FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
                             char** sentence);
 
