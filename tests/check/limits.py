@@ -220,8 +220,7 @@ def works():
 
 
 def second(point=POINT, heights=("0",), inner=("0 0 0 0",), claim="signed_bounds 0 1", facets=(), vertices=(),
-           terms=((f"point {POINT[0]}",),),
-           directions=(ZERO,), radius="0"):
+           terms=((f"point {POINT[0]}",),), directions=(ZERO,), radius="0"):
     """Of format 2, with a shape."""
     parts = {"heights_a": list(heights), "inner_a": list(inner), "vertices": list(vertices), "facets": list(facets)}
     return Second([list(term) for term in terms], point, claim, list(directions), parts, radius)

@@ -116,8 +116,7 @@ def rows_of(c, kind):
 def parts_of(c):
     """Every list of rows that may lose one, or get one twice."""
     return [c.optima if c.claim[0] == "depth" else [], c.polytopes, c.tree, c.a, c.b, c.weights_a, c.weights_b,
-            *(each for _, each in c.optima),
-            *(p[1] for p in c.polytopes), *(p[2] for p in c.polytopes), *c.a, *c.b]
+            *(each for _, each in c.optima), *(p[1] for p in c.polytopes), *(p[2] for p in c.polytopes), *c.a, *c.b]
 
 
 def damaged(text, rng):

@@ -17,8 +17,7 @@ class Help(CliTest):
             self.assertTrue(out.startswith("Examples\n  fathom depth "), out)
             out = " ".join(out.split())
             for word in ("depth", "width", "approx", "ray", "metric", "study", "stages", "explain", "cases", "--version", "certify",
-                         "Exit codes: 0 fine; 1 ",
-                         "130 interrupted"):
+                         "Exit codes: 0 fine; 1 ", "130 interrupted"):
                 self.assertIn(word, out)
         for command in ("depth", "width"):
             out = self.answer(command, "--help")
@@ -57,10 +56,9 @@ class Misuse(CliTest):
 
     def test_misspelt_words(self):
         for words, meant in ((["dept", A, B], "depth"), (["certfiy"], "certify"), (["golden", "verfy", "x"], "verify"),
-                             (["comp"], "completion"),
-                             (["depth", "--metod", "exact", A, B], "--method"), (["depth", "--metod=exact", A, B], "--method"),
-                             (["depth", "--cert", "x", A, B], "--certificate"), (["width", "--jsno", A], "--json"),
-                             (["--versoin"], "--version"),
+                             (["comp"], "completion"), (["depth", "--metod", "exact", A, B], "--method"),
+                             (["depth", "--metod=exact", A, B], "--method"), (["depth", "--cert", "x", A, B], "--certificate"),
+                             (["width", "--jsno", A], "--json"), (["--versoin"], "--version"),
                              (["golden", "generate", "--levle", "L0", "--out", "x"], "--level"),
                              (["depth", "--method", "exat", A, B], "exact"),
                              (["study", "--counters", A, B], None), (["xyzzy"], None), (["depth", "--frobnicate", A, B], None),
@@ -85,8 +83,7 @@ class Misuse(CliTest):
     def test_no_value_is_no_value(self):
         """Neither the next word, nor as if the option were not there."""
         for words in (["ray", "--direction=", "1,0,0", A, B], ["depth", "--certificate=", "proof.cert", A, B],
-                      ["depth", "--seed=", "1", A, B],
-                      ["golden", "generate", "--out=", "folder", "--level", "L0"]):
+                      ["depth", "--seed=", "1", A, B], ["golden", "generate", "--out=", "folder", "--level", "L0"]):
             option = next(word for word in words if word.endswith("="))
             self.assertIn(f"'{option}' lacks its value", self.refused(*words))
         for words in (["depth", "--certificate", "", A, B], ["metric", "--ball", "", A, B], ["certify", "--report", "", "--replay", A, B],

@@ -243,8 +243,7 @@ class Declared(Subject):
     def test_certificates_and_steps_are_of_the_rounded_bodies(self):
         folder, shrunk = self.folder / "certificates", self.folder / "shrunk"
         _, _, err = self.judged("--certificates", str(folder), "--shrink", str(shrunk), "--method", "exact", "--metamorphic",
-                                stdin=boxes(0),
-                                hello={"rounding": 0.125})
+                                stdin=boxes(0), hello={"rounding": 0.125})
         self.assertIn("scale is no symmetry of a subject that rounds", err)
         for certificate in [*folder.iterdir(), shrunk / "too-shallow.cert"]:
             done = subprocess.run([EXECUTABLE, "check", str(certificate)], capture_output=True, text=True, check=False)

@@ -54,8 +54,7 @@ class Claims(CliTest):
     def test_a_direction_is_a_line_and_has_a_price(self):
         unit = [2 / 5 ** 0.5, 1 / 5 ** 0.5, 0]
         for direction, verdict in (([2, 1, 0], "right"), ([-2, -1, 0], "right"), (unit, "right"), ([-x for x in unit], "right"),
-                                   ("x", "wrong"),
-                                   ([2, 1, 1e-7], "wrong"), ("axis", "wrong")):
+                                   ("x", "wrong"), ([2, 1, 1e-7], "wrong"), ("axis", "wrong")):
             self.assertEqual(self.judged({"direction": direction}), [verdict] * 2, direction)
         self.assertEqual(self.judged({"direction": [2, 1, 1e-7], "tol": 1e-6}), ["right"] * 2)
         boxes = {"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"shape": "box", "half": [1, 1, 1], "pose": ball(1, 1)["pose"]}}

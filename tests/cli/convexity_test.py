@@ -103,9 +103,8 @@ class Convexity(CliTest):
         self.assertEqual((code, out.count("\n")), (2, 1))
         self.assertIn("<stdin>:1: expected convex meshes", err)
         for faces, fault in (([[0, 1, 9]], "a.faces[0]: expected vertex indices below 9, found 9"), ([[0, 1, -1]], "found -1"),
-                             ([3], "a.faces[0]: expected an array"),
-                             ({}, "a.faces: expected an array of faces"), (7, "a.faces: expected an array of faces"),
-                             ([["0", 1, 2]], "found \"0\"")):
+                             ([3], "a.faces[0]: expected an array"), ({}, "a.faces: expected an array of faces"),
+                             (7, "a.faces: expected an array of faces"), ([["0", 1, 2]], "found \"0\"")):
             code, out, err = self.run_cli("depth", "-", stdin=case(faces))
             self.assertEqual((code, out), (2, ""))
             self.assertIn(fault, err)

@@ -43,8 +43,8 @@ class DepthAlone(CliTest):
 
     def test_same_words(self):
         for arguments in (("depth", "--help"), ("--help",), ("--version",), ("-V",), (), ("depth",), ("dept", CUBE), (CUBE, CUBE),
-                          ("depth", "--metod", CUBE, CUBE), ("depth", "--method", "x", CUBE, CUBE),
-                          ("depth", "no-such.off", CUBE), ("explain",)):
+                          ("depth", "--metod", CUBE, CUBE), ("depth", "--method", "x", CUBE, CUBE), ("depth", "no-such.off", CUBE),
+                          ("explain",)):
             with self.subTest(arguments=arguments):
                 self.expect_same(*arguments)
 

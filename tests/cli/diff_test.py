@@ -43,8 +43,7 @@ class Diff(CliTest):
         old = self.report("old", {"f::a": RIGHT, "f::b": RIGHT, "f::c": DEEP, "f::d": DEEP, "f::e": DEEP, "f::old": RIGHT, "f::g": RIGHT},
                           hello(margin="0"))
         new = self.report("new", {"f::a": SHALLOW, "f::b": RIGHT, "f::c": RIGHT, "f::d": SHALLOW, "f::e": DEEPER, "f::n1": RIGHT,
-                                  "f::n2": DEEP,
-                                  "f::g": NONE}, hello("2", margin="0.5"))
+                                  "f::n2": DEEP, "f::g": NONE}, hello("2", margin="0.5"))
         value = self.diff(old, new, 1)
         names = {key: [(each["id"], each["old"], each["new"]) for each in value[key]]
                  for key in ("newly_failing", "newly_passing", "another_verdict", "largest_changes")}

@@ -104,8 +104,7 @@ class ExplainPieces(CliTest):
         jsonschema.Draft202012Validator.check_schema(SCHEMA)
         good = json.loads(self.page(KEY, COMB).block("stages"))
         for path, value in ((["status"], "inside"), (["sums", 0, "distance_squared"], 0.25), (["ways", 0, "contacts"], []),
-                            (["a", 0, "ids"], [-1]),
-                            (["sums", 0, "through"], [[1]]), (["extra"], 1)):
+                            (["a", 0, "ids"], [-1]), (["sums", 0, "through"], [[1]]), (["extra"], 1)):
             self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
 
     def test_bad_input(self):

@@ -144,8 +144,7 @@ class Shapes(GoldenTest):
     def test_same_bytes(self):
         folder = self.folder / "shapes"
         done = subprocess.run([MPIRUN, "--allow-run-as-root", "--oversubscribe", "-np", "2", EXECUTABLE, "golden", "generate", "--level",
-                               "P0",
-                               "--seed", "1", "--out", folder], capture_output=True, text=True, timeout=PATIENCE)
+                               "P0", "--seed", "1", "--out", folder], capture_output=True, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.same_as_release(folder)
 

@@ -60,8 +60,7 @@ class TwoWays(GoldenTest):
         good = json.loads((folder / PAGE).read_text())
         for field, value, reason in (("sums_sha256", 64 * "0", "about another release"), ("records", good["records"] + 1, "about another"),
                                      ("methods", [], "not a page"), ("methods", ["certificate"], "not a page"),
-                                     ("schema", "x", "not a page"),
-                                     ("more", 1, "not a page")):
+                                     ("schema", "x", "not a page"), ("more", 1, "not a page")):
             (folder / PAGE).write_bytes(page({**copy.deepcopy(good), field: value}))
             self.refusal(folder, reason)
         (folder / PAGE).write_bytes(b"")

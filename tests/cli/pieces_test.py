@@ -46,8 +46,7 @@ class Pieces(CliTest):
     def test_the_schema_has_teeth(self):
         good = self.pieces(PLATE, SLOT)
         for path, value in ((["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"),
-                            (["optima", 0, "translation", 0], 0.5),
-                            (["deepest_pair", "pieces"], [0]), (["extra"], 1)):
+                            (["optima", 0, "translation", 0], 0.5), (["deepest_pair", "pieces"], [0]), (["extra"], 1)):
             self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
 
     def test_an_exact_fit(self):
@@ -57,8 +56,7 @@ class Pieces(CliTest):
         self.assertEqual((found["optima"][0]["clearance"], len(found["optima"][0]["contacts"])), (False, 2))
         text = self.answer("depth", "--pieces", "--exact", self.file("a.obj", PLATE), self.file("b.obj", SLOT))
         for line in ("penetrating", "depth         0.75", "depth^2       9/16", "translation   (-3/4, 0, 0)",
-                     "clearance     none: an exact fit",
-                     "ties          none"):
+                     "clearance     none: an exact fit", "ties          none"):
             self.assertIn(line + "\n", text)
 
     def test_a_gap_has_clearance(self):

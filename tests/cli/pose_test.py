@@ -11,8 +11,8 @@ QUARTER = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3]]
 FORMS = ("0 -1 0 1; 1 0 0 2; 0 0 1 3", json.dumps(QUARTER), json.dumps(QUARTER + [[0, 0, 0, 1]]), "xyz=1,2,3 quat=1,0,0,1",
          "xyz=1,2,3 xyzw=0,0,1,1", "xyz=1,2,3 rpy=0,0,90deg")
 IN_JSON = (QUARTER, QUARTER + [[0, 0, 0, 1]], {"quaternion": [1, 0, 0, 1], "translation": [1, 2, 3]},
-           {"quat": [1, 0, 0, 1], "xyz": [1, 2, 3]},
-           {"xyzw": [0, 0, 1, 1], "xyz": [1, 2, 3]}, {"rpy": [0, 0, 90], "unit": "deg", "xyz": [1, 2, 3]}, *FORMS)
+           {"quat": [1, 0, 0, 1], "xyz": [1, 2, 3]}, {"xyzw": [0, 0, 1, 1], "xyz": [1, 2, 3]},
+           {"rpy": [0, 0, 90], "unit": "deg", "xyz": [1, 2, 3]}, *FORMS)
 
 
 class Poses(CliTest):
@@ -68,8 +68,8 @@ class Poses(CliTest):
 
     def test_bad_poses_are_refused(self):
         for pose, fault in (("1 0 0; 0 1 0; 0 0 1", "found 3 rows of 3"), ("0 0 0 1 0 0 0", "both orders"),
-                            ("nan 0 0 0; 0 1 0 0; 0 0 1 0", "row 1, number 1"),
-                            ("@missing", "missing: expected a readable file"), ("rpy=0,0,1", "deg or rad"), ("quat=0,0,0,0", "not 0"),
+                            ("nan 0 0 0; 0 1 0 0; 0 0 1 0", "row 1, number 1"), ("@missing", "missing: expected a readable file"),
+                            ("rpy=0,0,1", "deg or rad"), ("quat=0,0,0,0", "not 0"),
                             (f"@{self.file('empty', '')}", "empty: expected three rows")):
             self.assertIn(fault, self.refused("depth", self.unit, self.other, f"--pose-a={pose}"))
         self.assertIn("--pose-b: expected bodies, found a stream of cases", self.refused("depth", "-", "--pose-b", FORMS[0]))

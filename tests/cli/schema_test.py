@@ -59,10 +59,10 @@ class Schema(CliTest):
 
         for wrong in (
                 *(broken(good, field, None) for field in good if field not in ("counters", "sizes") and not field.endswith("_f64")),
-                broken(good, "more", 1), broken(good, "certificate", "trust me"),
-                broken(good, "status", "inside"), broken(good, "depth", "squared", 1), broken(good, "depth", "squared", "-1"),
-                broken(good, "depth", "value", "1"), broken(good, "depth", "rounded", "f64", "rn", "1.0"),
-                broken(good, "depth", "enclosure", ["1"]), broken(good, "translation", [0, 0, 0]), broken(good, "translation", ["1", "0"]),
+                broken(good, "more", 1), broken(good, "certificate", "trust me"), broken(good, "status", "inside"),
+                broken(good, "depth", "squared", 1), broken(good, "depth", "squared", "-1"), broken(good, "depth", "value", "1"),
+                broken(good, "depth", "rounded", "f64", "rn", "1.0"), broken(good, "depth", "enclosure", ["1"]),
+                broken(good, "translation", [0, 0, 0]), broken(good, "translation", ["1", "0"]),
                 broken(good, "direction", ["1/2", "0", "0"]), broken(good, "contact", "kind", "edge-vertex"),
                 broken(good, "contact", "a", [-1]), broken(good, "optima", []), broken(good, "flat", ["c"]), broken(good, "method", "auto"),
                 broken(good, "counters", "crossings", -1), broken(good, "status", "touching"),

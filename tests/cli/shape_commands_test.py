@@ -78,8 +78,8 @@ class Contacts(CliTest):
         far = [[4, 5, 6], [9, 9, 9]]
         slanted = [[3, 0.5, -1], [3, 0.5, 2], [5, 0, 0], [5, 1, 0]]
         for b, kind in ((far, "vertex-vertex"), ([[3, 0.5, 0.5]], "facet-vertex"), (slanted, "facet-edge"),
-                        ([[2, 2, -1], [2, 2, 3]], "edge-edge"),
-                        ([[2, 2, 0.5]], "edge-vertex"), ([[2, 0, 0], [2, 1, 0], [2, 0, 1]], "facet-facet")):
+                        ([[2, 2, -1], [2, 2, 3]], "edge-edge"), ([[2, 2, 0.5]], "edge-vertex"),
+                        ([[2, 0, 0], [2, 1, 0], [2, 0, 1]], "facet-facet")):
             result = json.loads(self.answer("depth", "--json", "-", stdin=case(UNIT, b)))
             RESULT.validate(result)
             self.assertEqual((result["status"], result["contact"]["kind"]), ("disjoint", kind))

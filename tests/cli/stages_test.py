@@ -135,8 +135,8 @@ class Stages(CliTest):
         good = self.result("stages", CUBE, ICOSAHEDRON)
         for change in (lambda s: s.pop("pairs"), lambda s: s["pairs"][0].pop("strip"), lambda s: s["a"].update(arcs_of="A"),
                        lambda s: s["charts"][0]["walls"].append(["c", 0]), lambda s: s.update(depth=0),
-                       lambda s: s.update(depth_squared="2/-3"),
-                       lambda s: s["a"]["arcs"][0].append(1), lambda s: s["winner"].update(kind="edge"), lambda s: s.update(more=1)):
+                       lambda s: s.update(depth_squared="2/-3"), lambda s: s["a"]["arcs"][0].append(1),
+                       lambda s: s["winner"].update(kind="edge"), lambda s: s.update(more=1)):
             wrong = copy.deepcopy(good)
             change(wrong)
             self.assertFalse(VALIDATOR.is_valid(wrong))

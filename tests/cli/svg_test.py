@@ -77,8 +77,7 @@ class Svg(CliTest):
     def test_what_is_drawn(self):
         root = self.drawn(CUBE, ICOSAHEDRON)
         for name, count in (("toned body-a", 1), ("hatched", 1), ("hidden", 2), ("wire", 2), ("ghost", 1), ("feature", 2), ("shaft", 1),
-                            ("letter", 2),
-                            ("bar", 1)):
+                            ("letter", 2), ("bar", 1)):
             with self.subTest(name):
                 found = set.intersection(*(set(self.of_class(root, part)) for part in name.split()))
                 self.assertEqual(len(found), count)

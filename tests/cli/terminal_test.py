@@ -51,10 +51,10 @@ class Width(CliTest):
 
     def test_results(self):
         for arguments in (["depth", "a.off", "b.stl"], ["depth", "--counters", "a.off", "b.stl"], ["width", "a.off"],
-                          ["depth", "cases.jsonl"],
-                          ["approx", "a.off", "b.stl"], ["ray", "--direction", "1,2,3", "a.off", "b.stl"], ["study", "a.off", "b.stl"],
-                          ["metric", "--ball", "q.off", "a.off", "b.stl"], ["cases", "--list"], ["certify", "--list-adapters"],
-                          ["certify", "--subject", "./mine", "cases.jsonl"], ["depth", "sphere:r=1", "box:half=1:1:1"]):
+                          ["depth", "cases.jsonl"], ["approx", "a.off", "b.stl"], ["ray", "--direction", "1,2,3", "a.off", "b.stl"],
+                          ["study", "a.off", "b.stl"], ["metric", "--ball", "q.off", "a.off", "b.stl"], ["cases", "--list"],
+                          ["certify", "--list-adapters"], ["certify", "--subject", "./mine", "cases.jsonl"],
+                          ["depth", "sphere:r=1", "box:half=1:1:1"]):
             whole = subprocess.run([EXECUTABLE, *arguments], cwd=DATA, env={**os.environ, "COLUMNS": "40"},
                                    capture_output=True).stdout.decode()
             for columns in WIDTHS:

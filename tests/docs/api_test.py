@@ -77,8 +77,7 @@ class ApiPages(unittest.TestCase):
     def test_what_has_no_comment_fails(self):
         """Law: neither a function nor a type, a member, an enumeration or a constant passes without a comment."""
         for bare in ("int bare();", "struct Bare {\n  int size;  ///< of it\n};", "/// A type.\nstruct Type {\n  int bare;\n};",
-                     "enum class Bare { a };",
-                     "inline constexpr int bare = 1;", "using Bare = int;"):
+                     "enum class Bare { a };", "inline constexpr int bare = 1;", "using Bare = int;"):
             with tempfile.TemporaryDirectory() as folder, self.subTest(bare):
                 header = pathlib.Path(folder) / "bare.hpp"
                 header.write_text(f"// SPDX\n// A header.\n#pragma once\n\nnamespace fathom {{\n\n{bare}\n\n}}  // namespace fathom\n")

@@ -119,8 +119,8 @@ class Layers(unittest.TestCase):
     def test_a_type_has_a_name_of_its_own(self):
         first = SPDX + "namespace fathom {\n\n%s\n}  // namespace fathom\n"
         for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {",
-                     "class [[nodiscard]] Place {",
-                     "struct alignas(16) Place {", "using Place = int;", "using Place =\n    int;", "struct Place\n    : Base {"):
+                     "class [[nodiscard]] Place {", "struct alignas(16) Place {", "using Place = int;", "using Place =\n    int;",
+                     "struct Place\n    : Base {"):
             changes = {"reference/depth/one.hpp": first % "struct Place {\n  int x;\n};\n", "reference/depth/two.cpp": first %
                        (text + ("\n};\n" if "{" in text else "\n"))}
             self.assertEqual(breaches(changes), [("reference/depth/two.cpp", "names")], text)

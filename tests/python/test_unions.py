@@ -98,10 +98,10 @@ def test_forms_of_a_union():
             self.vertices = vertices
 
     forms = [BLOCK, tuple(BLOCK), iter(BLOCK), np.array(BLOCK), np.array(BLOCK, np.float32), [p.tolist() for p in BLOCK],
-             np.array(BLOCK).tolist(),
-             [Mesh(p) for p in BLOCK], [fathom.Body(p) for p in BLOCK], fathom.union(BLOCK), fathom.union(fathom.union(BLOCK)),
-             [[[Fraction(x) for x in q] for q in p] for p in BLOCK], [[[str(x) for x in q] for q in p] for p in BLOCK],
-             [BLOCK[0], Mesh(BLOCK[1]), fathom.Body(BLOCK[2])], np.array(BLOCK, dtype=object), BLOCK + BLOCK[:1]]
+             np.array(BLOCK).tolist(), [Mesh(p) for p in BLOCK], [fathom.Body(p) for p in BLOCK], fathom.union(BLOCK),
+             fathom.union(fathom.union(BLOCK)), [[[Fraction(x) for x in q] for q in p] for p in BLOCK],
+             [[[str(x) for x in q] for q in p] for p in BLOCK], [BLOCK[0], Mesh(BLOCK[1]), fathom.Body(BLOCK[2])],
+             np.array(BLOCK, dtype=object), BLOCK + BLOCK[:1]]
     for form in forms:
         hit = fathom.union_depth(BAR, form)
         assert (hit.depth, [o.exact for o in hit.optima], hit.optima[0].clearance) == (1.0, [(1, 0, 0)], False)

@@ -235,8 +235,7 @@ class Shapes(unittest.TestCase):
         bent = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0.001, 1, 0]]
         for mode, subject in self.each_mode():
             for word, body in (("frustum", {"shape": "frustum", "radius_low": 1}), ("sum", {"shape": "sum", "terms": []}),
-                               ("margin", {"shape": "margin"}),
-                               ("rotation", {**BRICK, "pose": bent}),
+                               ("margin", {"shape": "margin"}), ("rotation", {**BRICK, "pose": bent}),
                                ("rotation", {**BRICK, "pose": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]}),
                                ("rotation", {**BRICK, "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]]}),
                                ("rotation", {**BRICK, "pose": [[0] * 4] * 3})):
@@ -256,9 +255,8 @@ class Shapes(unittest.TestCase):
                      {**BRICK, "pose": None}, {**BRICK, "pose": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, {**BRICK, "pose": [[1, 0, 0, 0]]},
                      {**BRICK, "pose": {**pose, "quaternion": [0, 0, 0, 0]}}, {**BRICK, "pose": {**pose, "quaternion": [1, 0, 0]}},
                      {**BRICK, "pose": {"quaternion": [1, 0, 0, 0]}}, {**BRICK, "margin": -1}, {**BRICK, "margin": "1"},
-                     {**BRICK, "shape": 7},
-                     {"shape": "box", "half": [1, 1, 1]}, {**CAP, "radius": 0}, {**CAP, "half_length": -1}, {**CAP, "axis": "w"},
-                     {**CAP, "axis": "xy"},
+                     {**BRICK, "shape": 7}, {"shape": "box", "half": [1, 1, 1]}, {**CAP, "radius": 0}, {**CAP, "half_length": -1},
+                     {**CAP, "axis": "w"}, {**CAP, "axis": "xy"},
                      {**CAP, "axis": 2}, posed(shape="sphere"), posed(shape="sphere", radius="1"), posed(shape="hull", vertices=[]),
                      posed(shape="hull", vertices=[[0, 0]]), posed(shape="ellipsoid", radii=[1, 1, -1]),
                      posed(shape="halfspace", normal=[0, 0, 0], offset=1), posed(shape="halfspace", normal=[0, 0, 1])):

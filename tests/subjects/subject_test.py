@@ -98,8 +98,8 @@ class Hello(Conversation):
 
     def test_settings_from_the_command_line(self):
         key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance",
-               "fcl-collide": "gjk_tolerance",
-               "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin", "ode-collide": "contacts"}
+               "fcl-collide": "gjk_tolerance", "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin",
+               "ode-collide": "contacts"}
         for mode in OWN:
             name = key.get(f"{PROGRAM}-{mode}")
             if name is None:
@@ -219,8 +219,7 @@ class Lines(Conversation):
         run = {"type": "run", "id": "1", "a": {"vertices": CUBE}, "b": {"vertices": CUBE}}
         with_faces = {"vertices": CUBE, "faces": [[0, 1, 8]]}
         for line in ("", "{", "[]", "7", {}, {"type": "go"}, {"type": 1}, {**HELLO, "protocol": "fathom/subject/2"},
-                     {"type": "run", "id": "1"},
-                     {**run, "b": {}}, {**run, "b": {"vertices": []}}, {**run, "b": {"vertices": [[0, 0]]}},
+                     {"type": "run", "id": "1"}, {**run, "b": {}}, {**run, "b": {"vertices": []}}, {**run, "b": {"vertices": [[0, 0]]}},
                      {**run, "b": {"vertices": [["x", 0, 0]]}}, {**run, "a": with_faces},
                      {**run, "a": {"vertices": CUBE, "faces": [[0, 1]]}},
                      {key: run[key] for key in ("type", "a", "b")}):

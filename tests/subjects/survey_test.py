@@ -21,8 +21,7 @@ COUNT, PRIMITIVES = 92, 7
 
 def run(program, *arguments):
     return subprocess.run([sys.executable, "-B", SURVEY / program, "--fathom", FATHOM, *map(str, arguments)], capture_output=True,
-                          text=True,
-                          timeout=PATIENCE, check=False)
+                          text=True, timeout=PATIENCE, check=False)
 
 
 class Links(html.parser.HTMLParser):

@@ -23,8 +23,7 @@ def drawn(cases, fathom, folder):
     stream = folder / "cases.jsonl"
     stream.write_text("".join(line + "\n" for line in cases.values()), encoding="utf-8")
     done = subprocess.run([fathom, "depth", "--json", "--svg", folder / "svg", "--certificate", folder / "cert", stream],
-                          stdout=subprocess.PIPE,
-                          check=False)
+                          stdout=subprocess.PIPE, check=False)
     results = {result["id"]: result for result in map(json.loads, done.stdout.decode().splitlines()) if "id" in result}
 
     def text(kind, case):
