@@ -254,13 +254,13 @@ def test_meshes_that_are_not_convex():
 
 # ---- long work ----
 
-LONG = cluster(20, 40)
+LONG = cluster(40, 60)
 
 
 def test_a_search_can_be_stopped():
     asked = []
-    hit = fathom.union_depth(LONG, LONG, stop=lambda: len(asked) > 2 or asked.append(1))
-    assert len(asked) == 3 and not hit.complete and hit.status == "penetrating"
+    hit = fathom.union_depth(LONG, LONG, stop=lambda: len(asked) > 9 or asked.append(1))
+    assert len(asked) == 10 and not hit.complete and hit.status == "penetrating"
     assert hit.depth is None and hit.squared is None and 0 < hit.low < hit.high and hit.bounds.deepest_pair_squared <= hit.low_squared
     assert hit.high_squared <= hit.bounds.hulls_squared and sum(x * x for x in hit.optima[0].exact) == hit.high_squared
     assert "between" in repr(hit)
