@@ -2,6 +2,7 @@
 #include "tests/nightly/unions_by_parts.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -74,8 +75,7 @@ Pieces distinct(Pieces body) {
   const auto less = [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
   for (Solid& piece : body) std::ranges::sort(piece, less);
   std::ranges::sort(body, [&](const Solid& p, const Solid& q) { return std::ranges::lexicographical_compare(p, q, less); });
-  const auto again = std::ranges::unique(body);
-  body.erase(again.begin(), again.end());
+  body.erase(std::unique(body.begin(), body.end()), body.end());
   return body;
 }
 
