@@ -64,15 +64,17 @@ class Union(Certificate):
         weights = [*self.weights[0], *self.weights[1]]
         n, k, r, m = n_a + n_b, sum(map(len, self.lists)), len(weights), len(self.optima)
         s = len(self.lists) * (len(self.b) * n_a + len(self.a) * n_b)
-        d = sum(2 + row.count(" ") - 1 if row.startswith("split") else 1 + row.count(" ") for row in self.tree)
+        constraints = [row.count(" ") for row in self.tree if row.startswith("leaf")]
         w = width(numbers_of({row for pieces in (self.a, self.b) for points in pieces for row in points}))
         e = width(numbers_of([t for t, _ in self.optima])) if self.optima else 0
         x = width(numbers_of(weights, 1)) if weights else 0
         u = max((bits(int(number)) for number in numbers_of({row for rows in self.lists for row in rows})), default=0)
         b = max((max(bits(q.numerator), bits(q.denominator)) for q in numbers_of([self.claim], 1)), default=0)
         v = w + 32
-        work = s * cost(w + e, u) + 16 * (n + t) * cost(v, v) + 4 * f * cost(4 * v, b) + 4 * r * cost(v + x, v + x)
-        return (n + v_count + 3 * f) * v + k * u + m * e + r * x, work + 16 * d * cost(8 * v, 8 * v + b)
+        work = s * cost(w + e, u) + 16 * (n + t) * cost(v, v) + 4 * r * cost(v + x, v + x) + 8 * constraints.count(4) * cost(9 * v, 9 * v)
+        for r, count in enumerate([f, *(constraints.count(r) for r in (1, 2, 3))]):
+            work += 16 * count * cost((4 * r + 3) * v + b, (4 * r + 3) * v + b + e)
+        return (n + v_count + 3 * f) * v + k * u + m * e + len(weights) * x, work
 
 
 WIDE = [[f"0 0 {2**319_998}"]]
@@ -82,8 +84,9 @@ POINTS = [f"1/3 {2**100 - 1} -{2**70}/5"] * 300
 def sizes():
     points = [WIDE[0] + ["1/3 2/6 -1/5"] * 300]  # more of them are too much work
     yield from pair("vertices", lambda k: Union(points, claim="depth 1", polytopes=[(["0 0"] * 7, []), (["0 0"] * k, [])]), 10_000, 13_000)
-    yield from pair("facets", lambda k: Union(WIDE, claim="depth 1", polytopes=[([], ["2 0 0"] * 9), (["0 0"] * 5, ["0"] * k)]), 4_000,
-                    5_000)
+    facets = ["0"] * 400  # as many as reach this size are too much work
+    yield from pair("facets", lambda k: Union(WIDE, claim="depth 1", polytopes=[([], ["2 0 0"] * 9), (["0 0"] * k, facets)]), 10_000,
+                    13_000)
     wide = f"{-2**319_998} 0 1"
     yield from pair("separations", lambda k: Union(separations=[wide] + ["1 0 0"] * k), 12_000, 13_000)
     yield from pair("separations of optima", lambda k: Union(claim="depth 1", optima=[("0 0 0", [wide] * 9), ("0 0 0", ["1 0 0"] * k)]),
@@ -111,9 +114,18 @@ def works():
                     900_000)
     weights = [f"0 {k}/{2**9_000 * 3**k}" for k in range(1, 1000)]
     yield from pair("weights", lambda k: Union([POINTS], claim=f"apart {5**9}/7", weights=(weights, weights[:7] + ["0 1"] * k)), 9, 900_000)
-    yield from pair("leaves", lambda k: Union([POINTS], claim=claim, tree=["split 0 0 1", "leaf 1 2"] + ["leaf 0"] * k), 1_000, 900_000)
-    yield from pair("splits", lambda k: Union([POINTS], claim=claim, tree=["split 0", "leaf"] + ["split 7 1 2"] * k), 1_000, 900_000)
-    yield from pair("one split", lambda k: Union([POINTS], claim=claim, tree=["split 0" + " 1" * k]), 1_000, 900_000)
+    claim, optimum = f"depth 2/{7**300}", [(f"1/{7**9_000} 0 0", [])]  # numbers of which none is so long that the others do not count
+    yield from pair("facets and optima", lambda k: Union([POINTS], claim=claim, optima=optimum, polytopes=[([], ["0"] * k)]), 1_000,
+                    900_000)
+    for count in (1, 2, 3):
+        leaf = "leaf" + " 0" * count
+        yield from pair(f"leaves of {count}", lambda k: Union([POINTS], claim=claim, optima=optimum, tree=[leaf] * k), 1_000, 900_000)
+    tree = ["leaf 0 1 2 3"] * 60_000  # as many as reach this work make a long text
+    yield from pair("leaves of 4", lambda k: Union([POINTS], claim=claim, optima=optimum, tree=[*tree, *["leaf 0 1 2"] * k]), 1_000,
+                    900_000)
+    # what a checker refuses, or only looks up, is not counted
+    tree = ["split 0" + " 1" * 9_000, "leaf"] + ["split 7 1 2", "leaf 0 1 2 3 4"] * 9_000
+    yield from pair("uncounted", lambda k: Union([POINTS], claim=claim, optima=optimum, tree=[*tree, *["leaf 0"] * k]), 1_000, 900_000)
 
 
 def padded(made, numbers):

@@ -120,6 +120,7 @@ struct UnionParts {
   Part<Nodes> tree;
   std::uint32_t nearest_a = 0, nearest_b = 0;  ///< the pieces of the weights
   std::size_t nearest_line = 0;
+  mpz_class unit = 1;  ///< the least common multiple of the denominators of all coordinates of optima
 };
 
 struct Certificate {

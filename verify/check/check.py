@@ -323,8 +323,11 @@ def require_union_limits(c):
     demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
     b = widest(n for q in c["bounds"] for n in q.as_integer_ratio())
     products = len(c["optima"]) * sum(len(c["pieces_" + y]) * sum(map(len, c["pieces_" + x])) for x, y in ("ab", "ba"))
-    work = products * cost(w + e, u) + 16 * (len(points) + sum(k**2 for k in corners)) * cost(v, v) + 4 * len(corners) * cost(4 * v, b)
-    work += 4 * len(weights) * cost(v + x, v + x) + 16 * sum(map(len, c["tree"])) * cost(8 * v, 8 * v + b)
+    leaves = [len(node) - 1 for node in c["tree"] if node[0] == "leaf"]
+    work = products * cost(w + e, u) + 16 * (len(points) + sum(k**2 for k in corners)) * cost(v, v)
+    work += 4 * len(weights) * cost(v + x, v + x) + 8 * leaves.count(4) * cost(9 * v, 9 * v)
+    for r, count in enumerate([len(corners), leaves.count(1), leaves.count(2), leaves.count(3)]):  # a facet is done by itself
+        work += 16 * count * cost((4 * r + 3) * v + b, (4 * r + 3) * v + b + e)
     demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
     for x in "ab":
         c["pieces_" + x] = [[scaled(p, c["unit"]) for p in piece] for piece in c["pieces_" + x]]
@@ -548,11 +551,21 @@ def adjugate(rows):
 
 def multipliers(half_spaces):
     """With them the half-spaces add up to one that is as far away as all of them together."""
+    if len(half_spaces) == 4:
+        return multipliers_of_four([n for n, _ in half_spaces])
     gram, heights = [[dot(n, m) for m, _ in half_spaces] for n, _ in half_spaces], [h for _, h in half_spaces]
     adjugated = adjugate(gram)
     if determinant(gram):
         return [dot_all(row, heights) for row in adjugated]
     return next(filter(any, adjugated), [])
+
+
+def multipliers_of_four(normals):
+    """The same, by another way to the adjugate: its entries are d_i d_j (Cauchy and Binet)."""
+    d = [dot(a, cross(b, c)) for a, b, c in (normals[:i] + normals[i + 1:] for i in range(4))]
+    d = [d[0], -d[1], d[2], -d[3]]
+    first = next(filter(None, d), 0)
+    return [first * x for x in d]
 
 
 def dot_all(u, v):

@@ -9,29 +9,22 @@
 namespace fathom_check {
 namespace {
 
-/// Compares as text does, number by number: so it is cheap for numbers of different lengths, whatever they are worth.
-int compare(const Rational& r, const Rational& s) {
-  const int num = mpz_cmp(r.num.get_mpz_t(), s.num.get_mpz_t());
-  return num != 0 ? num : mpz_cmp(r.den.get_mpz_t(), s.den.get_mpz_t());
-}
-bool before(const RationalPoint& p, const RationalPoint& q) {
-  if (const int x = compare(p.x, q.x)) return x < 0;
-  if (const int y = compare(p.y, q.y)) return y < 0;
-  return compare(p.z, q.z) < 0;
-}
-
 /// Which half-spaces are done.
 class Done {
  public:
   Done(const Certificate& certificate, const Bound& squared) : c_(&certificate), squared_(&squared) {
-    for (const RationalPoint& t : certificate.of_unions.optima.items) optima_.push_back(&t);
-    std::sort(optima_.begin(), optima_.end(), [](const RationalPoint* p, const RationalPoint* q) { return before(*p, *q); });
+    const mpz_class& unit = certificate.of_unions.unit;
+    const auto over_unit = [&unit](const Rational& r) { return mpz_class(unit / r.den.value() * r.num.value()); };
+    for (const RationalPoint& t : certificate.of_unions.optima.items) optima_.push_back({over_unit(t.x), over_unit(t.y), over_unit(t.z)});
+    std::sort(optima_.begin(), optima_.end(), ascending<MutableVector, MutableVector>);
+    numerator_ = certificate.low.num.value() * certificate.scale * unit;
   }
 
   /// The one of the x with <n,x> >= c.
   template <class Normal>
   bool operator()(const Normal& n, const mpz_class& c) {
     if (c <= 0) return false;
+    if (is_zero(n)) return true;
     reached_ = c * c;
     reached_ *= squared_->den;
     dot(needed_, n, n);
@@ -41,28 +34,26 @@ class Done {
   }
 
  private:
-  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c.
+  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c. It is an optimum only if it is integral in the unit of the optima, to which a
+  /// division is the shortest way; a fraction in lowest terms takes many times as long.
   template <class Normal>
   bool is_listed(const Normal& n, const mpz_class& c) {
-    Arena digits;
-    const auto coordinate = [&](const auto& entry) {
-      mpz_mul(num_.get_mpz_t(), c_->low.num.get_mpz_t(), entry.get_mpz_t());
-      num_ *= c_->scale;  // c is in the units of the scaled points
-      mpz_mul(den_.get_mpz_t(), c_->low.den.get_mpz_t(), c.get_mpz_t());
-      const mpz_class common = gcd(num_, den_);
-      num_ /= common;
-      den_ /= common;
-      return Rational{digits.keep(num_), digits.keep(den_)};
+    mpz_mul(den_.get_mpz_t(), c_->low.den.get_mpz_t(), c.get_mpz_t());
+    const auto divide = [this](mpz_class& coordinate, const auto& entry) {
+      mpz_mul(num_.get_mpz_t(), numerator_.get_mpz_t(), entry.get_mpz_t());  // c is in the units of the scaled points
+      mpz_tdiv_qr(coordinate.get_mpz_t(), num_.get_mpz_t(), num_.get_mpz_t(), den_.get_mpz_t());
+      return num_ == 0;
     };
-    const RationalPoint foot{coordinate(n.x), coordinate(n.y), coordinate(n.z)};
-    return std::binary_search(optima_.begin(), optima_.end(), &foot,
-                              [](const RationalPoint* p, const RationalPoint* q) { return before(*p, *q); });
+    if (!divide(foot_.x, n.x) || !divide(foot_.y, n.y) || !divide(foot_.z, n.z)) return false;
+    return std::binary_search(optima_.begin(), optima_.end(), foot_, ascending<MutableVector, MutableVector>);
   }
 
   const Certificate* c_;
   const Bound* squared_;
-  std::vector<const RationalPoint*> optima_;
+  std::vector<MutableVector> optima_;  ///< in units of 1 / unit
+  mpz_class numerator_;                ///< that of q, in units of the points and of the optima
   mpz_class reached_, needed_, num_, den_;
+  MutableVector foot_;
 };
 
 // Without recursion: a tree may be as deep as it has nodes.

@@ -61,9 +61,30 @@ mpz_class level(const std::vector<Constraint>& constraints, const Row& multiplie
   return result;
 }
 
-/// By the adjugate of the Gram matrix. Of four normals in space the first row is mostly all that is asked for.
+/// The column of the adjugate for four normals, less a positive factor. As G = N N^T for the matrix N of the normals, whose rank is at most
+/// three, entry (i, k) of its adjugate is (-1)^(i+k) d_i d_k, with the determinant d_i of the three normals besides i (Cauchy and Binet).
+std::optional<Row> dependency(const std::vector<Constraint>& four) {
+  MutableVector first, second;
+  cross(first, four[0].n, four[1].n);
+  cross(second, four[2].n, four[3].n);
+  Row row;
+  dot(row[0], four[1].n, second);
+  dot(row[1], four[0].n, second);
+  dot(row[2], first, four[3].n);
+  dot(row[3], first, four[2].n);
+  row[1] = -row[1];
+  row[3] = -row[3];
+  const auto known = std::find_if(row.begin(), row.end(), [](const mpz_class& x) { return x != 0; });
+  if (known == row.end()) return std::nullopt;
+  if (*known < 0)
+    for (mpz_class& x : row) x = -x;
+  return row;
+}
+
+/// By the adjugate of the Gram matrix.
 std::optional<Row> multipliers(const std::vector<Constraint>& constraints) {
   const std::size_t size = constraints.size();
+  if (size == most_constraints) return dependency(constraints);
   const Matrix gram = products(constraints);
   Row row = adjugate_row(gram, size, 0);
   mpz_class determinant = 0;
@@ -86,6 +107,7 @@ std::optional<Constraint> combined(const std::vector<Constraint>& constraints) {
   const std::optional<Row> l = multipliers(constraints);
   if (!l || std::any_of(l->begin(), l->end(), [](const mpz_class& x) { return x < 0; })) return std::nullopt;
   Constraint result{{}, level(constraints, *l)};
+  if (size == most_constraints) return result;  // the normals add up to O
   for (std::size_t i = 0; i < size; ++i) {
     result.n.x += (*l)[i] * constraints[i].n.x;
     result.n.y += (*l)[i] * constraints[i].n.y;

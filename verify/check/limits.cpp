@@ -2,9 +2,11 @@
 #include "limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "budget.hpp"
+#include "combine.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {
@@ -92,6 +94,16 @@ void require_work(Count work, std::size_t line) {
   if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
 }
 
+/// How many leaves there are with 0, 1, .. 4 constraints. Others are refused when they are met.
+std::array<Count, most_constraints + 1> count_leaves(const Nodes& nodes) {
+  std::array<Count, most_constraints + 1> leaves{};
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const std::size_t constraints = nodes.ends[k] - nodes.begin_of(k);
+    if (!nodes.splits[k] && constraints <= most_constraints) ++leaves[constraints];
+  }
+  return leaves;
+}
+
 Width width_of_weights(const Certificate& c, Count weights, std::size_t line) {
   Width result(weights, line);
   for (const auto* part : {&c.weights_a, &c.weights_b})
@@ -116,14 +128,19 @@ void require_limits_of_unions(Certificate& c, std::size_t line) {
   if (vectors * v + k * u + m * e + r * x > largest_size) throw Width::too_large(line);
 
   const Count one_list = c.b.pieces.size() * c.a.points.items.size() + c.a.pieces.size() * c.b.points.items.size();
-  const Count d = parts.tree.items.size() + parts.tree.items.indices.size();
   Count work = product(product(one_list, parts.separation_lists.size()), cost(w + e, u));
   work = sum(work, product(16 * (n + squared_corners(c.facets.items)), cost(v, v)));
-  work = sum(work, product(4 * f, cost(4 * v, b)));
   work = sum(work, product(4 * r, cost(v + x, v + x)));
-  work = sum(work, product(16 * d, cost(8 * v, 8 * v + b)));
+  std::array<Count, most_constraints + 1> half_spaces = count_leaves(parts.tree.items);
+  work = sum(work, product(8 * half_spaces[4], cost(9 * v, 9 * v)));  // of four constraints, whose normals add up to O
+  half_spaces[0] = f;                                                 // a leaf without constraints is refused; a facet has no multipliers
+  for (Count constraints = 0; constraints < 4; ++constraints) {
+    const Count digits = (4 * constraints + 3) * v + b;
+    work = sum(work, product(16 * half_spaces[constraints], cost(digits, digits + e)));
+  }
   require_work(work, line);
   c.scale = of_points.denominator();
+  c.of_unions.unit = of_optima.denominator();
 }
 
 }  // namespace

@@ -9,9 +9,7 @@ type denominators = { of_points : Z.t; of_optima : Z.t; of_weights : Z.t }
 let coordinates f { Proved.qx; qy; qz } = f qx; f qy; f qz
 let sum f items = Array.fold_left (fun s item -> s + f item) Z.zero items
 
-let numbers_of_node = function
-  | Proved.Split (_, children) -> number 2 + number (List.length children)
-  | Proved.Leaf far -> number 1 + number (List.length far)
+let is_leaf r = function Proved.Leaf far -> List.compare_length_with far r = 0 | Proved.Split _ -> false
 
 let within g =
   let optima, polytopes, nodes, proof, claimed =
@@ -39,12 +37,17 @@ let within g =
   let b = match g.claim with Touching _ -> Z.zero | _ -> Z.max (bits (Q.num claimed)) (bits (Q.den claimed)) in
   let pieces part = number (Array.length part) in
   let s = number (Array.length lists) * ((pieces g.pieces_b * points_a) + (pieces g.pieces_a * points_b)) in
-  let d = sum numbers_of_node nodes in
-  let four = number 4 and eight = number 8 and sixteen = number 16 in
+  let leaves r = sum (fun node -> if is_leaf r node then Z.one else Z.zero) nodes in
+  let four = number 4 and sixteen = number 16 in
+  let nine_v = number 9 * v in
+  (* what it takes to see whether half-spaces are done that come of so many constraints *)
+  let judged constraints many =
+    let digits = (((number constraints * four) + number 3) * v) + b in
+    sixteen * many * product digits (digits + e) in
   require (Z.leq ((vectors * v) + (k * u) + (m * e) + (r * x)) most_size);
   require
     (Z.leq
-       ((s * product (w + e) u) + (sixteen * (n + t) * product v v) + (four * f * product (four * v) b)
-        + (four * r * product (v + x) (v + x)) + (sixteen * d * product (eight * v) ((eight * v) + b)))
+       ((s * product (w + e) u) + (sixteen * (n + t) * product v v) + (four * r * product (v + x) (v + x))
+        + (number 8 * leaves 4 * product nine_v nine_v) + judged 0 f + judged 1 (leaves 1) + judged 2 (leaves 2) + judged 3 (leaves 3))
        most_work);
   { of_points; of_optima; of_weights }
