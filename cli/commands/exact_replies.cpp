@@ -7,6 +7,7 @@
 
 #include "cli/commands/file_places.hpp"
 #include "cli/io/certificate_file.hpp"
+#include "cli/io/certificate_limits.hpp"
 #include "cli/output/json_result.hpp"
 #include "cli/output/picture_output.hpp"
 #include "cli/output/shape_output.hpp"
@@ -146,6 +147,7 @@ Replies exact_replies(const Request& request) {
     const std::unique_ptr<CertificateFile> drawing = files->pictures.single();
     const Case& single = asked;
     const auto reply_with = [&](const auto& answer) {
+      if (!answer.certificate.empty()) require_readable(answer.id, answer.certificate);
       CaseReply reply{text_of(answer, request), {}, code_of(answer)};
       const std::string picture = files->pictures.wanted() ? picture_text(single, answer, request) : "";
       if (reply.code != fine) return reply;

@@ -101,6 +101,8 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     throw;
   } catch (const InputError& error) {
     lose(error, bad_input);
+  } catch (const OutputError& error) {
+    lose({name, line, error.what()}, internal_error);
   } catch (const std::exception& error) {
     lose({name, line, fault_text(error)}, internal_error);
   }

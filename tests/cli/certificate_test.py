@@ -114,6 +114,17 @@ class Single(CliTest):
         self.assertEqual((code, out), (3, ""))
         self.assertIn("/dev/full: cannot write the certificate: ", err)
 
+    def test_a_proof_that_no_checker_would_read(self):
+        self.proof.write_text("old")
+        wide = self.file("wide.xyz", [[0, 0, 0], ["1" + "0" * 100_000, 0, 0], [0, 1, 0], [0, 0, 1]])
+        self.answer("depth", wide, self.b)
+        for option in (["--certificate", self.proof], ["--json", "--embed-certificate"]):
+            code, out, err = self.run_cli("depth", *option, wide, self.b)
+            self.assertEqual((code, out, self.proof.read_text()), (3, "", "old"))
+            self.assertIn(f"{wide} {self.b}: no certificate is written, since all checkers would refuse to read it: a number of more digits than the "
+                          "limit, 100000. Narrower numbers", " ".join(err.split()))
+            self.assertNotIn("internal error", err)
+
     def test_what_does_not_go_together(self):
         for arguments, words in ((["--embed-certificate"], "needs --json"), (["--certificate", "-"], "--embed-certificate writes"),
                                  (["--certificate"], "--certificate"),
@@ -179,6 +190,17 @@ class Streams(CliTest):
         code, _, _ = self.run_cli("depth", "--certificate", self.proofs, "-", stdin='{"id": "bad"}\n' + GOOD)
         self.assertEqual(code, 2)
         self.assertEqual(self.names(), ["good.cert"])
+
+    def test_a_proof_that_no_checker_would_read(self):
+        wide = case([["0", "0", "0"], ["1" + "0" * 100_000, "0", "0"], ["0", "1", "0"], ["0", "0", "1"]], SHIFTED, id="wide")
+        code, out, err = self.run_cli("depth", "--certificate", self.proofs, "-", stdin=wide + GOOD)
+        self.assertEqual((code, self.names()), (3, ["good.cert"]))
+        self.assertTrue(out.startswith("good: penetrating"), out)
+        self.assertIn("<stdin>:1: wide: no certificate is written", " ".join(err.split()))
+        code, out, _ = self.run_cli("depth", "--json", "--embed-certificate", "-", stdin=wide + GOOD)
+        bad, good = map(json.loads, out.splitlines())
+        self.assertEqual((code, good["id"]), (3, "good"))
+        self.assertIn("a number of more digits than the limit", bad["error"])
 
     def test_needs_a_folder(self):
         file = self.file("file", "old")

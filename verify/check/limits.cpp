@@ -15,33 +15,33 @@ namespace {
 using Count = std::uint64_t;
 
 /// No amount of work is counted above this.
-constexpr Count too_much = most_work + 1;
-static_assert(most_work < std::numeric_limits<Count>::max() / 2);
+constexpr Count too_much = std::numeric_limits<Count>::max() / 2;
 
 Count sum(Count s, Count t) { return std::min(too_much, std::min(too_much, s) + std::min(too_much, t)); }
-Count product(Count s, Count t) { return s != 0 && t > most_work / s ? too_much : s * t; }
+Count product(Count s, Count t) { return s != 0 && t > too_much / s ? too_much : s * t; }
 
 /// How wide numbers become over their common denominator, if `vectors` of them are kept.
 class Width {
  public:
-  Width(Count vectors, std::size_t line) : vectors_(vectors), line_(line) {}
+  Width(Count vectors, std::size_t line, const Limits& limits) : vectors_(vectors), line_(line), largest_(limits.size) {}
 
   void take(const Rational& r) {
     numerator_ = std::max(numerator_, bits(r.num));
     if (mpz_divisible_p(denominator_.get_mpz_t(), r.den.get_mpz_t())) return;
     mpz_lcm(denominator_.get_mpz_t(), denominator_.get_mpz_t(), r.den.get_mpz_t());
-    if (vectors_ * bits(denominator_) > largest_size) throw too_large(line_);
+    if (vectors_ * bits(denominator_) > largest_) throw too_large();
   }
   [[nodiscard]] Count value() const { return bits(denominator_) + numerator_; }
   [[nodiscard]] const mpz_class& denominator() const { return denominator_; }
 
-  static Fault too_large(std::size_t line) {
-    return malformed(line, "a certificate larger than the limit, " + std::to_string(largest_size) + " in its size");
+  [[nodiscard]] Fault too_large() const {
+    return malformed(line_, "a certificate larger than the limit, " + std::to_string(largest_) + " in its size");
   }
 
  private:
   Count vectors_, numerator_ = 0;
   std::size_t line_;
+  std::uint64_t largest_;
   mpz_class denominator_ = 1;
 };
 
@@ -90,8 +90,8 @@ void for_each_coordinate(const Body& body, const Take& take) {
       for (const RationalPoint& vector : atom) take_point(vector);
 }
 
-void require_work(Count work, std::size_t line) {
-  if (work > most_work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(most_work));
+void require_work(Count work, std::size_t line, const Limits& limits) {
+  if (work > limits.work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(limits.work));
 }
 
 /// How many leaves there are with 0, 1, .. 4 constraints. Others are refused when they are met.
@@ -104,28 +104,28 @@ std::array<Count, most_constraints + 1> count_leaves(const Nodes& nodes) {
   return leaves;
 }
 
-Width width_of_weights(const Certificate& c, Count weights, std::size_t line) {
-  Width result(weights, line);
+Width width_of_weights(const Certificate& c, Count weights, std::size_t line, const Limits& limits) {
+  Width result(weights, line, limits);
   for (const auto* part : {&c.weights_a, &c.weights_b})
     for (const Weight& weight : part->items) result.take(weight.weight);
   return result;
 }
 
 // The letters are those of section 12.
-void require_limits_of_unions(Certificate& c, std::size_t line) {
+void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& limits) {
   const UnionParts& parts = c.of_unions;
   const Count n = c.a.points.items.size() + c.b.points.items.size(), f = c.facets.items.size(), m = parts.optima.items.size();
   const Count k = parts.separations.items.size(), r = c.weights_a.items.size() + c.weights_b.items.size();
   const Count vectors = n + c.vertices.items.size() + 3 * f;
 
-  Width of_points(vectors, line), of_optima(m, line);
+  Width of_points(vectors, line, limits), of_optima(m, line, limits);
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
   for (const RationalPoint& t : parts.optima.items)
     for (const Rational* x : {&t.x, &t.y, &t.z}) of_optima.take(*x);
   constexpr Count mean = 32;  // as many digits more have vertices that are moved by their mean
-  const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0, x = width_of_weights(c, r, line).value();
+  const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0, x = width_of_weights(c, r, line, limits).value();
   const Count u = widest(parts.separations), b = width_of_claim(c);
-  if (vectors * v + k * u + m * e + r * x > largest_size) throw Width::too_large(line);
+  if (vectors * v + k * u + m * e + r * x > limits.size) throw of_points.too_large();
 
   const Count one_list = c.b.pieces.size() * c.a.points.items.size() + c.a.pieces.size() * c.b.points.items.size();
   Count work = product(product(one_list, parts.separation_lists.size()), cost(w + e, u));
@@ -138,7 +138,7 @@ void require_limits_of_unions(Certificate& c, std::size_t line) {
     const Count digits = (4 * constraints + 3) * v + b;
     work = sum(work, product(16 * half_spaces[constraints], cost(digits, digits + e)));
   }
-  require_work(work, line);
+  require_work(work, line, limits);
   c.scale = of_points.denominator();
   c.of_unions.unit = of_optima.denominator();
 }
@@ -146,8 +146,8 @@ void require_limits_of_unions(Certificate& c, std::size_t line) {
 }  // namespace
 
 // The letters are those of section 8.
-void require_limits(Certificate& c, std::size_t line) {
-  if (c.format == 3) return require_limits_of_unions(c, line);
+void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
+  if (c.format == 3) return require_limits_of_unions(c, line, limits);
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
   n /= 3;
@@ -157,16 +157,16 @@ void require_limits(Certificate& c, std::size_t line) {
   const Count k = c.directions.items.size() + r + 2 * c.lineality.items.size();
   const Count vectors = n + i + c.vertices.items.size() + 3 * f + e;
 
-  Width of_points(vectors, line), of_parameters(vectors, line), of_heights(j, line);
+  Width of_points(vectors, line, limits), of_parameters(vectors, line, limits), of_heights(j, line, limits);
   for (const Body* body : {&c.a, &c.b}) {
     for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
     for (const Place& place : body->inner.items)
       for (const Rational* y : {&place.y.x, &place.y.y, &place.y.z}) of_parameters.take(*y);
     for (const Rational& height : body->heights.items) of_heights.take(height);
   }
-  const Count x = width_of_weights(c, weights, line).value();
+  const Count x = width_of_weights(c, weights, line, limits).value();
   const Count v = of_points.value() + (i > 0 ? of_parameters.value() : 0), g = of_heights.value();
-  if (vectors * v + weights * x + j * g > largest_size) throw Width::too_large(line);
+  if (vectors * v + weights * x + j * g > limits.size) throw of_points.too_large();
 
   const Count u = std::max({widest(c.directions), widest(c.lineality), widest(c.rays)});
   Count work = product(product(n + i, k), cost(v, u));
@@ -175,7 +175,7 @@ void require_limits(Certificate& c, std::size_t line) {
   work = sum(work, product(4 * weights, cost(v + x, v + x)));
   if (j > 0) work = sum(work, product(4 * n, cost(v + u + g, v + u + g)));
   work = sum(work, product(product(e, r + e), cost(v + u, v + u)));
-  require_work(work, line);
+  require_work(work, line, limits);
   c.fine = of_parameters.denominator();
   c.scale = of_points.denominator() * c.fine;
 }

@@ -12,12 +12,14 @@ namespace fathom_check {
 
 constexpr std::size_t longest_line = std::size_t{1} << 24;  ///< bytes
 constexpr std::size_t longest_number = 100'000;             ///< digits
-constexpr std::size_t longest_certificate = 1'000'000'000;  ///< bytes
-constexpr std::size_t most_numbers = 10'000'000;
-constexpr std::uint64_t largest_size = 4'000'000'000;
-constexpr std::uint64_t most_work = 100'000'000'000'000;
+
+/// Those of a certificate as a whole. All checkers have these; tests have smaller ones.
+struct Limits {
+  std::size_t bytes = 1'000'000'000, numbers = 10'000'000;
+  std::uint64_t size = 4'000'000'000, work = 100'000'000'000'000;
+};
 
 /// Sets the common denominator of the points. Throws Fault (malformed, on `line`) if the certificate is too large, or too much work.
-void require_limits(Certificate& certificate, std::size_t line);
+void require_limits(Certificate& certificate, std::size_t line, const Limits& limits);
 
 }  // namespace fathom_check

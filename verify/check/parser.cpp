@@ -56,7 +56,8 @@ Fault Parser::wrong(const std::string& expected) const {
 void Parser::require_line(const char* expected) {
   if (lines_->kind() != Lines::Kind::whole) throw wrong(expected);
   bytes_ += lines_->text().size();
-  if (bytes_ > longest_certificate) throw malformed(lines_->number(), "a certificate of more bytes than the limit, 1000000000");
+  if (bytes_ > limits_.bytes)
+    throw malformed(lines_->number(), "a certificate of more bytes than the limit, " + std::to_string(limits_.bytes));
 }
 
 // Moves on to the next line that is not a comment and splits it into its fields. Blanks in excess yield empty fields, which are not tokens.
@@ -99,7 +100,8 @@ void Parser::row(std::size_t numbers, const char* expected) {
 
 void Parser::count_numbers(std::size_t numbers) {
   numbers_ += numbers;
-  if (numbers_ > most_numbers) throw malformed(lines_->number(), "a certificate of more numbers than the limit, 10000000");
+  if (numbers_ > limits_.numbers)
+    throw malformed(lines_->number(), "a certificate of more numbers than the limit, " + std::to_string(limits_.numbers));
 }
 
 void Parser::require_natural(std::string_view token, const char* expected) const {

@@ -4,13 +4,14 @@
 
 #include "budget.hpp"
 #include "certificate.hpp"
+#include "limits.hpp"
 #include "lines.hpp"
 
 namespace fathom_check {
 
 class Parser {
  public:
-  explicit Parser(Lines& lines) : lines_(&lines) {}
+  explicit Parser(Lines& lines, const Limits& limits = {}) : lines_(&lines), limits_(limits) {}
 
   /// Moves to the first line of the next certificate, past comments. False at the end of the input.
   bool find_next();
@@ -70,6 +71,7 @@ class Parser {
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;
+  Limits limits_;
   Arena* integers_ = nullptr;            ///< of the certificate at hand
   std::size_t bytes_ = 0, numbers_ = 0;  ///< of this certificate so far
   std::vector<std::size_t> counts_;      ///< that parts of this certificate announced

@@ -42,7 +42,7 @@ void Parser::read(Certificate& result) {
   if (at("id")) read_id(result);
   result.format == 3 ? read_unions(result) : read_convex(result);
   read_footer(result);
-  require_limits(result, lines_->number());
+  require_limits(result, lines_->number(), limits_);
 }
 
 void Parser::read_convex(Certificate& result) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// For who writes certificates: whether checkers will read one, before its proof is of interest.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "limits.hpp"
+
+namespace fathom_check {
+
+/// Why every checker finds the certificate malformed that `text` begins with: it does not follow the grammar, or passes a limit, which the
+/// phrase names. Returns an empty text if it is well-formed; nothing is said of its proof. Throws std::bad_alloc.
+[[nodiscard]] std::string unreadable(std::string_view text, const Limits& limits = {});
+
+}  // namespace fathom_check
