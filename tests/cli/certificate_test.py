@@ -121,8 +121,8 @@ class Single(CliTest):
         for option in (["--certificate", self.proof], ["--json", "--embed-certificate"]):
             code, out, err = self.run_cli("depth", *option, wide, self.b)
             self.assertEqual((code, out, self.proof.read_text()), (3, "", "old"))
-            self.assertIn(f"{wide} {self.b}: no certificate is written, since all checkers would refuse to read it: a number of more digits than the "
-                          "limit, 100000. Narrower numbers", " ".join(err.split()))
+            self.assertIn(f"{wide} {self.b}: no certificate is written, since all checkers would refuse to read it: a number of more "
+                          "digits than the limit, 100000. Narrower numbers", " ".join(err.split()))
             self.assertNotIn("internal error", err)
 
     def test_what_does_not_go_together(self):
