@@ -22,9 +22,8 @@ enum class Command { depth, width, approx, ray, metric, study, stages, explain, 
 
 struct Request {
   Command command = Command::depth;
-  std::vector<std::string>
-      inputs;  ///< depth, approx, ray, metric, study, stages, explain: two meshes or one stream; width: one mesh or one stream; cases --from: two
-               ///< meshes
+  std::vector<std::string> inputs;  ///< depth, approx, ray, metric, study, stages, explain: two meshes or one stream; width: one mesh or
+                                    ///< one stream; cases --from: two meshes
   Method method = Method::automatic;
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;

@@ -43,8 +43,8 @@ struct Replies {
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
-/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the case called `case_id`, the first of that
-/// id, and if there is no id, its only case. Throws InputError, with the ids that there are.
+/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the case called `case_id`, the first of
+/// that id, and if there is no id, its only case. Throws InputError, with the ids that there are.
 Case asked_case(const Request& request);
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.

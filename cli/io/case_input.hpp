@@ -13,8 +13,8 @@ namespace fathom::cli {
 
 class CaseInput {
  public:
-  /// Opens the file, or the pipe, called `path`; "-" is standard input. Throws InputError if it cannot be read. Once `stopped` returns true,
-  /// nothing more can be read.
+  /// Opens the file, or the pipe, called `path`; "-" is standard input. Throws InputError if it cannot be read. Once `stopped` returns
+  /// true, nothing more can be read.
   CaseInput(const std::string& path, std::function<bool()> stopped);
   ~CaseInput();
   CaseInput(const CaseInput&) = delete;

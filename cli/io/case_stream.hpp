@@ -51,8 +51,8 @@ inline bool has_shape(const Case& single) { return single.a.shape || single.b.sh
 /// Returns whether a body of the case is a union of pieces.
 inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }
 
-/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refuses_shapes` says unless it is empty, and may be unions
-/// only if `takes_unions`; or "".
+/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refuses_shapes` says unless it is empty, and may be
+/// unions only if `takes_unions`; or "".
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".

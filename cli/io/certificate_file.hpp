@@ -8,8 +8,8 @@
 
 namespace fathom::cli {
 
-/// A file for a certificate, a picture or a report, which appears with all of its content or not at all. Opened before solving, so that an unwritable
-/// path fails early.
+/// A file for a certificate, a picture or a report, which appears with all of its content or not at all. Opened before solving, so that an
+/// unwritable path fails early.
 class CertificateFile {
  public:
   /// `what` is for messages. Throws InputError if nothing can be written there.

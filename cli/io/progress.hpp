@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line on standard error, for work over a second and only on a terminal: how many of how many are done, how long the rest will take, and
-// what is being worked on. It never scrolls, and is wiped at the end. It also carries Ctrl-C into a computation.
+// One line on standard error, for work over a second and only on a terminal: how many of how many are done, how long the rest will take,
+// and what is being worked on. It never scrolls, and is wiped at the end. It also carries Ctrl-C into a computation.
 #pragma once
 
 #include <chrono>

@@ -12,8 +12,8 @@ namespace fathom::cli {
 /// "fathom", "fathom-depth".
 std::string man_name(const CommandHelp& command);
 
-/// Returns the page as roff with the macros of man, and behind it those of the command's tasks. `others`: the pages to refer to. Without the
-/// last newline.
+/// Returns the page as roff with the macros of man, and behind it those of the command's tasks. `others`: the pages to refer to. Without
+/// the last newline.
 std::string man_page(const HelpPage& page, std::span<const HelpPage> tasks, std::span<const std::string> others);
 
 }  // namespace fathom::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signed depth along a path, for people (a table), for programs (JSON, schemas/along.schema.json), for spreadsheets (CSV), and as a chart.
+// The signed depth along a path, for people (a table), for programs (JSON, schemas/along.schema.json), for spreadsheets (CSV), and as a
+// chart.
 #pragma once
 
 #include <optional>

@@ -79,8 +79,8 @@ using Pieces = std::vector<std::vector<Point>>;
 struct Body {
   GivenPoints points;                         ///< the polytope is their convex hull
   std::optional<Shape> shape = std::nullopt;  ///< then there are no points
-  /// The words that the body was read from, if it was given by the name of a shape: what fathom certify hands on. Whoever changes the points
-  /// or the shape takes them away.
+  /// The words that the body was read from, if it was given by the name of a shape: what fathom certify hands on. Whoever changes the
+  /// points or the shape takes them away.
   std::shared_ptr<const files::NamedBody> words = nullptr;
   /// Of a mesh that has some. No answer depends on them: they tell whether the mesh is the hull that stands for it.
   std::shared_ptr<const MeshFaces> faces = nullptr;

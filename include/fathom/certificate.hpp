@@ -53,8 +53,8 @@ Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Po
 /// The text that checkers read: format 1, verify/check/FORMAT.md.
 std::string certificate_text(const Certificate& certificate);
 
-/// The text of make_certificate(a, b, answer), with this id. If the answer holds its proof, that is written as it stands: the points are not
-/// copied. Throws as make_certificate does.
+/// The text of make_certificate(a, b, answer), with this id. If the answer holds its proof, that is written as it stands: the points are
+/// not copied. Throws as make_certificate does.
 std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer, std::string_view id = {},
                              Monitor* monitor = nullptr);
 std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
@@ -69,16 +69,16 @@ struct ConeProof {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;  ///< indices of a point a of A and a point b of B, for b - a
 };
 
-/// What a certificate of shapes proves, about the cores or about the bodies with their radii. depth: the cores overlap, of squared depth low
-/// = high. touching: the cores do. apart: the cores are at the squared distance low = high. signed_bounds: low <= signed depth of the bodies
-/// <= high. In the first three cases the signed depth of the bodies follows exactly.
+/// What a certificate of shapes proves, about the cores or about the bodies with their radii. depth: the cores overlap, of squared depth
+/// low = high. touching: the cores do. apart: the cores are at the squared distance low = high. signed_bounds: low <= signed depth of the
+/// bodies <= high. In the first three cases the signed depth of the bodies follows exactly.
 enum class ShapeClaim { depth, touching, apart, signed_bounds };
 
 /// Self-contained: it holds the shapes.
 struct ShapeCertificate {
   std::string id;  ///< of the case; may be empty
-  /// As simple as they can be. Each core is one hull of points or a half-space, unless the claim is signed_bounds: then a sum of terms, or a
-  /// half-space.
+  /// As simple as they can be. Each core is one hull of points or a half-space, unless the claim is signed_bounds: then a sum of terms, or
+  /// a half-space.
   Shape a, b;
   ShapeClaim claim = ShapeClaim::depth;      ///< what is proved
   mpq_class low, high;                       ///< of the claim
@@ -101,7 +101,8 @@ ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDe
 /// The text that checkers read: format 2.
 std::string certificate_text(const ShapeCertificate& certificate);
 
-/// Which format the text of two point sets without radii is in, which both can express. Shapes that format 1 cannot express are in format 2.
+/// Which format the text of two point sets without radii is in, which both can express. Shapes that format 1 cannot express are in
+/// format 2.
 enum class ShapeFormat {
   shortest,  ///< format 1: it says that bodies are disjoint, not how far; and of bodies that touch one direction
   richest    ///< format 2: the distance, and all directions

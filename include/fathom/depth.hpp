@@ -223,14 +223,15 @@ struct Depth : BodyFacts {
   [[nodiscard]] Point translation() const;
   /// Of the first optimum, or of the distance; null if touching.
   [[nodiscard]] const Contact* contact() const;
-  /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point twice. nullopt if disjoint: see distance()->witness.
+  /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point twice. nullopt if disjoint: see
+  /// distance()->witness.
   [[nodiscard]] std::optional<Witness> witness() const;
 };
 
 /// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, for bodies of every rank:
 /// degenerate input needs no special care. Time is near-linear in the size of the bodies, except where very many edges of A and B cross at
-/// nearly the same distance. Throws std::invalid_argument if a body is empty, a coordinate is not in lowest terms or options.optima is 0, and
-/// Interrupted.
+/// nearly the same distance. Throws std::invalid_argument if a body is empty, a coordinate is not in lowest terms or options.optima is 0,
+/// and Interrupted.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
 
 /// The same for coordinates in binary64, which stand for their exact values. The fast way for small bodies: no rational is made before one

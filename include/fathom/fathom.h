@@ -78,9 +78,9 @@ FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_bo
 /** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
 
-/** Makes the union of `count` convex pieces, from 1 to 2^31, each a body that is the hull of points. They may overlap, abut and repeat: where
- * two meet in a common face there is no gap. A piece without interior is refused by fathom_depth, with its number, from 0. The handles of
- * the pieces stay as they are, and may end before the union does. */
+/** Makes the union of `count` convex pieces, from 1 to 2^31, each a body that is the hull of points. They may overlap, abut and repeat:
+ * where two meet in a common face there is no gap. A piece without interior is refused by fathom_depth, with its number, from 0. The
+ * handles of the pieces stay as they are, and may end before the union does. */
 FATHOM_API int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_body** body);
 
 /** Reads the union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there, in
@@ -135,9 +135,9 @@ FATHOM_API void fathom_options_init(fathom_options* options);
  * proved for curved shapes. */
 typedef struct fathom_answer fathom_answer;
 
-/** Finds the answer about A and B. `options` may be NULL. If a body is a union of pieces, the other is one too, or the hull of points, which
- * is one piece: A moved by t and B overlap if their interiors have a common point, and a path to the shortest t for which they do not is
- * not asked for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone, once these are known. */
+/** Finds the answer about A and B. `options` may be NULL. If a body is a union of pieces, the other is one too, or the hull of points,
+ * which is one piece: A moved by t and B overlap if their interiors have a common point, and a path to the shortest t for which they do not
+ * is not asked for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone, once these are known. */
 FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
 
 /** Ends an answer. NULL is allowed. */
@@ -150,7 +150,8 @@ FATHOM_API int fathom_answer_status(const fathom_answer* answer);
  * known and a double. Each pointer may be NULL. */
 FATHOM_API int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high);
 
-/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. FATHOM_ABSENT of unions that touch. */
+/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. FATHOM_ABSENT of unions that touch.
+ * */
 FATHOM_API int fathom_answer_direction(const fathom_answer* answer, double direction[3]);
 
 /** Sets the shortest translation of A after which the bodies touch: out of B if they penetrate, towards it if they are disjoint. */
@@ -166,12 +167,12 @@ FATHOM_API size_t fathom_answer_optima(const fathom_answer* answer);
 /** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of the functions above. */
 FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]);
 
-/** Sets whether translations as near as one likes to one of these ways out leave a gap between the bodies: 1, or 0 for an exact fit, as that
- * of a key in a slot of its own width. Always 1 of convex bodies. */
+/** Sets whether translations as near as one likes to one of these ways out leave a gap between the bodies: 1, or 0 for an exact fit, as
+ * that of a key in a slot of its own width. Always 1 of convex bodies. */
 FATHOM_API int fathom_answer_clearance(const fathom_answer* answer, size_t index, int* clearance);
 
-/** Of unions, sets the depth of the deepest pair of a piece of A and a piece of B, which is at most that of the unions, and the numbers of the
- * two, the first of several; 0 if no two overlap. Of a search that was stopped, of those that it came to. Each pointer may be NULL. */
+/** Of unions, sets the depth of the deepest pair of a piece of A and a piece of B, which is at most that of the unions, and the numbers of
+ * the two, the first of several; 0 if no two overlap. Of a search that was stopped, of those that it came to. Each pointer may be NULL. */
 FATHOM_API int fathom_answer_deepest_pair(const fathom_answer* answer, double* depth, size_t pieces[2]);
 
 /** Of unions, sets the depth of their convex hulls, which is at least that of the unions. */
@@ -219,8 +220,8 @@ FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, 
 
 /* ---- the judge ---- */
 
-/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW; their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
- * come from harnesses only. VERDICTS.md defines them. */
+/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW; their numbers never change. The first
+ * five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED, come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,
   FATHOM_VERDICT_TIME_OUT = 1,

@@ -64,8 +64,8 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 // rounds the placed vertices once. Unknown fields are skipped. A known field that is given twice is an error, since readers differ in which
 // one they take. null stands for an optional field that is not given.
 
-/// What may be a slip in a case that can be read: a field that is not read and looks like one that is ("poze"), or a pose that is no rotation
-/// and translation. One sentence for the user.
+/// What may be a slip in a case that can be read: a field that is not read and looks like one that is ("poze"), or a pose that is no
+/// rotation and translation. One sentence for the user.
 struct CaseNote {
   enum Kind { field, pose };  ///< what the note is about
   Kind kind;                  ///< of the two

@@ -159,8 +159,9 @@ struct Judgement {
   std::optional<Between> signed_depth;              ///< the truth about shapes
 
   // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are infinite beyond binary64.
-  // Of shapes, a residual that is not known is the least one that the bounds of the truth allow, rounded towards 0: at least so much is wrong.
-  // Of a claimed depth, or distance: how much larger it is than the true one, correctly rounded to nearest; negative if it is smaller.
+  // Of shapes, a residual that is not known is the least one that the bounds of the truth allow, rounded towards 0: at least so much is
+  // wrong. Of a claimed depth, or distance: how much larger it is than the true one, correctly rounded to nearest; negative if it is
+  // smaller.
   std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of one that is 0
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart. Of polytopes.
   std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
@@ -221,8 +222,9 @@ struct ShapeTruth {
 /// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.
 ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {});
 
-/// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for every value within the bounds of the truth;
-/// where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
+/// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for every value within the bounds of the
+/// truth; where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to
+/// touch.
 Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
                 const Tolerance& tolerance = {});
 
@@ -237,8 +239,8 @@ struct UnionTruth {
 /// Returns the truth about two unions, to judge several replies by. Throws as union_depth does, and Interrupted if the search is stopped.
 UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options = {});
 
-/// Judges the reply by a truth that is known. A claimed translation is judged by what it leaves: the depth or the distance after it is found
-/// anew, which may take as long as the truth did, and may be stopped by the monitor; then Interrupted is thrown.
+/// Judges the reply by a truth that is known. A claimed translation is judged by what it leaves: the depth or the distance after it is
+/// found anew, which may take as long as the truth did, and may be stopped by the monitor; then Interrupted is thrown.
 Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
                 const Tolerance& tolerance = {}, Monitor* monitor = nullptr);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Convex bodies that need not be polytopes: spheres, capsules, rounded hulls, cylinders, cones, ellipsoids, half-spaces, and sums of them.
 //
-// Every body is a core and the ball of a radius around each of its points. A core is a half-space, or a Minkowski sum of terms; a term is the
-// convex hull of atoms; an atom is a point, or a disc or ball under an affine map. All numbers are rational, so a body is exactly what its
-// numbers say. Lengths are in the unit of the coordinates.                                                             [proofs/shapes.md]
+// Every body is a core and the ball of a radius around each of its points. A core is a half-space, or a Minkowski sum of terms; a term is
+// the convex hull of atoms; an atom is a point, or a disc or ball under an affine map. All numbers are rational, so a body is exactly what
+// its numbers say. Lengths are in the unit of the coordinates.                                                         [proofs/shapes.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -17,8 +17,8 @@
 
 namespace fathom {
 
-/// The points center + sum of y_i axes[i], for y with |y| <= 1: a point without axes, a disc with two, a ball with three. The axes need not be
-/// orthogonal, nor independent: an atom may be flat.
+/// The points center + sum of y_i axes[i], for y with |y| <= 1: a point without axes, a disc with two, a ball with three. The axes need not
+/// be orthogonal, nor independent: an atom may be flat.
 struct Atom {
   Point center;             ///< of the point, disc or ball
   std::vector<Point> axes;  ///< none, two or three
@@ -47,8 +47,8 @@ struct Shape {
 
 // ---- bodies by name ----
 //
-// Each is centred at O and lies along the axis named, unless its points are given. All lengths must be > 0, except for a margin, which may be
-// 0, and all numbers in lowest terms: std::invalid_argument is thrown otherwise, with a sentence that says what is wrong.
+// Each is centred at O and lies along the axis named, unless its points are given. All lengths must be > 0, except for a margin, which may
+// be 0, and all numbers in lowest terms: std::invalid_argument is thrown otherwise, with a sentence that says what is wrong.
 
 enum class Axis { x, y, z };  ///< of the frame
 
@@ -79,8 +79,8 @@ Shape with_margin(Shape shape, const mpq_class& margin);
 /// The Minkowski sum. Throws std::invalid_argument if one of the cores is a half-space.
 Shape minkowski_sum(const Shape& a, const Shape& b);
 
-/// Returns whether the body has no interior: its core lies in a plane, and its radius is 0. Throws std::invalid_argument as signed_depth does
-/// for a shape that is none.
+/// Returns whether the body has no interior: its core lies in a plane, and its radius is 0. Throws std::invalid_argument as signed_depth
+/// does for a shape that is none.
 bool is_flat(const Shape& shape);
 
 // ---- poses ----

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies that need not be polytopes: shapes.
-// Output  their signed depth: > 0 if they penetrate, 0 if they touch, < 0 if they are disjoint. Exact where both cores are polytopes, or one
-//         is a half-space and the other a polytope; proved bounds else.                                             [proofs/shapes.md]
+// Output  their signed depth: > 0 if they penetrate, 0 if they touch, < 0 if they are disjoint. Exact where both cores are polytopes, or
+//         one is a half-space and the other a polytope; proved bounds else.                                         [proofs/shapes.md]
 //
 // A and B are the cores, r and s the radii, rho = r + s. P = B (+) (-A), h(u) = max_b <u,b> - min_a <u,a> is its support function.
 //     signed depth = rho + the least h(u)/|u| over all directions u
@@ -58,8 +58,8 @@ struct OptimalCone {
   Lineality lineality = Lineality::none;  ///< the linear space in it
   Vector axis;  ///< primitive: of a line its direction, of a plane its normal, the lexicographically greater of the two; else 0
   std::vector<Vector> rays;  ///< the extreme rays orthogonal to the lineality: primitive, sorted lexicographically
-  /// One of them: the first ray. Without rays the lexicographically least of some: axis and -axis of a line; primitive vectors along the cross
-  /// products of a plane's axis and the unit vectors, in both senses; (-1, 0, 0) of all.
+  /// One of them: the first ray. Without rays the lexicographically least of some: axis and -axis of a line; primitive vectors along the
+  /// cross products of a plane's axis and the unit vectors, in both senses; (-1, 0, 0) of all.
   [[nodiscard]] Vector direction() const;
   friend bool operator==(const OptimalCone&, const OptimalCone&) = default;
 };
@@ -142,10 +142,10 @@ struct SignedDepthOptions {
 /// A sum of terms that are hulls of points is a polytope, and expanded, if it has at most so many points.
 inline constexpr std::size_t most_expanded_points = 10'000;
 
-/// Returns the signed depth of two shapes. A ball that is round, of rational radius and alone in its term counts as a point and a radius, so
-/// that spheres are exact. Throws std::invalid_argument if both are half-spaces, a core has no term or a term no atom, an atom has another
-/// number of axes than 0, 2 and 3, a normal is 0, a radius negative, or a number not in lowest terms; for bounds, if options.bits exceeds
-/// most_bound_bits; InputError if the numbers' denominators share so little that it would take too much memory; and Interrupted.
+/// Returns the signed depth of two shapes. A ball that is round, of rational radius and alone in its term counts as a point and a radius,
+/// so that spheres are exact. Throws std::invalid_argument if both are half-spaces, a core has no term or a term no atom, an atom has
+/// another number of axes than 0, 2 and 3, a normal is 0, a radius negative, or a number not in lowest terms; for bounds, if options.bits
+/// exceeds most_bound_bits; InputError if the numbers' denominators share so little that it would take too much memory; and Interrupted.
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options = {});
 
 }  // namespace fathom

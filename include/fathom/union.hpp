@@ -75,10 +75,10 @@ struct UnionDepth {
   [[nodiscard]] const mpq_class& squared() const;
 };
 
-/// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, and complete in its ties. No
-/// bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces within the depth of O. Throws
-/// std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is not in lowest terms;
-/// Interrupted if the work is stopped before the depth of the hulls is known.
+/// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and how deep or how far apart they are.
+/// Exact, and complete in its ties. No bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces
+/// within the depth of O. Throws std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is
+/// not in lowest terms; Interrupted if the work is stopped before the depth of the hulls is known.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 /// Returns the pieces of a body: those that it has, or a polytope as the only one. Throws std::invalid_argument for a shape.
@@ -89,8 +89,8 @@ Pieces pieces_of(const Body& body);
 /// Returns the convex pieces of a body in an OBJ file: for each object and group with faces (lines "o" and "g") the corners of its faces,
 /// in the order of their numbers. So tools for convex decomposition write them. Groups come in the order of their first faces; a file
 /// without groups is one piece. Of a folder, the pieces of all files in it that end in .off, .obj, .ply and .stl, in the natural order of
-/// their names, piece_2 before piece_10: the vertices of each, and of OBJ files the groups. Throws InputError of fathom/files.hpp, with file
-/// and line, as read_mesh does, and if there are no faces, or no files.
+/// their names, piece_2 before piece_10: the vertices of each, and of OBJ files the groups. Throws InputError of fathom/files.hpp, with
+/// file and line, as read_mesh does, and if there are no faces, or no files.
 Pieces read_pieces(const std::string& path, Decimals decimals = Decimals::binary64);
 
 /// The same for an OBJ file in memory; `name` appears in messages.

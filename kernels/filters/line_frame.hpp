@@ -70,9 +70,9 @@ class ParabolicFit {
 template <class Lines>
 LineFrame<typename Lines::Number> line_frame(const Lines& lines, std::span<const std::uint32_t> run);
 
-/// A model of a lower bound of the margin <q - p, w> - sqrt(bound) |w|, w = d x e, for the lines (p, d) of the first frame and (q, e) of the
-/// second, as tuples at s and t; nullopt if a frame is not valid, or if some w might be 0. `bound` is a squared distance in images, as from
-/// image_bound or wide_bound; it must be finite.
+/// A model of a lower bound of the margin <q - p, w> - sqrt(bound) |w|, w = d x e, for the lines (p, d) of the first frame and (q, e) of
+/// the second, as tuples at s and t; nullopt if a frame is not valid, or if some w might be 0. `bound` is a squared distance in images, as
+/// from image_bound or wide_bound; it must be finite.
 template <class Number>
 std::optional<TaylorModel<Number>> margin_model(const LineFrame<Number>& a, const LineFrame<Number>& b, const Number& bound);
 

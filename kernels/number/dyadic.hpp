@@ -35,12 +35,12 @@ inline Dyadic dyadic(double value) {
   return normalised(bits >> 63 != 0 ? -magnitude : magnitude, std::max(biased, 1L) - 1075);
 }
 
-/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a positive denominator, or has a numerator
-/// of 2^63 or more.
+/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a positive denominator, or has a
+/// numerator of 2^63 or more.
 std::optional<Dyadic> dyadic(const mpq_class& value);
 
-/// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its range. Not in line: there g++ 12.2 leaves
-/// two out of three coordinates as they are.
+/// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its range. Not in line: there g++ 12.2
+/// leaves two out of three coordinates as they are.
 double nearest_binary32(double value);
 
 /// The number in binary64; nullopt if it is none.

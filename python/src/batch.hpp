@@ -9,7 +9,8 @@
 
 namespace fathom::python {
 
-/// Answers all of them with so many threads. What goes wrong first, by the order of the pairs, is thrown. To be called without Python's lock.
+/// Answers all of them with so many threads. What goes wrong first, by the order of the pairs, is thrown. To be called without Python's
+/// lock.
 std::vector<PairAnswer> answer_all(std::vector<std::pair<Body, Body>> pairs, const Question& question, unsigned threads, Monitor& monitor);
 
 }  // namespace fathom::python

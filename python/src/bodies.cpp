@@ -200,7 +200,8 @@ std::string described(const Body& body) {
 void bind_shapes(py::module_& module) {
   using py::arg;
   const auto number = [](const py::object& from) { return number_from(from); };
-  module.def("sphere", [number](const py::object& radius) { return files::body_of(sphere(number(radius))); }, arg("radius"));
+  module.def(
+      "sphere", [number](const py::object& radius) { return files::body_of(sphere(number(radius))); }, arg("radius"));
   module.def(
       "capsule",
       [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
@@ -213,7 +214,8 @@ void bind_shapes(py::module_& module) {
         return files::body_of(tapered_capsule(number(low), number(high), number(half_length), axis_from(axis)));
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def("box", [](const py::object& half) { return files::body_of(box(point_from(half))); }, arg("half"));
+  module.def(
+      "box", [](const py::object& half) { return files::body_of(box(point_from(half))); }, arg("half"));
   module.def(
       "cylinder",
       [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
@@ -232,9 +234,13 @@ void bind_shapes(py::module_& module) {
         return files::body_of(frustum(number(low), number(high), number(half_length), axis_from(axis)));
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def("ellipsoid", [](const py::object& radii) { return files::body_of(ellipsoid(point_from(radii))); }, arg("radii"));
   module.def(
-      "halfspace", [number](const py::object& normal, const py::object& offset) { return files::body_of(halfspace(point_from(normal), number(offset))); },
+      "ellipsoid", [](const py::object& radii) { return files::body_of(ellipsoid(point_from(radii))); }, arg("radii"));
+  module.def(
+      "halfspace",
+      [number](const py::object& normal, const py::object& offset) {
+        return files::body_of(halfspace(point_from(normal), number(offset)));
+      },
       arg("normal"), arg("offset"));
 }
 
@@ -319,16 +325,21 @@ void bind_bodies(py::module_& module) {
       .def_property_readonly("is_shape", [](const Body& body) { return body.shape.has_value(); })
       .def_property_readonly("extent", extent_in_python)
       .def_property_readonly("is_flat", has_no_interior)
-      .def("moved", [](const Body& body, const py::object& pose) { return posed(body, pose, "body"); }, py::arg("pose"))
-      .def("with_margin", [](const Body& body, const py::object& margin) { return files::body_of(with_margin(convex_shape(body), number_from(margin))); },
-           py::arg("margin"))
-      .def("__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(convex_shape(a), convex_shape(b))); }, py::is_operator())
+      .def(
+          "moved", [](const Body& body, const py::object& pose) { return posed(body, pose, "body"); }, py::arg("pose"))
+      .def(
+          "with_margin",
+          [](const Body& body, const py::object& margin) { return files::body_of(with_margin(convex_shape(body), number_from(margin))); },
+          py::arg("margin"))
+      .def(
+          "__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(convex_shape(a), convex_shape(b))); },
+          py::is_operator())
       .def("__repr__", described);
-  module.def("convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
+  module.def(
+      "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
   bind_shapes(module);
   module.def(
-      "read_mesh",
-      [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
+      "read_mesh", [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
       py::arg("path"), py::arg("decimals") = "binary64");
 }
 

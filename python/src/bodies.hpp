@@ -11,9 +11,10 @@
 
 namespace fathom::python {
 
-/// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays of floats and sequences of numbers that are
-/// binary64 stay in binary64. `faces` beside `vertices` are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws
-/// py::value_error with a sentence that begins with `name`, and py::type_error; unions of pieces are refused. What there is to say of the pose goes to `notes`.
+/// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays of floats and sequences of numbers that
+/// are binary64 stay in binary64. `faces` beside `vertices` are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws
+/// py::value_error with a sentence that begins with `name`, and py::type_error; unions of pieces are refused. What there is to say of the
+/// pose goes to `notes`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
 /// The same of a body that is there, of any kind.

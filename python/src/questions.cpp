@@ -251,9 +251,7 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
 // ---- files ----
 
 /// A case as its id and bodies.
-py::tuple in_python(Case&& found) {
-  return py::make_tuple(found.id, std::move(found.a), std::move(found.b));
-}
+py::tuple in_python(Case&& found) { return py::make_tuple(found.id, std::move(found.a), std::move(found.b)); }
 
 /// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
 class Cases {

@@ -159,7 +159,8 @@ void bind_unions(py::module_& module) {
       .def_property_readonly("high", [](const UnionAnswer& answer) { return root_binary64(answer.found.high, Rounding::ru); })
       .def_property_readonly("depth",
                              [](const UnionAnswer& answer) {
-                               return answer.found.complete ? py::object(py::float_(root_binary64(answer.found.low))) : py::object(py::none());
+                               return answer.found.complete ? py::object(py::float_(root_binary64(answer.found.low)))
+                                                            : py::object(py::none());
                              })
       .def_property_readonly("optima", optima)
       .def_property_readonly("apart", apart)
@@ -168,7 +169,8 @@ void bind_unions(py::module_& module) {
       .def_readonly("notes", &UnionAnswer::notes)
       .def("certificate", certificate, arg("id"));
   module.def("union_depth", answer_about, arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("bounds"), arg("stop"));
-  module.def("union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, arg("pieces"));
+  module.def(
+      "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, arg("pieces"));
   module.def(
       "read_pieces",
       [](const std::string& path, const std::string& decimals) { return union_of(read_pieces(path, decimals_from(decimals))); },

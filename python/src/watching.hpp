@@ -15,8 +15,8 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work is to end. For the thread that called from
-/// Python, which has let the lock go.
+/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work is to end. For the thread that called
+/// from Python, which has let the lock go.
 class SignalMonitor final : public Monitor {
  public:
   explicit SignalMonitor(py::object stop) : stop_(std::move(stop)) {}
@@ -34,9 +34,7 @@ class SignalMonitor final : public Monitor {
 
  private:
   /// What `stop` raises is left to whoever asks Python for it.
-  bool told() try {
-    return !stop_.is_none() && py::bool_(stop_());
-  } catch (py::error_already_set& raised) {
+  bool told() try { return !stop_.is_none() && py::bool_(stop_()); } catch (py::error_already_set& raised) {
     raised.restore();
     return true;
   }
@@ -57,8 +55,8 @@ class FlagMonitor final : public Monitor {
   const std::atomic<bool>& stop_;
 };
 
-/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler raised: KeyboardInterrupt. So it does with
-/// what `stop` raises. Work that `stop` ended returns what it has, or throws std::runtime_error if that is nothing.
+/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler raised: KeyboardInterrupt. So it does
+/// with what `stop` raises. Work that `stop` ended returns what it has, or throws std::runtime_error if that is nothing.
 template <class Work>
 auto watched(Work work, py::object stop = py::none()) {
   const bool asked = !stop.is_none();

@@ -11,8 +11,8 @@ namespace fathom::certificate {
 /// Checks the proof by the definitions, in rationals and over all pairs: the naive twin of the checkers.
 [[nodiscard]] kernels::Report validate(const Certificate& certificate);
 
-/// The same for shapes, and all optimal directions of cores that touch by the rules of the format. Throws std::invalid_argument if a shape is
-/// none.
+/// The same for shapes, and all optimal directions of cores that touch by the rules of the format. Throws std::invalid_argument if a shape
+/// is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
 
 }  // namespace fathom::certificate

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   bodies that touch, and the cone of their optimal directions.
-// Output  differences b - a that leave no room for other directions.                                     [verify/check/FORMAT.md, section 4]
+// Output  differences b - a that leave no room for other directions.                                   [verify/check/FORMAT.md, section 4]
 #pragma once
 
 #include <span>

@@ -13,8 +13,8 @@ namespace fathom::curved {
 /// orthogonal to a disc's normal. All are primitive.
 std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most);
 
-/// Returns directions near n whose components have short ratios, in the coordinates or in the frame of some atom's axes: the first fractions
-/// to which n is much nearer than to others of their length. Most directions have none. All are primitive, and other than n.
+/// Returns directions near n whose components have short ratios, in the coordinates or in the frame of some atom's axes: the first
+/// fractions to which n is much nearer than to others of their length. Most directions have none. All are primitive, and other than n.
 std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n);
 
 }  // namespace fathom::curved

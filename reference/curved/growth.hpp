@@ -52,7 +52,8 @@ class Growth {
 
   /// The points must not lie in one plane.
   void start(const std::array<polytope::Difference, 4>& points);
-  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is left, or the calls that are left will not do.
+  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is left, or the calls that are left will not
+  /// do.
   void run();
 
   /// The squared distance of the nearest facet plane of Q, in the shapes' unit; nullopt if O is not in the interior of Q. Exact.

@@ -56,8 +56,8 @@ class Oracle {
   /// A point that is nearly extreme in direction u, of any length; the first one if no call is left.
   polytope::Difference extreme(const Vector& u);
 
-  /// Finds the height of direction n, and a point that falls short of it by about 2^-precision of an atom's axes at most; precision <= fine.
-  /// n is not zero. Throws Interrupted.
+  /// Finds the height of direction n, and a point that falls short of it by about 2^-precision of an atom's axes at most; precision <=
+  /// fine. n is not zero. Throws Interrupted.
   polytope::Difference ask(const Vector& n, unsigned precision);
   /// n times a positive number, nearly, with components of about as many bits as matter.
   [[nodiscard]] Vector shortened(const Vector& n) const;

@@ -21,8 +21,8 @@ namespace fathom::depth {
 template <class T>
 using PerHemisphere = std::array<T, 2>;
 
-/// The stages of a run. That over bodies that do not penetrate ends before the hulls: then these, the diagrams, charts and canonical subsets
-/// are made after it, and not counted in the answer. The charts refer to the diagrams, so it stays where it is.
+/// The stages of a run. That over bodies that do not penetrate ends before the hulls: then these, the diagrams, charts and canonical
+/// subsets are made after it, and not counted in the answer. The charts refer to the diagrams, so it stays where it is.
 struct ExactStages {
   Depth depth;
   Hulls hulls;

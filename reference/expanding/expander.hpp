@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search: a polytope inside P expands towards the facets of P nearest to O. One template over the integers: those of a fixed size, which
-// need no allocation, where the lattice is narrow, and mpz_class anywhere.                                       [proofs/expanding.md]
+// The search: a polytope inside P expands towards the facets of P nearest to O. One template over the integers: those of a fixed size,
+// which need no allocation, where the lattice is narrow, and mpz_class anywhere.                                 [proofs/expanding.md]
 #pragma once
 
 #include <algorithm>

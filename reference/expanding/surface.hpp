@@ -55,8 +55,8 @@ struct SideCounts {
   std::uint64_t calls = 0, exact = 0;
 };
 
-/// `Integer` holds every number of this computation: mpz_class, or a FixedInteger that is wide enough. One object serves many polytopes, one
-/// after another, and keeps its memory.
+/// `Integer` holds every number of this computation: mpz_class, or a FixedInteger that is wide enough. One object serves many polytopes,
+/// one after another, and keeps its memory.
 template <class Integer>
 class Surface {
  public:

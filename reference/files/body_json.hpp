@@ -32,8 +32,8 @@ std::string array_json(const List& list, Text text) {
 /// What need not be said of a shape: that its axis is z, and that it is not moved.
 enum class Defaults { left_out, written };
 
-/// A body by its words if it has some, else by its vertices, which are placed if there is a pose. Throws std::invalid_argument for a shape that
-/// is no polytope and has no words.
+/// A body by its words if it has some, else by its vertices, which are placed if there is a pose. Throws std::invalid_argument for a shape
+/// that is no polytope and has no words.
 std::string body_json(const Body& body, const std::optional<Pose>& pose = std::nullopt);
 std::string body_json(const NamedBody& body, Defaults defaults = Defaults::left_out);
 

@@ -9,8 +9,8 @@
 
 namespace fathom::files {
 
-/// Reads the field "faces" of body "a" or "b" into `body`, whose points were read: arrays of indices of points. `text` is the JSON object of
-/// a case. Returns a sentence on what went wrong, or "".
+/// Reads the field "faces" of body "a" or "b" into `body`, whose points were read: arrays of indices of points. `text` is the JSON object
+/// of a case. Returns a sentence on what went wrong, or "".
 std::string read_faces(std::string_view text, const char* name, Body& body);
 
 }  // namespace fathom::files

@@ -14,8 +14,8 @@ namespace fathom::files {
 bool is_shape_text(const std::string& word);
 
 /// Reads NAME:FIELD=VALUE,... with the fields of JSON, `r` for radius and `h` for half_length. Three numbers are joined by colons:
-/// box:half=1:2:3. `at` moves the shape, `quaternion` turns it before (w:x:y:z), `axis` is x, y or z. Hulls, triangles and sums have no such
-/// form. Throws InputError with a sentence on the first fault. `decimals` says what a decimal stands for.
+/// box:half=1:2:3. `at` moves the shape, `quaternion` turns it before (w:x:y:z), `axis` is x, y or z. Hulls, triangles and sums have no
+/// such form. Throws InputError with a sentence on the first fault. `decimals` says what a decimal stands for.
 Body parse_shape(const std::string& word, Decimals decimals);
 
 }  // namespace fathom::files

@@ -36,9 +36,9 @@ struct MeshConvexity {
   std::optional<Dents> dents;  ///< set if it is not convex
 };
 
-/// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if it lies in a facet's plane; a face without
-/// area belongs to it, and so does any face if all points lie in a plane. The search for the deepest point compares points with facets, and
-/// gives up after so many comparisons. Throws std::invalid_argument if there is no point.
+/// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if it lies in a facet's plane; a face
+/// without area belongs to it, and so does any face if all points lie in a plane. The search for the deepest point compares points with
+/// facets, and gives up after so many comparisons. Throws std::invalid_argument if there is no point.
 MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces, std::size_t most_comparisons = 1'000'000);
 
 using MeshTriangle = std::array<std::uint32_t, 3>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies on a narrow lattice: one whose coordinates have so few bits that all of an expanding polytope's integers fit a fixed size.
-// Whatever programs compute with (binary32, binary64 of similar sizes) lies on one.                   [proofs/expanding.md, "Fixed integers"]
+// Whatever programs compute with (binary32, binary64 of similar sizes) lies on one.       [proofs/expanding.md, "Fixed integers"]
 #pragma once
 
 #include <array>
@@ -35,7 +35,8 @@ struct NarrowCloud {
   [[nodiscard]] kernels::Images images() const { return {x, y, z}; }
 };
 
-/// A point p of either cloud stands for origin + p / 2^shift, where the origin is the first point of B: the same lattice as that of `place`.
+/// A point p of either cloud stands for origin + p / 2^shift, where the origin is the first point of B: the same lattice as that of
+/// `place`.
 struct NarrowPair {
   unsigned shift = 0;
   long exponent = 0;  ///< the least with |c| <= 2^exponent for every coordinate c of both clouds

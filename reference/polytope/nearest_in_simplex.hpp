@@ -24,8 +24,9 @@ struct SimplexFoot {
 };
 
 /// Of one to four corners, affinely independent: keeps those of the face that holds the point of their hull nearest to O in its relative
-/// interior, and returns that point. There is one such face. Only faces with the last corner are looked at: O must be strictly nearer to the
-/// hull of all than to that of the others, if there are others. Returns nullopt, and keeps all, if O is in the interior of a tetrahedron.
+/// interior, and returns that point. There is one such face. Only faces with the last corner are looked at: O must be strictly nearer to
+/// the hull of all than to that of the others, if there are others. Returns nullopt, and keeps all, if O is in the interior of a
+/// tetrahedron.
 std::optional<SimplexFoot> nearest_in_simplex(std::vector<SimplexCorner>& corners);
 
 }  // namespace fathom::polytope

@@ -38,7 +38,8 @@ struct HullFacts {
   std::optional<polytope::MeshConvexity> a, b;
 };
 
-/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for each body that is not, joined by "; "; or "".
+/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for each body that is not, joined by "; "; or
+/// "".
 std::string dents_text(const HullFacts& facts);
 
 }  // namespace fathom::shapes

@@ -4,7 +4,7 @@
 # format.sh PROJECT_ROOT --fix   rewrites them instead.
 set -uo pipefail
 cd "$1" || exit 1
-mapfile -d '' files < <(find include examples kernels reference verify view cli c cmake tests \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
+mapfile -d '' files < <(find include python/src examples kernels reference verify view cli c cmake tests \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
 if [[ ${2-} == --fix ]]; then exec clang-format-14 --style=file -i "${files[@]}"; fi
 
 if ! complaints=$(clang-format-14 --style=file --dry-run --Werror "${files[@]}" 2>&1); then

@@ -11,13 +11,16 @@ cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
 length    no source has more than 350 lines, but for one that is to be copied
+width     no line of Python, and no comment, has more than 140 columns, but for addresses and strings
 names     no two types share a name, whatever their namespaces; tests, and what stands alone (NAMES_OF_THEIR_OWN), may use theirs again
 namespace a room's names are in its own namespace inside fathom, those for users in fathom itself
 examples  each installed header is included, and each of its functions called, by a program in examples
 """
+import io
 import pathlib
 import re
 import sys
+import tokenize
 
 import public_functions
 
@@ -70,6 +73,7 @@ CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 350
+COLUMNS = 140
 TO_COPY = {"verify/subjects/kit/fathom_subject.hpp": 450}  # one file, to be copied: it may be longer
 SOURCE = (".cpp", ".hpp")
 SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
@@ -204,6 +208,24 @@ def install_breaches(name, text):
             yield "installed", f"install({words[0]} ...) with headers: headers are installed by file sets only"
 
 
+def long_strings(text):
+    """Of Python the numbers of lines with a string that cannot be broken beyond the limit; docstrings can be."""
+    return {token.start[0] for token in tokenize.generate_tokens(io.StringIO(text).readline)
+            if token.type == tokenize.STRING and token.start[0] == token.end[0] and token.end[1] > COLUMNS and '"""' not in token.string}
+
+
+def width_breaches(name, text):
+    """Of Python and of comments; clang-format sees to the code of C++. What an example prints stands as it is, and so do addresses."""
+    lines = [(number, line) for number, line in enumerate(text.split("\n"), 1) if len(line) > COLUMNS and "://" not in line]
+    if not lines:
+        return
+    strings = long_strings(text) if name.endswith(".py") else ()
+    for number, line in lines:
+        comment = re.match(r"\s*(//(?!>)|/?\*)", line)
+        if comment if not name.endswith(".py") else number not in strings:
+            yield "width", f"line {number} has {len(line)} columns, more than {COLUMNS}"
+
+
 def licence_breaches(name, text):
     lines = text.split("\n", 2)
     line = lines[1] if lines[0].startswith("#!") and len(lines) > 1 else lines[0]
@@ -233,6 +255,8 @@ def breaches(root):
     definitions = {}
     for path in files(root):
         name = path.as_posix()
+        if path.suffix in (*SOURCE, ".h", ".py"):
+            found += [(name, *breach) for breach in width_breaches(name, (root / path).read_text(encoding="utf-8"))]
         script = path.suffix in (".py", ".sh", ".cmake") or name.endswith(".cmake.in") or path.name == "CMakeLists.txt" or name in SCRIPTS
         if path.suffix not in SOURCE and not script:
             continue

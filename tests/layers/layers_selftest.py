@@ -116,6 +116,18 @@ class Layers(unittest.TestCase):
         self.expect("cli/long.cpp", SPDX + "\n" * 349)
         self.expect("cli/long.cpp", SPDX + "\n" * 350, "length")
 
+    def test_wide_lines(self):
+        words = "word " * 30
+        for line in (f"// {words}", f"  /// {words}", f"/** {words}*/", f" * {words}"):
+            self.expect("cli/wide.cpp", SPDX + line + "\n", "width")
+        for line in (f"//> {words}", f"// https://{words}", f'const char* text = "{words}";', "// " + "x" * 137):
+            self.expect("cli/wide.cpp", SPDX + line + "\n")
+        spdx = "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+        for line in (f"# {words}", f'"""{words}"""', f'"""Words.\n{words}"""', f"f({words.replace(' ', ', ')})"):
+            self.expect("cli/wide.py", spdx + line + "\n", "width")
+        for line in (f"text = '{words}'", f"# https://{words}", "# " + "x" * 138):
+            self.expect("cli/wide.py", spdx + line + "\n")
+
     def test_a_type_has_a_name_of_its_own(self):
         first = SPDX + "namespace fathom {\n\n%s\n}  // namespace fathom\n"
         for text in ("struct Place {", "enum class Place : char {", "template <class T> class Place final : Base<T> {",

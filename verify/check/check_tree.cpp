@@ -34,8 +34,8 @@ class Done {
   }
 
  private:
-  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c. It is an optimum only if it is integral in the unit of the optima, to which a
-  /// division is the shortest way; a fraction in lowest terms takes many times as long.
+  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c. It is an optimum only if it is integral in the unit of the optima, to which
+  /// a division is the shortest way; a fraction in lowest terms takes many times as long.
   template <class Normal>
   bool is_listed(const Normal& n, const mpz_class& c) {
     mpz_mul(den_.get_mpz_t(), c_->low.den.get_mpz_t(), c.get_mpz_t());

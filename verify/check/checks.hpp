@@ -44,8 +44,8 @@ struct FacetRange {
 /// Hears of a facet that is exactly as near to O as the polytope claims.
 using NearestFacet = std::function<void(std::size_t line, const MutableVector& normal)>;
 
-/// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O. Returns the planes of its facets, whose digits
-/// lie in `integers`.
+/// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O. Returns the planes of its facets, whose
+/// digits lie in `integers`.
 std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
                                   const NearestFacet& nearest, Arena& integers);
 

@@ -54,10 +54,10 @@ struct JudgedClaim {
 /// "right", "wrong", "undecided", "not-judgeable".
 std::string_view verdict_name(const std::optional<Finding>& finding);
 
-/// Judges each statement of the claim by exact comparison. A length is right if it is within the claim's tolerance; without one, within half
-/// a unit of its last decimal place. A direction is a line: it is right if the cheaper of its two senses costs at most the tolerance more
-/// than the depth, or no more than what the rounding of its components explains (proofs/judge.md: 2^-52 times the largest coordinate of P).
-/// Throws as signed_depth does.
+/// Judges each statement of the claim by exact comparison. A length is right if it is within the claim's tolerance; without one, within
+/// half a unit of its last decimal place. A direction is a line: it is right if the cheaper of its two senses costs at most the tolerance
+/// more than the depth, or no more than what the rounding of its components explains (proofs/judge.md: 2^-52 times the largest coordinate
+/// of P). Throws as signed_depth does.
 JudgedClaim judge_claim(const PublishedClaim& claim);
 
 }  // namespace fathom::claims

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All families of pairs of shapes by name. They are a kind of their own: who draws on families::families() takes polytopes, and gets none of
-// these. A case is given by its family, its size and its seed, and is the same on every machine.
+// All families of pairs of shapes by name. They are a kind of their own: who draws on families::families() takes polytopes, and gets none
+// of these. A case is given by its family, its size and its seed, and is the same on every machine.
 #pragma once
 
 #include <cstdint>

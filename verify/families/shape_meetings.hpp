@@ -2,10 +2,10 @@
 // Pairs of shapes by inverse construction: first the contact, its direction and the signed depth are chosen, then the bodies are built
 // around them.
 //
-// Each body is made under the plane z = 0, which it touches at O; A is then turned upside down and sunk into B by the depth g, and the pair is
-// turned and moved. So h(n) = g for the normal n of the plane, and the points at O give a difference g n in P. If g <= 0 that is the signed
-// depth. If g > 0: a ball inside A, of radius r, touches A's plane at its point, and so does one of radius s inside B. The depth of the balls
-// is g as long as g <= r + s, and that of the bodies is no less.
+// Each body is made under the plane z = 0, which it touches at O; A is then turned upside down and sunk into B by the depth g, and the pair
+// is turned and moved. So h(n) = g for the normal n of the plane, and the points at O give a difference g n in P. If g <= 0 that is the
+// signed depth. If g > 0: a ball inside A, of radius r, touches A's plane at its point, and so does one of radius s inside B. The depth of
+// the balls is g as long as g <= r + s, and that of the bodies is no less.
 #pragma once
 
 #include "verify/families/random.hpp"

@@ -53,10 +53,9 @@ class Examiner {
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Of unions it puts each
-  /// pair of pieces, unless the subject takes them in pieces; each pair may take the time of a case. Throws Interrupted,
-  /// Disagreement, and SubjectError if a subject that ended cannot be started again, ends each time before it reads the case, or sends a
-  /// different hello.
+  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Of unions it puts
+  /// each pair of pieces, unless the subject takes them in pieces; each pair may take the time of a case. Throws Interrupted, Disagreement,
+  /// and SubjectError if a subject that ended cannot be started again, ends each time before it reads the case, or sends a different hello.
   Outcome examine(const Case& pair);
   /// The same, with all lengths times 2^exponent, whatever the settings say.
   Outcome examine(const Case& pair, long exponent);

@@ -8,8 +8,8 @@
 
 namespace fathom::harness {
 
-/// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose lengths are 2^exponent times those of the
-/// case. What has a radius is a shape without words. Unions are as they are: see rounds_pieces.
+/// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose lengths are 2^exponent times those of
+/// the case. What has a radius is a shape without words. Unions are as they are: see rounds_pieces.
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Returns the radius by which the subject rounds such a body, in the subject's unit.
@@ -24,8 +24,8 @@ void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
 /// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of the case.
 Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent);
 
-/// Returns the square of the largest distance of a vertex of `from` from the body of the same letter in `to`, over the bodies whose hulls the
-/// answer tells.
+/// Returns the square of the largest distance of a vertex of `from` from the body of the same letter in `to`, over the bodies whose hulls
+/// the answer tells.
 mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& answer);
 
 }  // namespace fathom::harness

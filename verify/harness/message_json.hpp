@@ -29,7 +29,8 @@ std::string written(const nlohmann::json& number);
 std::string dumped(const nlohmann::json& value);
 std::string shown_json(const nlohmann::json& value);
 
-/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its length.
+/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
+/// length.
 nlohmann::json json_on(std::string_view line);
 /// The same, which must be an object.
 nlohmann::json object_on(std::string_view line);

@@ -26,8 +26,8 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 /// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
 
-/// What fathom sends, without the newline. A body that has words is sent by them, a union by its pieces, any other by its vertices. Numbers are the shortest
-/// decimals that read back as the same number of the precision; `seen` must hold such numbers only.
+/// What fathom sends, without the newline. A body that has words is sent by them, a union by its pieces, any other by its vertices. Numbers
+/// are the shortest decimals that read back as the same number of the precision; `seen` must hold such numbers only.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();

@@ -32,8 +32,9 @@ class Replay {
   /// A sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage. Of unions
-  /// without a reply of their own, the replies to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and Interrupted. Any thread may call it.
+  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage. Of
+  /// unions without a reply of their own, the replies to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and
+  /// Interrupted. Any thread may call it.
   [[nodiscard]] Outcome examine(const Case& pair, long exponent, const Judging& judging) const;
 
   /// The ids of replies to what was not asked, sorted.

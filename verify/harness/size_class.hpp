@@ -9,8 +9,8 @@ namespace fathom::harness {
 /// Whether both bodies have a volume; exact.
 bool is_solid(const Case& pair);
 
-/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case: exact of points, and of shapes rounded up by
-/// 2^-40 of itself at most. A half-space has any size.
+/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case: exact of points, and of shapes rounded up
+/// by 2^-40 of itself at most. A half-space has any size.
 bool is_metre_sized(const Case& pair);
 
 }  // namespace fathom::harness

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is positive, and A moves. Of bodies that are said to
-// be apart, the distance stands in the depth's place.
+// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is positive, and A moves. Of bodies that are said
+// to be apart, the distance stands in the depth's place.
 #pragma once
 
 #include <gmpxx.h>

@@ -39,8 +39,8 @@ class Measures {
   /// Whether d is larger, or smaller, than the length in question by more than tol.
   virtual bool too_long(const mpq_class& d) = 0;
   virtual bool too_short(const mpq_class& d) = 0;
-  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of unions: whether A, moved by d along u, overlaps
-  /// B or is apart from it by more than tol.
+  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of unions: whether A, moved by d along u,
+  /// overlaps B or is apart from it by more than tol.
   virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
   /// Whether the price of u is more than `times` the depth, with no tolerance. Of unions the claimed depth is the price.
   virtual bool is_dearer(const Vector& u, const mpq_class& times) = 0;
@@ -48,8 +48,8 @@ class Measures {
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
   /// Whether what is not separating is inconsistent for that reason alone, and is not to be called both.
   [[nodiscard]] virtual bool is_one_question() const { return false; }
-  /// Whether a witness point that was measured is farther from its body than tol; and whether the points miss the translation by more, which is
-  /// given by its square.
+  /// Whether a witness point that was measured is farther from its body than tol; and whether the points miss the translation by more,
+  /// which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
   /// The same of the contact that is farthest away.

@@ -8,7 +8,8 @@
 
 namespace subject {
 
-/// Reads a body with a field `shape`; of a name that is not known, nothing but the name. Throws where the fields are not those of the shape.
+/// Reads a body with a field `shape`; of a name that is not known, nothing but the name. Throws where the fields are not those of the
+/// shape.
 Body read_shape(const nlohmann::json& from);
 
 /// Throws Unsupported for a shape or a margin that the mode does not declare, and for a pose that is no rotation.

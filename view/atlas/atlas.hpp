@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the stages of two bodies.
-// Output  static pictures of them as SVG: the charts, in longitude and latitude, where walls are vertical and a hemisphere fits a square; and
+// Output  static pictures of them as SVG: the charts, in longitude and latitude, where walls are vertical and a hemisphere fits a square;
+// and
 //         the sphere with both diagrams; P, or what stands for it, round O.                   [AGHRS, section 2.2, "Computing F"]
 //
 // A's arcs are solid and B's dashed; what is lit is thick. Pixels are placed by doubles: the exact data stand elsewhere.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of a curved body: the hull of its farthest points in many directions of the picture's plane. It lies inside the true one, by a
-// fraction of a pixel where the body is no larger than the picture.
+// The outline of a curved body: the hull of its farthest points in many directions of the picture's plane. It lies inside the true one, by
+// a fraction of a pixel where the body is no larger than the picture.
 #pragma once
 
 #include <vector>

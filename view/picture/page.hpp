@@ -38,8 +38,8 @@ struct Choice {
   std::string label;  ///< markup
 };
 
-/// A form that hides the children of the element `of` that lack a text or are of another kind; seen only where scripts run. `what`: what the
-/// kinds are, as "verdict".
+/// A form that hides the children of the element `of` that lack a text or are of another kind; seen only where scripts run. `what`: what
+/// the kinds are, as "verdict".
 std::string filter_bar(const std::string& of, const std::string& what, std::span<const Choice> kinds);
 
 /// A folded text with a button that copies it, which is seen only where scripts run. `id` is that of the text; `text` is escaped here.

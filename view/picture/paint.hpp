@@ -10,7 +10,8 @@
 
 namespace fathom::picture {
 
-/// A feature of a body that a page may light: a vertex, an edge or a facet by the points that span it. Seen only where the page's style says so.
+/// A feature of a body that a page may light: a vertex, an edge or a facet by the points that span it. Seen only where the page's style
+/// says so.
 struct Mark {
   bool of_a = true;
   std::vector<Point> points;

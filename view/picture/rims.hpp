@@ -8,7 +8,8 @@
 
 namespace fathom::picture {
 
-/// The circles, or ellipses, that are edges of the sum of the terms, in parts that are seen and parts that are hidden. Sampled, in binary64.
+/// The circles, or ellipses, that are edges of the sum of the terms, in parts that are seen and parts that are hidden. Sampled, in
+/// binary64.
 std::vector<Rim> rims_of(const std::vector<Term>& terms, const View& view);
 
 }  // namespace fathom::picture

@@ -44,8 +44,9 @@ struct Pair {
 /// Hulls of points. `claimed`: another way to be shown beside the true one, in the picture's plane too.
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::nullopt);
 
-/// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with it. `a` and `b` are what it is about. With
-/// several contacts two of the planes between pieces are seen from their edges. `claimed` is another way, which is then in the picture's plane.
+/// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with it. `a` and `b` are what it is about.
+/// With several contacts two of the planes between pieces are seen from their edges. `claimed` is another way, which is then in the
+/// picture's plane.
 PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0,
                    const std::optional<Point>& claimed = std::nullopt);
 

@@ -19,8 +19,8 @@ struct SumScene {
   bool approximate = false;                 ///< whether a sum is a mesh near what is meant
 };
 
-/// The edges of the mesh of a convex polytope, up to the numbers that hold for Wires. `polygons` are facets, counter-clockwise from outside,
-/// with unit normals; `creases`: of a mesh near a curved body those alone that can be seen as edges, and the outline.
+/// The edges of the mesh of a convex polytope, up to the numbers that hold for Wires. `polygons` are facets, counter-clockwise from
+/// outside, with unit normals; `creases`: of a mesh near a curved body those alone that can be seen as edges, and the outline.
 struct Mesh {
   std::vector<Point> vertices;
   std::vector<std::vector<std::uint32_t>> polygons;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An orthographic look at exact points, across a way: what lies along it keeps its true length, and planes across it are seen from the edge.
-// Pictures decide nothing, so the directions of a look are rounded; but places are found by an exact linear map, so that a close-up of
-// bodies that lie far away, or whose depth is tiny, is as true as any, and no place overflows.
+// An orthographic look at exact points, across a way: what lies along it keeps its true length, and planes across it are seen from the
+// edge. Pictures decide nothing, so the directions of a look are rounded; but places are found by an exact linear map, so that a close-up
+// of bodies that lie far away, or whose depth is tiny, is as true as any, and no place overflows.
 #pragma once
 
 #include <gmpxx.h>
@@ -33,8 +33,8 @@ mpq_class product(const Point& u, const Point& v);
 
 class View {
  public:
-  /// Looks across `along`, which becomes the x axis, with `second` in the picture's plane too if it is there and not parallel to it. Without
-  /// it from a little above, so turned that none of the `edges` is seen end on if that can be. `along` must not be zero.
+  /// Looks across `along`, which becomes the x axis, with `second` in the picture's plane too if it is there and not parallel to it.
+  /// Without it from a little above, so turned that none of the `edges` is seen end on if that can be. `along` must not be zero.
   View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges = {});
 
   /// Where p is, if the origin is at 0. Lengths are kept to within a few roundings, all by the same factor, and points of one plane across

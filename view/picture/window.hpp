@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rectangle of a picture's plane, shown as a rectangle of pixels. Shifts and scales are exact, so that what is shown is right whatever the
-// numbers are, and what lies far outside is cut exactly.
+// A rectangle of a picture's plane, shown as a rectangle of pixels. Shifts and scales are exact, so that what is shown is right whatever
+// the numbers are, and what lies far outside is cut exactly.
 #pragma once
 
 #include <gmpxx.h>

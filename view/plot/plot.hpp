@@ -59,8 +59,8 @@ struct Figure {
 /// How many series have a look of their own; those after them begin again.
 inline constexpr unsigned distinct_looks = 6;
 
-/// One element <svg>, for an HTML page that has plot_style() and picture::colour_style(). Texts of others are escaped. Values without a place on an axis are left out,
-/// lines are broken there, and a sentence below the panel counts them.
+/// One element <svg>, for an HTML page that has plot_style() and picture::colour_style(). Texts of others are escaped. Values without a
+/// place on an axis are left out, lines are broken there, and a sentence below the panel counts them.
 std::string figure_element(const Figure& figure);
 
 /// The same as a file of its own, with its style.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the exact method's stages for bodies that penetrate.
 // Output  every facet of P = B (+) (-A), with the features of both bodies that make it. The directions are those of nodes and of crossings;
-//         crossings of the perturbed arcs are those of the arcs themselves, or lie at a node.            [AGHRS, section 2.2; proofs/depth.md]
+//         crossings of the perturbed arcs are those of the arcs themselves, or lie at a node.            [AGHRS, section 2.2;
+//         proofs/depth.md]
 // Size    at most the number of nodes and crossings.
 #pragma once
 

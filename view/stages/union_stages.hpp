@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two unions of convex pieces, with the answer about them.
-// Output  what pictures of them show, as plain numbers: the pieces, every shortest translation with what touches, and the differences P_ij of
+// Output  what pictures of them show, as plain numbers: the pieces, every shortest translation with what touches, and the differences P_ij
+// of
 //         pieces that reach into the ball around O. A moved by t overlaps B exactly if t lies in the interior of some P_ij.
 //         Schema fathom/union_stages/1. Places are binary64 numbers, for pixels; distances are exact.            [proofs/unions_search.md]
 #pragma once

@@ -38,8 +38,8 @@ struct Exported {
   std::size_t not_doubles = 0, excluded = 0, too_large = 0;  ///< why others do not fit; each is counted once, in this order
 };
 
-/// Reads the folder twice, so that memory is bounded by the export. Throws FolderError if the release is not one of polytopes or no record fits,
-/// FileError, also for what is no record or not what the release's pages say, Interrupted.
+/// Reads the folder twice, so that memory is bounded by the export. Throws FolderError if the release is not one of polytopes or no record
+/// fits, FileError, also for what is no record or not what the release's pages say, Interrupted.
 Exported export_release(const std::filesystem::path& folder, const ExportRequest& request, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -18,8 +18,8 @@ struct NotProved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Calls `take` with the certificate, and throws NotProved unless the checker accepts it, `text` holds nothing else, and it has this id; and
-/// passes on what `take` throws of that kind, if the certificate is accepted. Nothing that `take` finds may be used otherwise.
+/// Calls `take` with the certificate, and throws NotProved unless the checker accepts it, `text` holds nothing else, and it has this id;
+/// and passes on what `take` throws of that kind, if the certificate is accepted. Nothing that `take` finds may be used otherwise.
 void take_accepted(std::string_view text, const std::string& id, const std::function<void(const fathom_check::Certificate&)>& take);
 
 mpq_class value_of(const fathom_check::Rational& q);

@@ -20,10 +20,10 @@ namespace fathom::golden {
 class Prover {
  public:
   /// Returns nullopt if everything in the line is proved, else one sentence on what is not. `line` has no line feed, `certificate` holds
-  /// exactly one certificate. What is proved: the certificate, by the checker that shares nothing with the rest; that it is about the points
-  /// of the line, and that the source yields these points; that status, depth and directions are those of the certificate; every rounded
-  /// value, translation, contact, witness, gap, format and flag by computing it again. Fields that are missing, repeated or unknown are
-  /// refused. Throws nothing on bad input.  [proofs/golden.md]
+  /// exactly one certificate. What is proved: the certificate, by the checker that shares nothing with the rest; that it is about the
+  /// points of the line, and that the source yields these points; that status, depth and directions are those of the certificate; every
+  /// rounded value, translation, contact, witness, gap, format and flag by computing it again. Fields that are missing, repeated or unknown
+  /// are refused. Throws nothing on bad input.[proofs/golden.md]
   std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
   // Of the record that was proved last.

@@ -70,7 +70,8 @@ std::string_view name_of(Source source);
 /// bodies. With ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
-/// Returns the points, with the recipe's id; a body's are in binary64 if all of its coordinates are. Throws std::invalid_argument if nothing has that name.
+/// Returns the points, with the recipe's id; a body's are in binary64 if all of its coordinates are. Throws std::invalid_argument if
+/// nothing has that name.
 Case base_case(const Recipe& recipe);
 
 /// Returns the points rounded, with the id for that form. Returns nullopt if a coordinate overflows, or if the points of a body all become
@@ -89,8 +90,9 @@ struct FormedCase {
   Case points;  ///< its id is the record's
 };
 
-/// Returns the points of all records of a recipe, in their order: the exact ones, then those rounded to binary64 if that moves a point, then
-/// those rounded to binary32 if that yields yet other points. Omits rounded ones if rounded_case returns nullopt. Throws as base_case does.
+/// Returns the points of all records of a recipe, in their order: the exact ones, then those rounded to binary64 if that moves a point,
+/// then those rounded to binary32 if that yields yet other points. Omits rounded ones if rounded_case returns nullopt. Throws as base_case
+/// does.
 std::vector<FormedCase> cases_of(const Recipe& recipe);
 
 }  // namespace fathom::golden

@@ -23,8 +23,8 @@ struct ShapeStatement {
 
 ShapeStatement truth_of(const SignedDepth& answer);
 
-/// The answer that records tell: with bounds as near as signed_depth makes them, and nearer where these leave the status open. Throws as that
-/// does.
+/// The answer that records tell: with bounds as near as signed_depth makes them, and nearer where these leave the status open. Throws as
+/// that does.
 SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options);
 
 struct ShapeFacts {

@@ -9,8 +9,8 @@
 namespace fathom::golden {
 
 /// Returns the truth that the certificate proves: value, directions and cone are its own, and translations follow from the bodies by the
-/// definitions. Throws NotProved unless the checker accepts it, it has the id of these shapes and is about them, and agrees with what is known
-/// of the answer by construction.                                                                                    [proofs/golden.md]
+/// definitions. Throws NotProved unless the checker accepts it, it has the id of these shapes and is about them, and agrees with what is
+/// known of the answer by construction.                                                                              [proofs/golden.md]
 ShapeStatement proved_truth(const families::ShapeCase& shapes, std::string_view certificate);
 
 }  // namespace fathom::golden

@@ -8,8 +8,8 @@
 
 namespace fathom::golden {
 
-/// Returns the truth that the certificate proves: status, depth, all translations, distance and nearest pieces are its own. Throws NotProved
-/// unless the checker accepts it, it has the id of these unions and is about them, and agrees with what is known of the answer by
+/// Returns the truth that the certificate proves: status, depth, all translations, distance and nearest pieces are its own. Throws
+/// NotProved unless the checker accepts it, it has the id of these unions and is about them, and agrees with what is known of the answer by
 /// construction.                                                                                                     [proofs/golden.md]
 UnionStatement proved_truth(const FormedUnions& bodies, std::string_view certificate);
 

@@ -34,8 +34,8 @@ bool unions_in_format(const Case& unions, Form format);
 /// piece becomes flat. Pieces that abutted may overlap then, or leave a gap.
 std::optional<Case> rounded_unions(const Case& base, Form form);
 
-/// Returns the unions of all records of a recipe in their order, as cases_of does for points. Throws std::invalid_argument if nothing has that
-/// name.
+/// Returns the unions of all records of a recipe in their order, as cases_of does for points. Throws std::invalid_argument if nothing has
+/// that name.
 std::vector<FormedUnions> union_cases_of(const Recipe& recipe);
 
 }  // namespace fathom::golden

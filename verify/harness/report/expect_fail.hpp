@@ -68,8 +68,8 @@ class ExpectedFailures {
   std::string name_, text_;
 };
 
-/// Returns the list that a run agrees with, under a comment that names the subject; `read` reads it back. Comments of the list `before`, and
-/// its lines that are still true, stay as they are; new lines follow, sorted.
+/// Returns the list that a run agrees with, under a comment that names the subject; `read` reads it back. Comments of the list `before`,
+/// and its lines that are still true, stay as they are; new lines follow, sorted.
 std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before = {});
 
 }  // namespace fathom::harness

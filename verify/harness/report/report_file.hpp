@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A report of schema fathom/verdict/1 as a whole, read back from a file.                    [schemas/verdict.schema.json; verify/PROTOCOL.md]
+// A report of schema fathom/verdict/1 as a whole, read back from a file.                    [schemas/verdict.schema.json;
+// verify/PROTOCOL.md]
 #pragma once
 
 #include <cstddef>

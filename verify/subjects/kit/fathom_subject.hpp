@@ -9,8 +9,8 @@
 //   }
 //
 // and then `fathom certify --subject ./my_subject cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md): lines are
-// flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its exceptions become the
-// answer `failed`, and each answer says how many microseconds it took.
+// flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its exceptions become
+// the answer `failed`, and each answer says how many microseconds it took.
 #pragma once
 
 #include <unistd.h>
