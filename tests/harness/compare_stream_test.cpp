@@ -8,6 +8,7 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/union_families.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/random_cases.hpp"
 
@@ -68,26 +69,31 @@ TEST(CompareStream, StopsWhenAskedAndPassesOnWhatIsNoAnswer) {
   EXPECT_THROW(compare_stream(plan_of(0, 100, 3), solver_by(Method::exact), greedy), std::bad_alloc);
 }
 
-TEST(RandomCase, IsAFunctionOfSeedAndNumber) {
-  const std::uint64_t families = families::families().size();
+bool same(const Body& x, const Body& y) { return x.pieces ? *x.pieces == *y.pieces : x.points == y.points; }
+
+/// Of a stream of cases of these families.
+template <class Families>
+void expect_a_function(Case (*make)(std::uint64_t seed, std::uint64_t number), const Families& families) {
   std::set<std::string> ids, forms;
-  for (std::uint64_t number = 0; number < 2 * families; ++number) {
-    const Case one = random_case(9, number), again = random_case(9, number);
+  for (std::uint64_t number = 0; number < 2 * families.size(); ++number) {
+    const Case one = make(9, number), again = make(9, number);
     EXPECT_EQ(one.id, again.id);
-    EXPECT_EQ(one.a.points, again.a.points);
-    EXPECT_EQ(one.b.points, again.b.points);
+    EXPECT_TRUE(same(one.a, again.a) && same(one.b, again.b)) << one.id;
     ids.insert(one.id);
     const std::string end = one.id.ends_with(".b64") ? ".b64" : one.id.ends_with(".b32") ? ".b32" : "";
     forms.insert(end);
-    EXPECT_TRUE(one.id.starts_with(families::families()[number % families].name)) << one.id;
+    EXPECT_TRUE(one.id.starts_with(families[number % families.size()].name)) << one.id;
     if (end.empty()) continue;
     const Precision precision = end == ".b64" ? Precision::binary64 : Precision::binary32;
     for_each_coordinate(one, [&](const mpq_class& value) { EXPECT_TRUE(representable(value, precision)) << one.id; });
   }
-  EXPECT_EQ(ids.size(), 2 * families);
+  EXPECT_EQ(ids.size(), 2 * families.size());
   EXPECT_EQ(forms.size(), 3u);
-  EXPECT_NE(random_case(9, 0).id, random_case(10, 0).id);
+  EXPECT_NE(make(9, 0).id, make(10, 0).id);
 }
+
+TEST(RandomCase, IsAFunctionOfSeedAndNumber) { expect_a_function(random_case, families::families()); }
+TEST(RandomUnions, IsAFunctionOfSeedAndNumber) { expect_a_function(random_unions, families::union_families()); }
 
 }  // namespace
 }  // namespace fathom::harness
