@@ -13,6 +13,7 @@
 #include "fathom/union.hpp"
 #include "python/src/answer.hpp"
 #include "python/src/bodies.hpp"
+#include "python/src/points.hpp"
 #include "python/src/watching.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/dents.hpp"
@@ -29,22 +30,6 @@ struct UnionAnswer {
 };
 
 // ---- bodies ----
-
-/// The first item of a sequence that has one and is no text; else None.
-py::object first_of(py::handle from) {
-  if (py::isinstance<py::str>(from) || !PySequence_Check(from.ptr())) return py::none();
-  auto item = py::reinterpret_steal<py::object>(PySequence_GetItem(from.ptr(), 0));
-  if (item) return item;
-  PyErr_Clear();
-  return py::none();
-}
-
-/// Whether it is one convex body: an object with `vertices`, or a sequence of points, whose first item begins with a number.
-bool is_one_body(py::handle from) {
-  if (py::hasattr(from, "vertices")) return true;
-  const py::object number = first_of(first_of(from));
-  return !number.is_none() && first_of(number).is_none();
-}
 
 /// Says that a mesh is not convex, to the caller of the function of Python that called.
 void warn(const std::string& sentence) {
@@ -67,7 +52,7 @@ std::vector<Point> piece_from(py::handle from, const std::string& called, const 
 
 /// One piece, or as many as there are.
 Pieces pieces_from(py::handle from, const std::string& called, const std::string& name) {
-  if (py::isinstance<Body>(from) || is_one_body(from)) return {piece_from(from, called, name)};
+  if (is_one_body(from)) return {piece_from(from, called, name)};
   if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
     throw py::type_error(name + ": expected convex pieces, or one convex body, found " + py::repr(py::type::of(from)).cast<std::string>());
   Pieces pieces;

@@ -183,7 +183,7 @@ def test_statuses_and_text():
     ([CUBE, []], "a: piece 1: expected at least one point, found none"),
     ([CUBE, np.zeros((4, 2))], "a: piece 1: expected an array of n x 3 coordinates, found one of 4 x 2"),
     ([CUBE, CUBE[0]], "a: piece 1: expected an array of n x 3 coordinates, found one of 3"),
-    ([[CUBE]], "a: piece 0: point 0: expected three numbers"),
+    ([[CUBE]], "a: piece 0: expected a convex body, found a list of bodies"),
     (np.zeros((2, 4, 2)), "a: piece 0: expected an array of n x 3 coordinates, found one of 4 x 2"),
     ([CUBE, np.where(CUBE > 0.5, NAN, CUBE)], "a: piece 1: expected finite coordinates, found others in row 1"),
     ([CUBE, [(0, 0, 0), (0, 0, "1/0")]], "a: piece 1: point 1: expected a number, found '1/0'"),
@@ -220,6 +220,12 @@ def test_arguments(call, fault, sentence):
     with pytest.raises(fault) as raised:
         call()
     assert sentence in str(raised.value)
+
+
+@pytest.mark.parametrize("bodies", [BLOCK, [fathom.union(BLOCK)], [fathom.sphere(1), CUBE], [CUBE.tolist()], BLOCK[:1] * 3])
+def test_a_list_of_bodies_is_no_convex_body(bodies):
+    with pytest.raises(ValueError, match="a: expected a convex body, found a list of bodies: union_depth takes such a list"):
+        fathom.depth(bodies, CUBE)
 
 
 UNION = fathom.union(BLOCK)
