@@ -121,10 +121,20 @@ def test_interrupts(call):
     assert out == "interrupted\n"
 
 
-def test_other_threads_go_on():
+def cloud(points, seed):
+    return np.random.default_rng(seed).normal(size=(points, 3))
+
+
+def cluster(seed):
+    return [cloud(20, seed + i) / 2 + cloud(1, seed + i) for i in range(10)]
+
+
+@pytest.mark.parametrize("question, a, b", [
+    (lambda a, b: fathom.depth(a, b, method="exact"), cloud(3000, 1), cloud(3000, 2)),
+    (fathom.union_depth, cluster(100), cluster(200)),
+])
+def test_other_threads_go_on(question, a, b):
     """The lock is let go: another thread works while a depth is found."""
-    rng = np.random.default_rng(1)
-    a, b = rng.normal(size=(2, 3000, 3))
     counted, stop = [0], threading.Event()
 
     def count():
@@ -136,7 +146,7 @@ def test_other_threads_go_on():
     worker.start()
     sys.setswitchinterval(1000)  # who holds the lock keeps it, unless it lets go
     try:
-        fathom.depth(a, b, method="exact")
+        question(a, b)
         seen = counted[0]
     finally:
         sys.setswitchinterval(before)
