@@ -14,7 +14,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "kernels/vector.hpp"
+#include "kernels/point_products.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 
@@ -41,19 +41,12 @@ const UnionDepth& complete(const UnionDepth& depth) {
   return depth;
 }
 
-/// The direction of a translation other than 0.
-Vector direction_of(const Point& t) {
-  const mpz_class unit = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
-  const auto times_unit = [&](const mpq_class& x) { return mpz_class(x.get_num() * (unit / x.get_den())); };
-  return primitive(Vector{times_unit(t.x), times_unit(t.y), times_unit(t.z)});
-}
-
 Vector direction_of(const Depth& depth) { return depth.direction(); }
 Vector direction_of(const SignedDepth& depth) { return depth.direction(); }
 Vector direction_of(const UnionDepth& depth) {
   if (depth.apart) return depth.apart->distance.direction;
   if (complete(depth).status == Status::touching) throw Absence("the unions touch: there is no one direction, but one for each two pieces");
-  return direction_of(depth.optima.front().translation);
+  return primitive_along(depth.optima.front().translation);
 }
 
 Coordinates translation_of(const Depth& depth) {
@@ -97,7 +90,7 @@ WayOut way_out(const SignedDepth& depth, std::size_t index) {
 }
 WayOut way_out(const UnionDepth& depth, std::size_t index) {
   const Point& way = depth.optima[index].translation;
-  return {direction_of(way), coordinates(way)};
+  return {primitive_along(way), coordinates(way)};
 }
 
 void copy(const Coordinates& from, double* to) { std::ranges::copy(rounded::nearest_binary64(from), to); }

@@ -18,13 +18,6 @@ namespace {
 
 Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
-// A positive multiple with integer entries.
-Vector direction_of(const Point& p) {
-  const mpz_class unit = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
-  const auto scaled = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
-  return primitive({scaled(p.x), scaled(p.y), scaled(p.z)});
-}
-
 // The rays of a cone without lineality in the order in which its faces go round it. Seen from the first ray the others follow each other
 // within less than half a turn.
 std::vector<Vector> in_cyclic_order(std::vector<Vector> rays) {
@@ -91,7 +84,7 @@ class Prover {
     std::vector<Vector> found;
     Vector w = is_zero(cross(p, {1, 0, 0})) ? Vector{0, 1, 0} : cross(p, {1, 0, 0});
     do {
-      found.push_back(direction_of(add(face, w)));
+      found.push_back(primitive_along(add(face, w)));
       w = cross(p, found.back());
     } while (std::none_of(found.begin(), found.end(), [&](const Vector& d) { return dot(w, d) > 0; }));
   }
@@ -107,7 +100,7 @@ class Rules {
       : rays_(proof.cone.rays), lines_(rounded::lineality_basis(proof.cone)) {
     for (const auto& [i, j] : proof.differences) {
       if (!report_.expect(i < a.size() && j < b.size(), "a difference has an index out of range")) continue;
-      differences_.push_back(direction_of(minus(b[j], a[i])));
+      differences_.push_back(primitive_along(minus(b[j], a[i])));
       zeros_.push_back(zeros_of(differences_.back()));
     }
   }

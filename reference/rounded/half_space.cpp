@@ -26,9 +26,7 @@ Point lowest_point(std::span<const Term> terms, const Vector& u) {
 
 PlaneSupport plane_support(const HalfSpace& half, Side side, std::span<const Term> other) {
   const Point& m = half.normal;
-  const mpz_class unit = lcm(lcm(m.x.get_den(), m.y.get_den()), m.z.get_den());
-  const auto scaled = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
-  const Vector outward = primitive({scaled(m.x), scaled(m.y), scaled(m.z)});
+  const Vector outward = primitive_along(m);
   // {x : <outward,x> <= height}, as outward is a positive multiple of m.
   const mpq_class height = half.offset * (dot(outward, outward) / product(outward, m));
   const Point p = lowest_point(other, outward);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "kernels/number/ratio.hpp"
+#include "kernels/point_products.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {
@@ -52,6 +54,16 @@ TEST(Vector, SumsHaveInverses) {
     RC_ASSERT(a - b == a + -b);
     RC_ASSERT(is_zero(a - a));
     RC_ASSERT(is_zero(a) == (dot(a, a) == 0));
+  });
+}
+
+TEST(PrimitiveAlong, IsThatOfAnyMultiple) {
+  EXPECT_EQ(primitive_along({0, 0, 0}), (Vector{0, 0, 0}));
+  EXPECT_EQ(primitive_along({mpq_class(1, 2), mpq_class(-1, 3), 0}), (Vector{3, -2, 0}));
+  for_all_sizes("multiples", [](Size size) {
+    const Vector v = *vectors(size);
+    const mpz_class p = 1 + abs((*vectors(size)).x), q = 1 + abs((*vectors(size)).y);
+    RC_ASSERT(primitive_along({ratio(p * v.x, q), ratio(p * v.y, q), ratio(p * v.z, q)}) == primitive(v));
   });
 }
 

@@ -5,15 +5,11 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/point_products.hpp"
 #include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {
-
-Vector integral(const Point& p) {
-  const mpz_class d = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
-  return primitive({mpq_class(d * p.x).get_num(), mpq_class(d * p.y).get_num(), mpq_class(d * p.z).get_num()});
-}
 
 std::optional<Point> point_of(const std::optional<Triple>& p) {
   if (!p || !is_finite(*p)) return std::nullopt;
@@ -63,7 +59,7 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
   }
   if (const std::optional<Point> u = point_of(reply.direction)) {
     claim.direction_length = u->x * u->x + u->y * u->y + u->z * u->z;
-    const Vector v = integral(*u);
+    const Vector v = primitive_along(*u);
     if (!is_zero(v)) claim.direction = conventions.moves == Conventions::Body::b ? -v : v;
   }
   claim.witness_a = point_of(reply.witness_a, exponent);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/number/surd.hpp"
+#include "kernels/point_products.hpp"
 
 namespace fathom::studies {
 
@@ -26,10 +27,7 @@ bool RootSum::is_zero() const {
   return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.factor == 0; });
 }
 
-Vector primitive_along(const RationalVector& v) {
-  const mpz_class scale = lcm(lcm(v.x.get_den(), v.y.get_den()), v.z.get_den());
-  return primitive(Vector{mpz_class(v.x * scale), mpz_class(v.y * scale), mpz_class(v.z * scale)});
-}
+Vector primitive_along(const RationalVector& v) { return fathom::primitive_along(Point{v.x, v.y, v.z}); }
 
 bool parallel(const RootVector& u, const RootVector& v) {
   const RationalVector rr = cross(u.rational, v.rational), ri = cross(u.rational, v.irrational), ir = cross(u.irrational, v.rational),
