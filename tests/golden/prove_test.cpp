@@ -8,14 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include "fathom/certificate.hpp"
+#include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
-#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keeps the order of fields, so that a forged line differs in one place only
+using testing::Json;
+using testing::replaced;
 
 TEST(Prove, WhatIsMadeIsProved) {
   for (const Recipe& recipe : testing::some_recipes(3)) {
@@ -125,12 +126,6 @@ TEST(Prove, OtherFormsOfTheSameRecordAreRefused) {
   for (std::size_t cut = 0; cut < line.size(); cut += 37) EXPECT_TRUE(refused(line.substr(0, cut)));
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 TEST(Prove, CertificatesMustBeThoseOfTheRecord) {
   const Record record = records_of({Source::family, "boxes_aligned", 8, 1}).front();
   const std::string& proof = record.certificate;
@@ -154,9 +149,7 @@ TEST(Prove, TheDistanceMustBeProvedToo) {
   // The certificate of format 1, with its own sum: it says that they are disjoint.
   const Case points = base_case(recipe);
   const std::string weaker = certificate_text(points.a, points.b, penetration_depth(points.a, points.b), points.id);
-  Json line = Json::parse(record.line);
-  line["certificate"]["sha256"] = digest::digest_of(weaker).sha256;
-  EXPECT_EQ(faults_of(line.dump(), weaker), "the certificate does not prove how far the bodies are apart");
+  EXPECT_EQ(faults_of(testing::line_with(record.line, weaker), weaker), "the certificate does not prove how far the bodies are apart");
 }
 
 TEST(Prove, AnIdStandsForItsOwnPointsOnly) {

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
+#include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/digest/sha256.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/recompute.hpp"
 #include "verify/golden/records/record.hpp"
@@ -21,10 +20,12 @@
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keeps the order of fields
+using testing::hex;
+using testing::Json;
+using testing::line_with;
+using testing::read;
+using testing::replaced;
 
-mpq_class read(const Json& text) { return *parse_number(text.get<std::string>(), Decimals::exact).value; }
-double hex(const Json& text) { return std::stod(text.get<std::string>()); }
 Surd surd(const Json& exact) { return {read(exact["plus"]), read(exact["root"]) * exact["sign"].get<int>()}; }
 
 TEST(ShapeRecord, WhatIsMadeIsProvedAndGivenAgain) {
@@ -159,19 +160,6 @@ TEST(ShapeRecord, NoRoundingThatOverflowsOrLeavesNoShape) {
 
 // ---- forgers ----
 
-/// The line with another certificate, whose sum is right.
-std::string line_with(const std::string& line, const std::string& certificate) {
-  Json forged = Json::parse(line);
-  forged["certificate"]["sha256"] = digest::digest_of(certificate).sha256;
-  return forged.dump();
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 /// The line that begins with this word.
 std::string line_from(const std::string& text, const std::string& word) {
   const std::size_t at = text.find('\n' + word);
@@ -223,10 +211,7 @@ TEST(ShapeForger, ARadiusThatIsDropped) {
 TEST(ShapeForger, TheCertificateOfAnother) {
   const std::vector<Record> records = records_of({Source::shape_family, "cylinders", 8, 2});
   ASSERT_GE(records.size(), 2u);
-  const std::string& other = records[1].certificate;
-  EXPECT_NE(faults_of(line_with(records[0].line, other), other).value_or("").find("that of another record"), std::string::npos);
-  const std::string renamed = replaced(other, "id " + records[1].id, "id " + records[0].id);
-  EXPECT_EQ(faults_of(line_with(records[0].line, renamed), renamed), "the certificate is about other bodies");
+  testing::expect_refused_of(records[0], records[1]);
 }
 
 TEST(ShapeForger, ACertificateThatSaysLess) {
@@ -240,17 +225,8 @@ TEST(ShapeForger, ACertificateThatSaysLess) {
 }
 
 TEST(ShapeForger, AnotherFormAndHostileSizes) {
-  const Record record = records_of({Source::shape_catalogue, "spheres_touching"}).front();
-  Json line = Json::parse(record.line);
-  line["source"]["form"] = "binary32";
-  line["id"] = record.id + ".b32";
-  const std::string proof = replaced(record.certificate, "id " + record.id, "id " + record.id + ".b32");
-  EXPECT_EQ(faults_of(line_with(line.dump(), proof), proof), "source: it has no such form");
-  const Record hull = records_of({Source::shape_family, "capsule_hull", 8, 1}).front();
-  line = Json::parse(hull.line);
-  line["source"]["size"] = 4'000'000'000;
-  line["id"] = "capsule_hull-n4000000000-s1";
-  EXPECT_EQ(faults_of(line.dump(), hull.certificate), "source.size: it is larger than that of any record");
+  testing::expect_form_refused(records_of({Source::shape_catalogue, "spheres_touching"}).front());
+  testing::expect_size_refused(records_of({Source::shape_family, "capsule_hull", 8, 1}).front(), "capsule_hull");
 }
 
 TEST(ShapeRecompute, NoticesOtherValues) {

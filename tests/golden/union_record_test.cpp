@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "fathom/certificate.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
+#include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/digest/sha256.hpp"
 #include "verify/families/union_bodies.hpp"
 #include "verify/families/union_catalogue.hpp"
 #include "verify/golden/records/accepted.hpp"
@@ -24,10 +23,11 @@
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keeps the order of fields
-
-mpq_class read(const Json& text) { return *parse_number(text.get<std::string>(), Decimals::exact).value; }
-double hex(const Json& text) { return std::stod(text.get<std::string>()); }
+using testing::hex;
+using testing::Json;
+using testing::line_with;
+using testing::read;
+using testing::replaced;
 
 Record record_named(const char* entry) { return records_of({Source::union_catalogue, entry}).front(); }
 
@@ -122,19 +122,6 @@ TEST(UnionRecord, NoRoundingThatOverflowsOrFlattensAPiece) {
 
 // ---- forgers ----
 
-/// The line with another certificate, whose sum is right.
-std::string line_with(const std::string& line, const std::string& certificate) {
-  Json forged = Json::parse(line);
-  forged["certificate"]["sha256"] = digest::digest_of(certificate).sha256;
-  return forged.dump();
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 TEST(UnionForger, AnotherDepthFewerOptimaOtherPieces) {
   const Record record = record_named("cavity_too_small");
   const Json line = Json::parse(record.line);
@@ -161,14 +148,7 @@ TEST(UnionForger, ACertificateThatIsNotAccepted) {
     EXPECT_NE(faults_of(line_with(record.line, proof), proof).value_or("").find("not accepted"), std::string::npos);
 }
 
-TEST(UnionForger, TheCertificateOfAnother) {
-  const Record record = record_named("slot_exact_fit"), other = record_named("slot_wider");
-  EXPECT_NE(faults_of(line_with(record.line, other.certificate), other.certificate).value_or("").find("that of another record"),
-            std::string::npos);
-  const std::string renamed = replaced(other.certificate, "id " + other.id, "id " + record.id);
-  ASSERT_TRUE(fathom_check::verify(renamed).accepted()) << "it is true of other bodies";
-  EXPECT_EQ(faults_of(line_with(record.line, renamed), renamed), "the certificate is about other bodies");
-}
+TEST(UnionForger, TheCertificateOfAnother) { testing::expect_refused_of(record_named("slot_exact_fit"), record_named("slot_wider")); }
 
 /// The same points, one piece repeated: the body is the same set, the pieces are not.
 TEST(UnionForger, APieceMore) {
@@ -182,17 +162,8 @@ TEST(UnionForger, APieceMore) {
 }
 
 TEST(UnionForger, AnotherFormAndHostileSizes) {
-  const Record record = record_named("slot_filled");
-  Json line = Json::parse(record.line);
-  line["source"]["form"] = "binary32";
-  line["id"] = record.id + ".b32";
-  const std::string proof = replaced(record.certificate, "id " + record.id, "id " + record.id + ".b32");
-  EXPECT_EQ(faults_of(line_with(line.dump(), proof), proof), "source: it has no such form");
-  const Record clusters = records_of({Source::union_family, "clusters", 4, 1}).front();
-  line = Json::parse(clusters.line);
-  line["source"]["size"] = 4'000'000'000;
-  line["id"] = "clusters-n4000000000-s1";
-  EXPECT_EQ(faults_of(line.dump(), clusters.certificate), "source.size: it is larger than that of any record");
+  testing::expect_form_refused(record_named("slot_filled"));
+  testing::expect_size_refused(records_of({Source::union_family, "clusters", 4, 1}).front(), "clusters");
 }
 
 TEST(UnionProve, WhatIsKnownIsNotDenied) {
