@@ -70,11 +70,12 @@ bool fill_hull(const Pieces& body, Monitor* monitor) {
   return true;
 }
 
+bool is_before(const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
+
 /// Each piece once.
 Pieces distinct(Pieces body) {
-  const auto less = [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
-  for (Solid& piece : body) std::ranges::sort(piece, less);
-  std::ranges::sort(body, [&](const Solid& p, const Solid& q) { return std::ranges::lexicographical_compare(p, q, less); });
+  for (Solid& piece : body) std::ranges::sort(piece, is_before);
+  std::ranges::sort(body, [](const Solid& p, const Solid& q) { return std::ranges::lexicographical_compare(p, q, is_before); });
   body.erase(std::unique(body.begin(), body.end()), body.end());
   return body;
 }
@@ -146,7 +147,7 @@ UnionsFound unions_by_parts(const Case& pair, Monitor* monitor, Part* part) {
       penetrating(distinct(unions::scaled(std::move(a), unit)), distinct(unions::scaled(std::move(b), unit)), monitor, taken);
   answer.squared /= unit * unit;
   for (Point& t : answer.translations) t = {mpq_class(t.x / unit), mpq_class(t.y / unit), mpq_class(t.z / unit)};
-  std::ranges::sort(answer.translations, [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+  std::ranges::sort(answer.translations, is_before);
   return answer;
 }
 
