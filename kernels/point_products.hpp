@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Products of positions, in rationals, and the integer vector along one. They are in fathom, as Point is, where argument-dependent lookup finds them.
+// Products of positions in rationals, and vectors along them. They are in fathom, as Point is, where argument-dependent lookup finds them.
 #pragma once
 
 #include "kernels/vector.hpp"
