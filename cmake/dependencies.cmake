@@ -3,6 +3,12 @@
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
+# Boost's own configuration, where CMake (3.30) asks which: with it CGAL 6 is found without a warning.
+set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW)
+endif()
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)

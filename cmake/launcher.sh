@@ -75,16 +75,20 @@ logged_or_die() {
   die 3 "$what failed; the whole log is $log"
 }
 
-# The packages of the given sections of packages.txt, without those whose command is there: `nodejs unless node`.
+# The packages of the given sections of packages.txt, without those whose command is there, `nodejs unless node`, and those that this
+# release of Debian lacks, `clang-format-14 if known`.
 packages() {
-  local package unless command section='' wanted=" $* "
-  while read -r package unless command; do
+  local package condition section='' wanted=" $* "
+  while read -r package condition; do
     case $package in
       '' | '#'*) ;;
       '['*']') section=${package:1:-1} ;;
       *)
         if [[ $wanted != *" $section "* ]]; then continue; fi
-        if [[ $unless == unless ]] && command -v "$command" >/dev/null; then continue; fi
+        case $condition in
+          unless*) if command -v "${condition##* }" >/dev/null; then continue; fi ;;
+          if*) apt-cache show "$package" >/dev/null 2>&1 || continue ;;
+        esac
         printf '%s\n' "$package"
         ;;
     esac
@@ -120,6 +124,7 @@ install_packages() {
   say "installing Debian packages: ${missing[*]}"
   local -x DEBIAN_FRONTEND=noninteractive
   logged_or_die "apt-get update" apt-get update 9>&-
+  find_missing "$@" # now apt knows what there is
   logged_or_die "apt-get install" apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}" 9>&-
 }
 

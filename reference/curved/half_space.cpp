@@ -56,7 +56,7 @@ CurvedBounds half_space_bounds(kernels::Context& context, const HalfSpace& plane
   result.low = lower == upper ? goal.exact_or_below(lower) : goal.from_below(lower);
   result.high = lower == upper ? goal.exact_or_above(upper) : goal.from_above(upper);
   (plane_is_a ? result.bracket.heights_b : result.bracket.heights_a) = std::move(rounded);
-  (plane_is_a ? result.bracket.inner_b : result.bracket.inner_a) = {std::move(inner)};
+  (plane_is_a ? result.bracket.inner_b : result.bracket.inner_a) = std::vector<InnerPoint>{std::move(inner)};
   return result;
 }
 

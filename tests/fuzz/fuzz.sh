@@ -3,7 +3,7 @@
 # fuzz.sh ROOT FOLDER [SECONDS]   builds the fuzz targets of the preset `fuzz` in FOLDER and runs each of them, the certificate checker on
 # its committed corpus, the readers of meshes and cases on the files of tests/data; for a quarter of a minute each unless told otherwise.
 #
-# Exit codes: 0 nothing was found; 77 there is no clang++ with libFuzzer (Debian: clang, libclang-rt-14-dev); any other, a finding.
+# Exit codes: 0 nothing was found; 77 there is no clang++ with libFuzzer (Debian: clang, libclang-rt-dev); any other, a finding.
 set -u
 root=$(cd "$1" && pwd) || exit 1
 mkdir -p "$2" && cd "$2" || exit 1
@@ -12,7 +12,7 @@ seconds=${3-15}
 
 probe='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
 if ! clang++ -x c++ -fsanitize=fuzzer - -o probe <<<"$probe"; then
-  echo "clang++ with libFuzzer is missing (Debian: clang, libclang-rt-14-dev)"
+  echo "clang++ with libFuzzer is missing (Debian: clang, libclang-rt-dev)"
   exit 77
 fi
 (cd "$root" && cmake --preset fuzz -B "$folder/build" && cmake --build "$folder/build" --target fuzz -j 2) || exit 1

@@ -103,6 +103,15 @@ printf '%s\n' 'no-such-shell unless bash' 'no-such-node  unless  no-such-command
 expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/check"
 [[ $talk == *'apt-get install -y --no-install-recommends no-such-node' ]] || broken 'other packages than no-such-node'
 
+law='a package that only some releases have is asked for where apt knows it'
+packages bash bash bash bash bash
+printf '%s\n' 'no-such-new-package if known' 'no-such-old-package  if known' >>"$tree/cmake/packages.txt"
+mkdir "$work/apt"
+printf '#!/bin/sh\n[ "$*" = "show no-such-new-package" ]\n' >"$work/apt/apt-cache"
+chmod 755 "$work/apt" "$work/apt/apt-cache"
+expect 2 '' env PATH="$work/apt:$PATH" ${ordinary[@]+"${ordinary[@]}"} "$tree/check"
+[[ $talk == *'apt-get install -y --no-install-recommends no-such-new-package' ]] || broken 'other packages than no-such-new-package'
+
 law='the first answer of depth builds, without the packages of the rest, what depth needs, says so, and says where the log is'
 packages bash no-such-build-package no-such-test-package bash
 expect 2 'small|depth|a' "$tree/fathom" depth a

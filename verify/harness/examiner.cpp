@@ -31,7 +31,7 @@ Clock::duration duration(double seconds) {
 }
 
 /// A line of a subject, for people.
-std::string quoted(std::string_view line) {
+std::string excerpt(std::string_view line) {
   constexpr std::size_t shown_bytes = 200;
   return '\'' + kernels::printable(line, shown_bytes) + '\'';
 }
@@ -56,7 +56,7 @@ void Examiner::finish() {
   std::string line;
   const Process::Got got = process_->read_line(line, Clock::now() + grace_to_stop);
   std::optional<Fault> found;
-  if (got == Process::Got::line) found = fault(Verdict::garbage, "wrote " + quoted(line));
+  if (got == Process::Got::line) found = fault(Verdict::garbage, "wrote " + excerpt(line));
   if (got == Process::Got::end) found = fault_of_end(line);
   // It ended normally, without an answer: silent.
   const bool is_well = found && found->verdict == Verdict::silent && !found->unread;
@@ -80,7 +80,7 @@ std::string Examiner::last_words() {
 std::string Examiner::unfinished_line() {
   const std::string& line = process_->waiting();
   return line.empty() ? "; no byte came: does it flush its output?"
-                      : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line));
+                      : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line));
 }
 
 void Examiner::start() {
@@ -104,7 +104,7 @@ void Examiner::start() {
   if (got == Process::Got::end) {
     const std::optional<Ending> ending = process_->ending(Clock::now() + grace);
     throw SubjectError("the subject said no hello: " + (ending ? described(*ending) : "closed its output") +
-                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), quoted(line))) + last_words());
+                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line))) + last_words());
   }
   try {
     SubjectInfo info = read_hello(line);
@@ -202,7 +202,7 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
     case Process::Got::stopped: throw Interrupted();
     case Process::Got::end: return fault_of_end(line);
     case Process::Got::too_long:
-      return fault(Verdict::garbage, fmt::format("a line of more than {} bytes: {}", longest_line, quoted(process_->waiting())));
+      return fault(Verdict::garbage, fmt::format("a line of more than {} bytes: {}", longest_line, excerpt(process_->waiting())));
     case Process::Got::time_out: break;
   }
   std::string detail = fmt::format("no answer within {} s", settings_.time_out);
@@ -212,19 +212,19 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
 }
 
 std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, std::optional<SubjectAnswer>& understood) {
-  const std::string what = "wrote " + quoted(line), ticket = std::to_string(tickets_);
+  const std::string what = "wrote " + excerpt(line), ticket = std::to_string(tickets_);
   std::optional<SubjectAnswer> answer;
   try {
     answer = read_reply(line, info_.format);
     demand_sent_as_vertices(seen, *answer);
   } catch (const ProtocolError& error) {
     const std::string reason = error.what();
-    return fault(Verdict::garbage, what, reason.find(quoted(line)) == reason.npos ? reason + "; the line: " + quoted(line) : reason);
+    return fault(Verdict::garbage, what, reason.find(excerpt(line)) == reason.npos ? reason + "; the line: " + excerpt(line) : reason);
   }
   if (answer->ticket != ticket)
     return fault(
         Verdict::garbage, what,
-        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), quoted(line)));
+        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), excerpt(line)));
   answered_ = seen.id;
   unread_ = 0;
   understood = std::move(answer);
@@ -240,7 +240,7 @@ Examiner::Fault Examiner::fault_of_end(const std::string& rest) {
   const std::string how = ending ? described(*ending) : "closed its output and lived on";
   if (ending && !ending->in_good_order()) return fault(Verdict::crash, how);
   if (rest.empty()) return fault(Verdict::silent, how);
-  return fault(Verdict::garbage, "wrote " + quoted(rest), "a line that was cut off: " + quoted(rest));
+  return fault(Verdict::garbage, "wrote " + excerpt(rest), "a line that was cut off: " + excerpt(rest));
 }
 
 }  // namespace fathom::harness
