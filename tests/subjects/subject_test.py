@@ -99,14 +99,29 @@ class Hello(Conversation):
     def test_settings_from_the_command_line(self):
         key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance",
                "fcl-collide": "gjk_tolerance", "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin",
-               "ode-collide": "contacts"}
+               "ode-collide": "contacts", "bullet-epa": "guess", "bullet64-epa": "guess"}
         for mode in OWN:
-            name = key.get(f"{PROGRAM}-{mode}")
-            if name is None:
-                continue  # btGjkEpaSolver2 takes no parameters
-            value = "7" if name == "contacts" else "0.0009765625"
+            name = key[f"{PROGRAM}-{mode}"]
+            value = {"contacts": "7", "guess": "1:-2:0.5"}.get(name, "0.0009765625")
             with Client(PROGRAM, mode, f"{name}={value}") as subject:
                 self.assertEqual(subject.hello["settings"][name], value)
+
+    def test_where_a_search_starts(self):
+        """A direction that was given is used: two ways out are equally short, and which is answered depends on it."""
+        key, usual, given = {"libccd": ("first_direction", "1:0:0", "0.3:-0.81:0.5"), "fcl": ("guess", "1:0:0", "0.3:0.5:0.81"),
+                             "bullet64": ("guess", "B-A", "1:1:1")}.get(PROGRAM, (None,) * 3)
+        if key is None:
+            return
+        mode = {"fcl": "indep"}.get(PROGRAM, "epa")
+        with Client(PROGRAM, mode) as as_usual, Client(PROGRAM, mode, f"{key}={given}") as otherwise:
+            self.assertEqual((as_usual.hello["settings"][key], otherwise.hello["settings"][key]), (usual, given))
+            near = [[x + 0.5, y + 0.5, z] for x, y, z in CUBE]
+            replies = [client.ask(CUBE, near) for client in (as_usual, otherwise)]
+            self.assertNotEqual(*({k: v for k, v in reply.items() if k != "id"} for reply in replies))
+            if PROGRAM == "bullet64":
+                self.assertAlmostEqual(abs(replies[1]["depth"]), 0.5, delta=TOLERANCE)
+        for wrong in ("1:1", "1:1:x", "1:1:1:1", "1,1,1", "nan:0:0"):
+            self.assertIn("x:y:z", self.ends(Client(PROGRAM, mode, f"{key}={wrong}"), 2))
 
     def test_no_limit_is_told_in_words(self):
         if PROGRAM != "libccd":

@@ -116,15 +116,16 @@ Making making(Settings& settings, double margin) {
   return making;
 }
 
+/// The solver has no guess of its own: without the setting it gets the one that Bullet's own callers give it, from centre to centre.
 subject::Solver epa(Settings& settings) {
   settings.note("margin", "0");
-  settings.note("guess", "from the centre of A to the centre of B");
-  return [making = making(settings, 0)](const Body& a, const Body& b) {
+  const std::optional<Vector> guess = settings.vector("guess", "B-A");
+  return [making = making(settings, 0), guess](const Body& a, const Body& b) {
     const Placed one(a, making), two(b, making);
     btGjkEpaSolver2::sResults result;
     subject::Reply reply;
-    reply.overlap =
-        btGjkEpaSolver2::Penetration(one.shape.get(), one.at, two.shape.get(), two.at, two.at.getOrigin() - one.at.getOrigin(), result);
+    const btVector3 start = guess ? vector(*guess) : two.at.getOrigin() - one.at.getOrigin();
+    reply.overlap = btGjkEpaSolver2::Penetration(one.shape.get(), one.at, two.shape.get(), two.at, start, result);
     if (result.status == btGjkEpaSolver2::sResults::GJK_Failed) throw std::runtime_error("btGjkEpaSolver2: GJK_Failed");
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) throw std::runtime_error("btGjkEpaSolver2: EPA_Failed");
     if (!reply.overlap) return reply;

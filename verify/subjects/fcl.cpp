@@ -100,6 +100,11 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
   request.num_max_contacts = settings.count("num_max_contacts", request.num_max_contacts);
   request.gjk_tolerance = settings.number("gjk_tolerance", request.gjk_tolerance);
   settings.note("gjk_solver_type", type_name);
+  if (type == fcl::GST_INDEP)  // libccd's MPR takes none
+    if (const auto guess = settings.vector("guess", "1:0:0")) {
+      request.enable_cached_gjk_guess = true;
+      request.cached_gjk_guess = fcl::Vector3d(guess->data());
+    }
   const bool tells_positions = settings.count("positions", 0) != 0;
   return [request, tells_positions](const Body& a, const Body& b) {
     if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: FCL gives no depth");

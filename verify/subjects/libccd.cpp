@@ -113,6 +113,11 @@ void centre(const void* object, ccd_vec3_t* out) {
   ccdVec3Set(out, c[0], c[1], c[2]);
 }
 
+/// Where GJK starts. libccd calls a function of the bodies alone: the direction has no other place.
+Vector first_direction{};
+
+void first(const void*, const void*, ccd_vec3_t* out) { ccdVec3Set(out, first_direction[0], first_direction[1], first_direction[2]); }
+
 using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
 
 ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, const std::string& name) {
@@ -122,6 +127,11 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
   options.center1 = options.center2 = centre;
   options.*tolerance = settings.number(name, options.*tolerance);
   options.max_iterations = settings.count("max_iterations", options.max_iterations);
+  if (tolerance == &ccd_t::epa_tolerance)  // MPR starts from the centres
+    if (const auto direction = settings.vector("first_direction", "1:0:0")) {
+      first_direction = *direction;
+      options.first_dir = first;
+    }
   settings.note("centre", "mean of the vertices");
   return options;
 }

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "verify/subjects/read_shape.hpp"
 
@@ -179,6 +180,18 @@ unsigned long Settings::count(const std::string& key, unsigned long usual) {
   }
   note(key, value == endless ? no_limit : std::to_string(value));
   return value;
+}
+
+std::optional<Vector> Settings::vector(const std::string& key, const std::string& usual) {
+  const auto text = taken(key);
+  note(key, text.value_or(usual));
+  if (!text) return std::nullopt;
+  Vector v{};
+  std::istringstream from(*text);
+  char colon = ':', second = ':';
+  if (!(from >> v[0] >> colon >> v[1] >> second >> v[2]) || colon != ':' || second != ':' || from.peek() != EOF)
+    throw std::invalid_argument(key + " expects three numbers x:y:z, found " + *text);
+  return v;
 }
 
 void Settings::note(const std::string& key, const std::string& text) { told_[key] = text; }

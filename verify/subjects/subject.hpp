@@ -69,6 +69,8 @@ class Settings {
   /// stands for none, is listed and may be given as "no limit").
   double number(const std::string& key, double usual);
   unsigned long count(const std::string& key, unsigned long usual);
+  /// x:y:z, if it was given; else nullopt, and `usual` says in the list what is taken then.
+  std::optional<Vector> vector(const std::string& key, const std::string& usual);
   /// Lists what cannot be changed.
   void note(const std::string& key, const std::string& text);
   /// Throws std::invalid_argument when a key was given that nothing asked for.
