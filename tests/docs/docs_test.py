@@ -182,6 +182,12 @@ class Docs(unittest.TestCase):
         version = re.search(r"^project\(fathom VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
         self.assertEqual([version], re.findall(r'^version: "(.*)"$', (ROOT / "CITATION.cff").read_text(), re.MULTILINE))
 
+    def test_tables(self):
+        """Law: the tables of the survey are those that its results make, and say so where its commands make other cases by now."""
+        done = subprocess.run([sys.executable, "-B", ROOT / "verify/survey/tables.py", "--check", "--fathom", EXECUTABLE],
+                              capture_output=True, text=True, timeout=PATIENCE, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), "verify/survey/tables.py makes them anew")
+
     def test_every_page_is_linked(self):
         front = (ROOT / "README.md").read_text() + (ROOT / "docs" / "architecture.md").read_text()
         for page in pages()[1:]:

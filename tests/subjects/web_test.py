@@ -227,14 +227,16 @@ class Web(unittest.TestCase):
             self.assertIn(f"{ENGINE}: ", talk)
 
     def test_real_cases(self):
-        """The passes of the table, as given and fitted, from what users run; exact, as WebAssembly answers alike on every machine."""
+        """The passes of the table, as hulls and as reported, as given and fitted, from what users run; exact, as WebAssembly answers alike
+        on every machine."""
         for mode in MODES:
             name = ENGINE if mode in ("radius0", "proximity") else f"{ENGINE}-{mode}"
             row = re.search(rf"^\| {name} \|.*$", README.read_text(encoding="utf-8"), re.MULTILINE)
-            for told, options in zip(map(int, row.group().strip("| ").split("|")[-2:]), ([], ["--fit", "64"])):
-                with self.subTest(adapter=name, options=options):
+            runs = [(cases, options) for cases in ("real_cases.jsonl", "real_shapes.jsonl") for options in ([], ["--fit", "64"])]
+            for told, (cases, options) in zip(map(int, row.group().strip("| ").split("|")[-4:]), runs, strict=True):
+                with self.subTest(adapter=name, cases=cases, options=options):
                     done = subprocess.run([os.environ["FATHOM_EXECUTABLE"], "certify", "--jobs", "1", *options, "--adapter", name, "--json",
-                                           ROOT / "tests" / "data" / "real_cases.jsonl"], capture_output=True, text=True, check=False)
+                                           ROOT / "tests" / "data" / cases], capture_output=True, text=True, check=False)
                     self.assertIn(done.returncode, (0, 1), done.stderr)
                     lines = [json.loads(line) for line in done.stdout.splitlines()]
                     self.assertEqual((lines[-1]["type"], lines[-1]["cases"], lines[-1]["unattributed"]), ("summary", 63, 0))

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 
 import sets
-from markup import document, e, file_name
+from markup import document, e, file_name, told
 
 
 def output_name(case, ending):
@@ -62,14 +62,14 @@ def case_article(case, line, what, failing, certificate):
 def table(name, row, results):
     rows = []
     for subject in results["subjects"]:
-        found = subject["sets"][name]["cells"].get(row)
+        found = subject["sets"].get(name, {"cells": {}})["cells"].get(row)
         if not found:
             continue
         worst = found.get("worst")
         counts = ", ".join(f"{count} {verdict}" for verdict, count in sorted(found["n"].items(), key=lambda each: -each[1]))
         case = f'<a href="#c-{file_name(worst[0])}">{e(worst[0])}</a>' if worst else ""
         rows.append(f'<tr id="{subject["adapter"]}"><th scope="row"><a href="../../index.html#s-{subject["adapter"]}">{subject["adapter"]}</a> '
-                    f'<span class="soft">{e(subject["hello"]["version"])}</span></th><td class="text">{counts}</td><td class="text">{case}</td></tr>')
+                    f'<span class="soft">{e(told(subject))}</span></th><td class="text">{counts}</td><td class="text">{case}</td></tr>')
     return ('<div class="wide" tabindex="0" role="region" aria-label="Subjects"><table class="facts"><thead><tr><th scope="col">subject</th>'
             '<th scope="col">verdicts</th><th scope="col">worst case</th></tr></thead><tbody>' + "\n".join(rows) +
             "</tbody></table></div>\n")
@@ -79,7 +79,7 @@ def worst_cases(name, row, results):
     """{case: [(adapter, verdict, sentence)]} in the order of the subjects."""
     found = {}
     for subject in results["subjects"]:
-        if worst := subject["sets"][name]["cells"].get(row, {}).get("worst"):
+        if worst := subject["sets"].get(name, {"cells": {}})["cells"].get(row, {}).get("worst"):
             found.setdefault(worst[0], []).append((subject["adapter"], worst[2], worst[3]))
     return found
 
@@ -121,7 +121,7 @@ def page(name, row, results, cases, lines, pictures, folder):
             (folder / certificate).write_text(pictures[case][2], encoding="utf-8")
         articles.append(case_article(case, lines[case], pictures[case], failing, certificate))
     body = (f'<header><p class="small"><a href="../../index.html">Collision libraries, judged exactly</a></p><h1>{e(row or name)}</h1>\n'
-            f'<p class="soft">{e(found["title"])}: {found["rows"][row]} of {found["cases"]} cases, {results["date"]}, {e(results["fathom"])}. '
+            f'<p class="soft">{e(found["title"])}: {found["rows"][row]} of {found["cases"]} cases. '
             f'<code>{e(found["command"])}</code></p></header>\n<main>{table(name, row, results)}<h2>The worst cases</h2>\n'
             '<p class="soft small">Pictures and certificates are of the numbers as given; a binary32 subject is judged on the rounded ones, '
             "of which <code>certify --certificates</code> writes the proof.</p>\n" + "".join(articles) + "</main>\n")

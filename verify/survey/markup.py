@@ -6,10 +6,12 @@ import html
 import pathlib
 import re
 
+import sets
+import tally
+
 GROUP_CLASS = {"right": "g0", "too deep": "g1", "too shallow": "g2", "wrong status": "g3", "other wrong": "g4", "no answer": "g5",
                "declined": "g6"}
 FAILING = ("too deep", "too shallow", "wrong status", "other wrong", "no answer")
-LETTER = {"too deep": "D", "too shallow": "S", "wrong status": "X", "other wrong": "W", "no answer": "N"}
 
 
 def e(text):
@@ -19,6 +21,13 @@ def e(text):
 def file_name(key):
     """Of a cell's page; different keys have different names."""
     return re.sub(r"[^\w.-]", lambda found: f"%{ord(found[0]):02X}", key).replace("%", "_") or "none"
+
+
+def told(subject):
+    """What a row says of a subject behind its name: its version, its numbers, and the settings that decide."""
+    hello = subject["hello"]
+    decides = [f"{key} {hello['settings'][key]}" for key in sets.deciding(subject["adapter"]) if key in hello.get("settings", {})]
+    return ", ".join([hello["version"], tally.numbers_text(hello), *decides[:1]])
 
 
 def document(title, body, more_style=""):

@@ -13,8 +13,9 @@ import sys
 import cell_pages
 import history
 import sets
+import tables
 import tally
-from markup import FAILING, GROUP_CLASS, LETTER, bar, document, e, file_name, key, time_text
+from markup import FAILING, GROUP_CLASS, bar, document, e, file_name, key, time_text, told
 
 HERE = pathlib.Path(__file__).resolve().parent
 SUBSET_NAMES = {"solid": "solid bodies", "metre_sized": "metre-sized bodies"}
@@ -51,7 +52,9 @@ def engine_of(subject):
 def bars(results, name, part):
     rows, before = [], None
     for subject in results["subjects"]:
-        found = subject["sets"][name]
+        found = subject["sets"].get(name)
+        if found is None:
+            continue
         groups = found["groups"] if part == "all" else found["subsets"].get(part, {})
         label = f"{subject['adapter']}: " + ", ".join(f"{count} {group}" for group, count in groups.items())
         times = found["microseconds"] if part == "all" else None
@@ -61,7 +64,7 @@ def bars(results, name, part):
         first = ' class="first"' if engine_of(subject) != before else ""
         before = engine_of(subject)
         rows.append(f'<tr{first}><th scope="row"><a href="#s-{subject["adapter"]}">{subject["adapter"]}</a> '
-                    f'<span class="soft">{e(subject["hello"]["version"])}</span></th><td class="bar">{bar(groups, label)}</td>{cells}</tr>')
+                    f'<span class="soft">{e(told(subject))}</span></th><td class="bar">{bar(groups, label)}</td>{cells}</tr>')
     head = "".join(f'<th scope="col">{group}</th>' for group in GROUP_CLASS)
     return (f'<div class="part of-{part}"><table class="bars"><thead><tr><th scope="col">subject</th><th scope="col"><span class="soft">'
             f'{"all cases" if part == "all" else SUBSET_NAMES[part]}</span></th>{head}<th scope="col">median us</th></tr></thead>\n<tbody>'
@@ -70,7 +73,7 @@ def bars(results, name, part):
 
 def map_cell(results, name, row, subject):
     """How many cases of the row fail, or of a single case a letter that says how."""
-    found = subject["sets"][name]["cells"].get(row, {"n": {}})
+    found = subject["sets"].get(name, {"cells": {}})["cells"].get(row, {"n": {}})
     counts = {}
     for verdict, count in found["n"].items():
         counts[tally.group_of(verdict)] = counts.get(tally.group_of(verdict), 0) + count
@@ -79,12 +82,16 @@ def map_cell(results, name, row, subject):
         return '<td class="d">·</td>' if counts.get("declined", 0) == total else "<td></td>"
     if results["sets"][name]["by_case"]:
         group = next(group for group in FAILING if group in counts)
-        style, text = GROUP_CLASS[group].replace("g", "k"), LETTER[group]
+        style, text = GROUP_CLASS[group].replace("g", "k"), tally.LETTERS[group]
     else:
         style, text = f"s{1 + sum(failing / total > least for least in STEPS)}", failing
     said = f"{subject['adapter']} on {row}: {failing} of {total} fail; worst: {found['worst'][2]}"
     link = f"cells/{name}/{file_name(row)}.html#{subject['adapter']}"
     return f'<td class="{style}"><a href="{link}" title="{e(said)}">{text}</a></td>'
+
+
+def dates(results, name):
+    return ", ".join(sorted({s["sets"][name]["made"]["date"] for s in results["subjects"] if name in s["sets"]}))
 
 
 def result_map(results, name):
@@ -111,8 +118,19 @@ def section(results, name):
     found = results["sets"][name]
     parts = "".join(bars(results, name, part) for part in ("all", *subsets(results)))
     return (f'<section class="set" id="of-{name}"><h2>{e(found["title"])}</h2>\n<p>{e(found["about"])} {found["cases"]} cases, '
-            f'{results["date"]}, {e(results["fathom"])}: <code>{e(found["command"])}</code></p>\n{key()}{parts}{result_map(results, name)}'
+            f'answered {e(dates(results, name))}: <code>{e(found["command"])}</code></p>\n{key()}{parts}{result_map(results, name)}'
             "</section>\n")
+
+
+def both_ways(results):
+    """The real cases as hulls and as in their reports, by what was judged and by the best settings found, as RESULTS.md has them."""
+    text = "<section><h2>Real cases, both ways</h2>\n"
+    for legend, (head, rows) in ((tables.LEGEND, tables.real_table(results)), (tables.BEST_LEGEND, tables.best_table(results))):
+        cells = "\n".join(f'<tr><th scope="row">{e(row[0])}</th>{"".join(f"<td>{e(cell)}</td>" for cell in row[1:])}</tr>' for row in rows)
+        text += (f'<p class="small soft">{e(legend).replace("`", "")}</p>\n<div class="wide" tabindex="0" role="region" aria-label="Both ways">'
+                 f'<table class="facts"><thead><tr>{"".join(f"""<th scope="col">{e(cell)}</th>""" for cell in head)}</tr></thead><tbody>'
+                 f"{cells}</tbody></table></div>\n")
+    return text + "</section>\n"
 
 
 def subject_cards(results):
@@ -124,21 +142,21 @@ def subject_cards(results):
         cards.append(f'<article id="s-{subject["adapter"]}"><h3>{subject["adapter"]} <span class="soft">{e(hello["version"])}</span></h3>\n'
                      f'<p class="small">{e(subject["description"])}</p><dl><dt>numbers</dt><dd>{tally.numbers_text(hello)}</dd><dt>shapes</dt>'
                      f"<dd>{e(shapes)}</dd>{settings}</dl></article>")
-    return '<section><h2>Subjects</h2>\n<p>Versions and settings are what each says of itself; the defaults are its own.</p>\n' \
+    return '<section><h2>Subjects</h2>\n<p>Versions and settings are what each says of itself, as by default.</p>\n' \
         f'<div class="subjects">{"".join(cards)}</div></section>\n'
 
 
 def index(results, of_versions):
-    questions = sum(found["cases"] for found in results["sets"].values()) * len(results["subjects"])
+    questions = sum(found["cases"] for subject in results["subjects"] for found in subject["sets"].values())
     tolerance = results["tolerance"]
     head = (f"<header><h1>Collision libraries, judged exactly</h1>\n<p>{len(results['subjects'])} ways to ask for a penetration depth, "
-            f"{questions} answers, each compared with the exact truth, which comes with a proof. Made on {results['date']} by "
-            f"{e(results['fathom'])}.</p>\n<p class=\"soft small\">Right: the bodies overlap or not as said, and depth, direction and points are "
+            f"{questions} answers, each compared with the exact truth, which comes with a proof.</p>\n<p class=\"soft small\">Right: the bodies overlap or not as said, and depth, direction and points are "
             f"within the larger of {tolerance['relative']} of the depth and {tolerance['absolute']} of the longer side; a binary32 subject is "
             "judged on the numbers that it sees. The families are made to find errors: they say where a method breaks, not how often a user "
             "meets it. A contact manifold claims to separate the bodies, and is judged by that. Declined is neither right nor wrong.</p>"
             "</header>\n")
-    body = head + filters(results) + "<main>\n" + "".join(section(results, name) for name in results["sets"])
+    both = both_ways(results) if all(name in results["sets"] for name in sets.TRIED_SETS) else ""
+    body = head + filters(results) + "<main>\n" + both + "".join(section(results, name) for name in results["sets"])
     body += history.section(of_versions) + subject_cards(results) + "</main>\n"
     body += ('<footer><p class="soft small">Times are medians of the query alone in microseconds, as each subject measured it, hulls made '
              "before. How it is made: <code>verify/survey</code> of fathom.</p></footer>\n")
@@ -153,8 +171,8 @@ def main(words=None):
     parser.add_argument("--out", type=pathlib.Path, default=sets.ROOT / "build" / "survey" / "page")
     options = parser.parse_args(words)
     results = json.loads(options.results.read_text(encoding="utf-8"))
-    if not re.fullmatch(r"fathom/survey/2", results.get("schema", "")):
-        parser.error(f"{options.results}: expected the schema fathom/survey/2")
+    if not re.fullmatch(r"fathom/survey/3", results.get("schema", "")):
+        parser.error(f"{options.results}: expected the schema fathom/survey/3")
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "index.html").write_text(index(results, history.read(options.history)), encoding="utf-8")
     made = cell_pages.write(results, options.fathom, options.out)

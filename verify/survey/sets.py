@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the survey puts to every subject: sets of cases, each with the command that makes it."""
+"""What the survey puts to every subject: sets of cases, each with the command that makes it, and the settings that are tried beside those
+as by default."""
 import dataclasses
+import hashlib
 import json
 import pathlib
 import subprocess
@@ -43,15 +45,60 @@ class Set:
 
 
 SETS = {
-    "real": Set("Real cases", "Pairs from issue trackers and test suites of such libraries: a sample of trouble, not of daily use.",
-                file="tests/data/real_cases.jsonl"),
+    "real": Set("Real cases, as hulls", "Pairs from issue trackers and test suites of such libraries, each body as the hull of its "
+                "vertices: a sample of trouble, not of daily use.", file="tests/data/real_cases.jsonl"),
+    "shapes": Set("Real cases, as in their reports", "The same pairs as the shapes that the reports are about: 47 are of two boxes, which "
+                  "a subject gets as its own boxes; the other 16 are of hulls or meshes, and stay hulls.",
+                  file="tests/data/real_shapes.jsonl"),
     "claims": Set("Published claims", "The pairs about which other projects' tests and issues state something, most of them shapes.",
                   file="verify/claims/claims.jsonl"),
     "20": Set("All families, 20 points", "Every way for two polytopes to be special that fathom knows, made to find errors.", count=920),
     "200": Set("All families, 200 points", "The same families with larger bodies.", count=184, size=200),
     "primitives": Set("Primitives", "Spheres, capsules, boxes, cylinders, cones and ellipsoids by name, to subjects that have them; many "
-                      "pairs are shallow, touching or special by intent.", count=70, families=PRIMITIVES),
+                      "pairs are shallow, touching or special by intent.", count=1400, families=PRIMITIVES),
 }
+
+# The sets that are put to subjects with other settings too, and the sizes that bodies then get: as given, or as `certify --fit` makes them.
+TRIED_SETS = ("real", "shapes")
+FITS = ("", "1", "64")
+GUESSES = ["guess=0:0:0", "guess=1:1:1", "guess=0.3:0.5:0.81"]
+MARGINS = ["margin=0", "margin=0.001", "margin=0.01"]
+MUJOCO = ["ccd_tolerance=1e-9", "ccd_tolerance=1e-9,ccd_iterations=500"]
+COOKING = ["plane_tolerance=0", "plane_tolerance=0.00001", "tolerance_length=0.1", "tolerance_length=10"]
+# What decides accuracy by the library's own documents, and what an answer hangs on as we found. libccd's EPA may not end from 1e-12 on.
+TRIED = {
+    "libccd-epa": ["epa_tolerance=1e-8", "epa_tolerance=1e-10", "first_direction=0.3:-0.81:0.5",
+                   "epa_tolerance=1e-10,first_direction=0.3:-0.81:0.5"],
+    "libccd-mpr": ["mpr_tolerance=1e-8", "mpr_tolerance=1e-10"],
+    "fcl-signed": ["distance_tolerance=1e-8", "distance_tolerance=1e-10"],
+    "fcl-collide": ["gjk_tolerance=1e-8", "gjk_tolerance=1e-10"],
+    "fcl-indep": ["guess=0.3:0.5:0.81", "gjk_tolerance=1e-8", "guess=0.3:0.5:0.81,gjk_tolerance=1e-8"],
+    "bullet-epa": [*GUESSES, "centre_in_binary64=1", "centre_in_binary64=1,guess=1:1:1"],
+    "bullet-pair": MARGINS,
+    "bullet64-epa": GUESSES,
+    "bullet64-pair": MARGINS,
+    "jolt": ["penetration_tolerance=1e-6", "hull_tolerance=0.00001", "penetration_tolerance=1e-6,hull_tolerance=0.00001"],
+    "jolt-radius": ["max_convex_radius=0.01", "max_convex_radius=0.001", "penetration_tolerance=1e-6"],
+    "rapier-contact": ["prediction=0.002"],
+    "physx-gjk": COOKING,
+    "physx-sweep": COOKING,
+    "physx-scene": COOKING,
+    "mujoco-native": MUJOCO,
+    "mujoco-single": MUJOCO,
+    "mujoco-libccd": MUJOCO,
+    "mujoco-distance": MUJOCO,
+}
+
+
+def deciding(adapter):
+    """The settings of an adapter that are tried: tables name them with what is in force."""
+    words = [pair.partition("=")[0] for text in TRIED.get(adapter, []) for pair in text.split(",")]
+    return list(dict.fromkeys(words))
+
+
+def digest(path):
+    """Of the cases of a set, so that answers to other ones are told apart."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
 def make(chosen, fathom, path):

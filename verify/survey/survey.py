@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lets every adapter that is there answer every set of cases, and writes results.json and RESULTS.md.
+"""Lets every adapter that is there answer every set of cases, and writes results.json. What is left out by --adapters or --sets keeps the
+numbers that are there, with their date. tables.py makes the tables of all pages from it.
 
 Exit codes: 0 done; 2 wrong arguments; 3 a run failed, which was said; --resume goes on with what is there.
 """
 import argparse
 import concurrent.futures
+import dataclasses
 import datetime
 import json
 import os
@@ -16,7 +18,6 @@ import sys
 import time
 
 import sets
-import tables
 import tally
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -26,6 +27,7 @@ ENDS = (0, 1, 2, 4)
 
 
 ATTEMPTS = 2
+SCHEMA = "fathom/survey/3"
 
 
 class Failed(Exception):
@@ -49,6 +51,26 @@ def adapters(fathom):
     return there, missing
 
 
+@dataclasses.dataclass(frozen=True)
+class Task:
+    """One run: an adapter on a set, as by default or otherwise."""
+    name: str            # of the set
+    adapter: str
+    cases: int
+    settings: str = ""   # KEY=VALUE,... of the adapter
+    fit: str = ""        # of certify, as its policy is
+    policy: str = ""
+
+    @property
+    def report(self):
+        other = "".join(f".{text}" for text in (self.settings, self.fit and f"fit{self.fit}", self.policy) if text)
+        return f"{self.name}.{self.adapter}{other.replace(':', '_')}.jsonl"
+
+    def words(self):
+        found = ["--adapter", ",".join([self.adapter, *filter(None, [self.settings])])]
+        return found + ["--fit", self.fit] * bool(self.fit) + ["--policy", self.policy] * bool(self.policy)
+
+
 class Progress:
     """Says what has ended, and how long the rest will take at the pace of the cases of the same set."""
 
@@ -58,13 +80,13 @@ class Progress:
 
     def done(self, task, seconds, text):
         self.left.remove(task)
-        per_case = self.spent.setdefault(task[0], [])
-        per_case.append(seconds / task[2])
-        say(f"{self.all - len(self.left)} of {self.all}: {task[1]} on {task[0]}: {text}; {self.time_left()}")
+        per_case = self.spent.setdefault(task.name, [])
+        per_case.append(seconds / task.cases)
+        say(f"{self.all - len(self.left)} of {self.all}: {task.report.removesuffix('.jsonl')}: {text}; {self.time_left()}")
 
     def time_left(self):
         known = [each for values in self.spent.values() for each in values]
-        seconds = sum(count * mean(self.spent.get(name, known)) for name, _, count in self.left) / os.cpu_count()
+        seconds = sum(task.cases * mean(self.spent.get(task.name, known)) for task in self.left) / os.cpu_count()
         return f"{seconds / 60:.0f} min left" if seconds > 90 else f"{seconds:.0f} s left"
 
 
@@ -72,11 +94,11 @@ def mean(values):
     return sum(values) / len(values)
 
 
-def certify(options, name, adapter):
-    """Runs one adapter on one set; returns the last line of its table. One job: some engines remember the pairs before."""
-    report = options.work / f"{name}.{adapter}.jsonl"
-    words = [options.fathom, "certify", "--adapter", adapter, "--jobs", "1", "--time-out", str(options.time_out), "--report", report,
-             options.work / f"{name}.jsonl"]
+def certify(options, task):
+    """Runs a task; returns the last line of its table. One job: some engines remember the pairs before."""
+    report = options.work / task.report
+    words = [options.fathom, "certify", *task.words(), "--jobs", "1", "--time-out", str(options.time_out), "--report", report,
+             options.work / f"{task.name}.jsonl"]
     if not options.resume:
         report.unlink(missing_ok=True)
     for attempt in range(ATTEMPTS):
@@ -84,31 +106,87 @@ def certify(options, name, adapter):
             report.unlink(missing_ok=True)  # of another version, or of a subject that a busy machine did not let start
         resume = ["--resume"] * report.exists()
         done = subprocess.run([*words, *resume], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        (options.work / f"{name}.{adapter}.log").write_text(done.stdout, encoding="utf-8")
+        report.with_suffix(".log").write_text(done.stdout, encoding="utf-8")
         if done.returncode in ENDS and report.exists() and tally.is_whole(report):
             return done.stdout.rstrip().rpartition("\n")[2]
-    raise Failed(f"{adapter} on {name} ended with {done.returncode}; see {options.work / f'{name}.{adapter}.log'}")
+    raise Failed(f"{report.name} ended with {done.returncode}; see {report.with_suffix('.log')}")
 
 
-def run_all(options, names):
-    """Runs every adapter on every set, one run for each core."""
-    tasks = [(name, adapter, len(sets.read_cases(options.work / f"{name}.jsonl"))) for name in options.sets for adapter in names]
+def run_all(options, tasks):
+    """Runs the tasks, one for each core; returns what went wrong."""
     progress, faults = Progress(tasks), []
 
     def work(task):
         begin = time.monotonic()
         try:
-            return task, certify(options, *task[:2]), time.monotonic() - begin
+            return task, certify(options, task), time.monotonic() - begin
         except Failed as fault:
+            faults.append(str(fault))
             return task, str(fault), time.monotonic() - begin
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for future in concurrent.futures.as_completed([pool.submit(work, task) for task in tasks]):
             task, text, seconds = future.result()
             progress.done(task, seconds, f"{seconds:.0f} s, {text}")
-            if " ended with " in text:
-                faults.append(text)
     return faults
+
+
+def as_minimum(task, options):
+    """The same for a subject that claims less than shortest translations, but held to them; else the task itself."""
+    if task.name not in sets.TRIED_SETS:
+        return task
+    claims = tally.read(options.work / task.report)[0]["subject"]["conventions"].get("claims")
+    return dataclasses.replace(task, policy="minimum") if claims == "separating" else task
+
+
+def tried(options, chosen, counts):
+    """Every adapter with other settings and sizes of bodies, on the sets for which this is asked."""
+    return [Task(name, adapter, counts[name], settings, fit) for name in options.sets if name in sets.TRIED_SETS for adapter in chosen
+            for settings in ["", *sets.TRIED.get(adapter, [])] for fit in sets.FITS if settings or fit]
+
+
+def before(path):
+    """The results that are there; parts that are not run again stay as they are."""
+    if path.exists():
+        found = json.loads(path.read_text(encoding="utf-8"))
+        if found.get("schema") == SCHEMA:
+            return found
+    return {"sets": {}, "subjects": []}
+
+
+def passed_of(report):
+    summary = tally.read(report)[-1]
+    return summary["passed"]
+
+
+def results(options, there, tasks, others):
+    """What the reports say, and of what was not run what was there before."""
+    version = subprocess.run([options.fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()[0].strip()
+    old, today = before(options.out / "results.json"), datetime.date.today().isoformat()
+    found = {"schema": SCHEMA, "time_out": options.time_out, "groups": list(tally.GROUPS), "tolerance": old.get("tolerance"),
+             "sets": {name: tally.set_of(name, options.work / f"{name}.jsonl") if name in options.sets else old["sets"][name]
+                      for name in sets.SETS if name in options.sets or name in old["sets"]}}
+    subjects = {subject["adapter"]: subject for subject in old["subjects"]}
+    for task in tasks:
+        subject = subjects.setdefault(task.adapter, {"adapter": task.adapter, "tried": [], "sets": {}})
+        made = {"date": today, "fathom": version, "cases": found["sets"][task.name]["digest"]}
+        subject["hello"], found["tolerance"], subject["sets"][task.name] = tally.answers_of(
+            options.work / task.report, options.work / as_minimum(task, options).report, made, sets.SETS[task.name].by_case)
+    for task in others:
+        known = subjects[task.adapter]["tried"]
+        entry = next((each for each in known if (each["settings"], each["fit"]) == (task.settings, task.fit)), None)
+        if entry is None:
+            known.append(entry := {"settings": task.settings, "fit": task.fit, "right": {}})
+        entry["right"][task.name] = passed_of(options.work / task.report)
+    for name, description in there.items():
+        if name in subjects:
+            subjects[name]["description"] = description
+    order = [*there, *(name for name in subjects if name not in there)]
+    found["subjects"] = [{key: subjects[name][key] for key in ("adapter", "description", "hello", "tried", "sets")} for name in order
+                         if name in subjects]
+    for subject in found["subjects"]:
+        subject["sets"] = {name: subject["sets"][name] for name in found["sets"] if name in subject["sets"]}
+    return found
 
 
 def parsed(words):
@@ -119,7 +197,8 @@ def parsed(words):
     parser.add_argument("--count", action="append", default=[], metavar="SET=N", help="so many cases of a set that is generated")
     parser.add_argument("--time-out", type=float, default=30, help="seconds for each case; generous, as engines compile when they start")
     parser.add_argument("--work", type=pathlib.Path, default=sets.ROOT / "build" / "survey", help="keeps cases and reports")
-    parser.add_argument("--out", type=pathlib.Path, default=HERE, help="gets RESULTS.md and results.json")
+    parser.add_argument("--out", type=pathlib.Path, default=HERE, help="gets results.json")
+    parser.add_argument("--as-by-default", action="store_true", help="try no other settings and sizes of bodies")
     parser.add_argument("--resume", action="store_true", help="go on with the reports that are there")
     options = parser.parse_args(words)
     for text in options.count:
@@ -145,16 +224,18 @@ def main(words=None):
         folder.mkdir(parents=True, exist_ok=True)
     for name in options.sets:
         sets.make(sets.SETS[name], options.fathom, options.work / f"{name}.jsonl")
-    faults = run_all(options, chosen)
+    counts = {name: len(sets.read_cases(options.work / f"{name}.jsonl")) for name in options.sets}
+    tasks = [Task(name, adapter, counts[name]) for name in options.sets for adapter in chosen]
+    others = [] if options.as_by_default else tried(options, chosen, counts)
+    faults = run_all(options, [*tasks, *others])
+    if not faults:
+        faults = run_all(options, [held for task in tasks if (held := as_minimum(task, options)) != task])
     for fault in faults:
         say(fault)
     if faults:
         return 3
-    version = subprocess.run([options.fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.strip()
-    results = {"schema": "fathom/survey/2", "fathom": version, "date": datetime.date.today().isoformat(), "time_out": options.time_out,
-               **tally.results(options.work, options.sets, chosen)}
-    (options.out / "results.json").write_text(tally.text(results), encoding="utf-8")
-    (options.out / "RESULTS.md").write_text(tables.page(results), encoding="utf-8")
+    found = results(options, there, tasks, others)
+    (options.out / "results.json").write_text(tally.text(found), encoding="utf-8")
     return 0
 
 

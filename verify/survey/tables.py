@@ -1,10 +1,26 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""RESULTS.md of results.json."""
+"""Makes every table that tells of the survey, in all pages, from results.json: RESULTS.md, and in other pages what stands between
+"<!-- table NAME, by verify/survey/tables.py -->" and "<!-- end of table NAME -->".
+
+Where the commands of a set make other cases today than those that were answered, the table says so. Exit codes: 0 done; 1 with --check, if
+a page is older; 2 wrong arguments.
+"""
+import argparse
+import json
+import pathlib
+import sys
+import tempfile
+import textwrap
+
+import sets
 import tally
 
+COLUMNS = 100
 PAGE = """# What they answer
 
-Made by `verify/survey/survey.py` on {date}, by {fathom}; every number is in `results.json`, and `verify/survey/page.py` makes a page of it.
+Made by `verify/survey/survey.py` and `verify/survey/tables.py`; every number is in `results.json`, and `verify/survey/page.py` makes a
+page of it. {made}
 
 Right: the classification is, and the depth and all that comes with it are within the larger of 1e-3 of the depth and 1e-6 of the bodies'
 longer side. A binary32 subject is judged on the binary32 numbers that it sees. Each answer has one verdict, the first in the order of
@@ -15,6 +31,14 @@ that it lacks. Each case had {time_out:g} s.
 ## Subjects
 
 {subjects}
+## Real cases, both ways
+
+{legend}
+
+{real}
+{best_legend}
+
+{best}
 {sections}"""
 
 SECTION = """## {title}
@@ -28,6 +52,16 @@ worst are in parts of the largest coordinate. Times are those of the query alone
 {groups}
 {errors}"""
 
+LEGEND = ("`bits`: of the numbers, 32 or 64 (32/64: of points and answers); `settings`: what decides, as by default. `judged`: what the "
+          "answers hold besides the status, and are judged by: d the depth, n the direction, p points on both bodies, g the distance of "
+          "bodies that are apart; m: a manifold, whose depth is judged as the price of its own normal. Who claims less is asked less: "
+          "`depth`, once for hulls and once as reported, counts the answers that are right in status and depth alone, of a manifold as a "
+          "shortest translation. In brackets: "
+          "declined.")
+BEST_LEGEND = ("As by default, and after the comma with the settings of those tried (verify/survey/sets.py has them; each with the bodies "
+               "as given, `--fit 1` and `--fit 64`) by which a subject has the most of both sets right. They were picked afterwards, "
+               "knowing the cases: a bound for what settings can do, and no fair rate.")
+
 
 def table(head, rows):
     def line(cells):
@@ -39,43 +73,246 @@ def number(value):
     return "" if value is None else f"{value:.2g}"
 
 
+def bits(subject):
+    points, answers = (text.removeprefix("binary") for text in tally.numbers_of(subject["hello"]))
+    return points if points == answers else f"{points}/{answers}"
+
+
+def settings(subject, most=None):
+    """What decides, as it is in force; the first `most` of it."""
+    in_force = subject["hello"].get("settings", {})
+    return "; ".join(f"{key} {in_force[key]}" for key in sets.deciding(subject["adapter"])[:most] if key in in_force)
+
+
+def right(found):
+    """"57 (3)": how many were right, and declined."""
+    if found is None:
+        return ""
+    declined = found["groups"].get("declined", 0)
+    return f"{found['groups'].get('right', 0)}" + (f" ({declined})" if declined else "")
+
+
+def judged(subject, name):
+    found = subject["sets"].get(name, {}).get("judged", {})
+    letters = ["m"] * (subject["hello"]["conventions"].get("claims") == "separating")
+    return " ".join(letters + [letter for letter, field in zip("dnpg", ("depth", "direction", "witness", "distance")) if found.get(field)])
+
+
+def made(results, names, today):
+    """When the answers of these sets were given, and whether they are about the cases of today."""
+    of_date, older = {}, []
+    for name in names:
+        for subject in results["subjects"]:
+            if found := subject["sets"].get(name):
+                who = of_date.setdefault((found["made"]["date"], found["made"]["fathom"]), {}).setdefault(name, [])
+                who.append(subject["adapter"])
+                if found["made"]["cases"] != today[name] and name not in older:
+                    older.append(name)
+    parts = []
+    for (date, fathom), found in sorted(of_date.items(), reverse=True):
+        named = [name if len(who) == sum(name in s["sets"] for s in results["subjects"]) else f"{name} of {', '.join(who)}"
+                 for name, who in found.items()]
+        parts.append(f"{date}, by {fathom}: {'; '.join(named)}.")
+    note = f" The commands make other cases by now than were answered in: {', '.join(older)}." if older else ""
+    return "Answered on " + " Answered on ".join(parts) + note
+
+
+def versions(results):
+    found = {}
+    for subject in results["subjects"]:
+        found.setdefault(f"{subject['adapter'].split('-')[0].removesuffix('64')} {subject['hello']['version']}")
+    return "Versions: " + ", ".join(found) + "."
+
+
+def wrapped(text):
+    return textwrap.fill(text, COLUMNS, break_long_words=False, break_on_hyphens=False) + "\n"
+
+
 def subjects_table(subjects):
     rows = []
     for subject in subjects:
         hello = subject["hello"]
-        settings = "; ".join(f"{key} {value}" for key, value in sorted(hello.get("settings", {}).items()))
-        rows.append([subject["adapter"], hello["version"], tally.numbers_text(hello), subject["description"].replace("|", "\\|"), settings])
+        in_force = "; ".join(f"{key} {value}" for key, value in sorted(hello.get("settings", {}).items()))
+        rows.append([subject["adapter"], hello["version"], tally.numbers_text(hello), subject["description"].replace("|", "\\|"), in_force])
     return table(["subject", "version", "numbers", "what is asked", "settings"], rows)
 
 
-def groups_table(results, name):
-    used = [g for g in results["groups"] if any(g in s["sets"][name]["groups"] for s in results["subjects"])]
-    subsets = [each for each in tally.SUBSETS if any(each in s["sets"][name]["subsets"] for s in results["subjects"])]
+def real_table(results):
+    """The real cases both ways, by all that is judged and by status and depth alone: (head, rows), as page.py shows them too."""
     rows = []
     for subject in results["subjects"]:
+        both = [subject["sets"].get(name) for name in sets.TRIED_SETS]
+        rows.append([subject["adapter"], bits(subject), settings(subject, 1), judged(subject, "real"), *map(right, both),
+                     *(found["alone"] if found else "" for found in both)])
+    counts = [results["sets"][name]["cases"] for name in sets.TRIED_SETS]
+    return ["subject", "bits", "settings", "judged", f"hulls: {counts[0]}", f"as reported: {counts[1]}",
+            "depth", "depth"], rows
+
+
+def tries(subject):
+    """{(settings, fit): {set: right}}, what is as by default first."""
+    return {("", ""): {name: subject["sets"][name]["groups"].get("right", 0) for name in sets.TRIED_SETS if name in subject["sets"]},
+            **{(each["settings"], each["fit"]): each["right"] for each in subject["tried"]}}
+
+
+def best_table(results):
+    rows = []
+    for subject in results["subjects"]:
+        known = tries(subject)
+        chosen = max(known, key=lambda each: sum(known[each].values()))  # of equal ones the first
+        told = ", ".join(filter(None, [chosen[0], chosen[1] and f"--fit {chosen[1]}"])) or "as by default"
+        rows.append([subject["adapter"], bits(subject), settings(subject, 1).replace("_tolerance", "").replace("0.0001", "1e-4"),
+                     *(f"{known['', ''].get(name, '')}, {known[chosen].get(name, '')}" for name in sets.TRIED_SETS), told])
+    return ["subject", "bits", "settings", "hulls", "as reported", "best settings found"], rows
+
+
+def fits_table(results):
+    rows = []
+    for subject in results["subjects"]:
+        known = tries(subject)
+        rows.append([subject["adapter"], bits(subject), settings(subject),
+                     *(known.get(("", fit), {}).get(name, "") for name in sets.TRIED_SETS for fit in sets.FITS)])
+    return table(["subject", "bits", "settings", *(f"{title}{fit and f', `--fit {fit}`'}" for title in ("hulls", "as reported")
+                                                   for fit in sets.FITS)], rows)
+
+
+def tried_table(results):
+    """Every setting that was tried, in the bodies' own size."""
+    rows = [[subject["adapter"], bits(subject), given or "as by default", *(counts.get(name, "") for name in sets.TRIED_SETS)]
+            for subject in results["subjects"] for (given, fit), counts in tries(subject).items() if not fit]
+    return table(["subject", "bits", "settings", "hulls", "as reported"], rows)
+
+
+def sets_table(results):
+    names = [name for name in results["sets"] if name not in sets.TRIED_SETS]
+    rows = [[subject["adapter"], bits(subject), settings(subject, 1), *(right(subject["sets"].get(name)) for name in names)]
+            for subject in results["subjects"]]
+    return table(["subject", "bits", "settings", *(f"{name}: {results['sets'][name]['cases']}" for name in names)], rows)
+
+
+SHORT = {"spheres": "sphere", "capsules": "capsule", "capsule_box": "with box", "rounded_boxes": "rounded", "cylinders": "cylinder",
+         "cones": "cone", "ellipsoids": "ellipsoid"}
+
+
+def primitives_table(results):
+    rows = []
+    for subject in results["subjects"]:
+        cells = []
+        for family in sets.PRIMITIVES:
+            counts = subject["sets"].get("primitives", {}).get("cells", {}).get(family, {}).get("n", {})
+            asked = sum(count for verdict, count in counts.items() if verdict != "unsupported")
+            cells.append(sum(counts.get(verdict, 0) for verdict in tally.PASSES) if asked else "")
+        if any(cell != "" for cell in cells):
+            rows.append([subject["adapter"], bits(subject), settings(subject, 1), *cells])
+    return table(["subject", "bits", "settings", *(SHORT[family] for family in sets.PRIMITIVES)], rows)
+
+
+def web_table(results):
+    """The engines for the web: what is asked, under which conventions, and how the real cases fare in their own size and in another."""
+    rows = []
+    for subject in results["subjects"]:
+        hello, known = subject["hello"], tries(subject)
+        if "call" not in hello["settings"]:
+            continue
+        rows.append([subject["adapter"], f"`{hello['settings']['call']}`", bits(subject), settings(subject, 1),
+                     {"positive": "+", "negative": "-"}[hello["conventions"]["depth"]], hello["conventions"]["moves"],
+                     *(known.get(("", fit), {}).get(name, "") for name in sets.TRIED_SETS for fit in ("", "64"))])
+    return table(["adapter", "call", "bits", "settings", "depth", "moves", "hulls", "hulls, fitted", "as reported", "as reported, fitted"],
+                 rows)
+
+
+def groups_table(results, name):
+    subjects = [subject for subject in results["subjects"] if name in subject["sets"]]
+    used = [g for g in results["groups"] if any(g in s["sets"][name]["groups"] for s in subjects)]
+    subsets = [each for each in tally.SUBSETS if any(each in s["sets"][name]["subsets"] for s in subjects)]
+    rows = []
+    for subject in subjects:
         found = subject["sets"][name]
         inside = [found["subsets"].get(each, {}) for each in subsets]
-        rows.append([subject["adapter"], *(found["groups"].get(group, "") for group in used),
+        rows.append([subject["adapter"], bits(subject), settings(subject), judged(subject, name),
+                     *(found["groups"].get(group, "") for group in used),
                      *(f"{each.get('right', 0)} of {sum(each.values())}" for each in inside)])
-    return table(["subject", *used, *(f"right, {each.replace('_', '-')}" for each in subsets)], rows)
+    return table(["subject", "bits", "settings", "judged", *used, *(f"right, {each.replace('_', '-')}" for each in subsets)], rows)
 
 
 def errors_table(results, name):
     rows = []
     for subject in results["subjects"]:
+        if name not in subject["sets"]:
+            continue
         found = subject["sets"][name]
         ends = []
         for key in ("most_too_deep", "most_too_shallow"):
             end = found[key]
             ends += [number(end and end["error"]), end["case"] if end else ""]
         times = found["microseconds"] or {}
-        rows.append([subject["adapter"], number(found["median_relative_error"]), *ends, number(times.get("median")),
-                     number(times.get("worst"))])
-    return table(["subject", "median error", "most too deep", "case", "most too shallow", "case", "median us", "worst us"], rows)
+        rows.append([subject["adapter"], bits(subject), settings(subject), number(found["median_relative_error"]), *ends,
+                     number(times.get("median")), number(times.get("worst"))])
+    return table(["subject", "bits", "settings", "median error", "most too deep", "case", "most too shallow", "case", "median us",
+                  "worst us"], rows)
 
 
-def page(results):
+def page(results, today):
     sections = [SECTION.format(**found, groups=groups_table(results, name), errors=errors_table(results, name))
                 for name, found in results["sets"].items()]
-    return PAGE.format(date=results["date"], fathom=results["fathom"], time_out=results["time_out"],
-                       subjects=subjects_table(results["subjects"]), sections="\n".join(sections))
+    return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
+                       subjects=subjects_table(results["subjects"]), real=table(*real_table(results)), best=table(*best_table(results)),
+                       sections="\n".join(sections))
+
+
+def blocks(results, today):
+    """{page: {name of a table: its text}} of the pages that are written by hand but for their tables."""
+    other = [name for name in results["sets"] if name not in sets.TRIED_SETS]
+    both = wrapped(made(results, sets.TRIED_SETS, today))
+    return {
+        "docs/certify.md": {
+            "real": wrapped(versions(results)) + "\n" + wrapped(LEGEND) + "\n" + table(*real_table(results)) + "\n" + both,
+            "best": wrapped(BEST_LEGEND) + "\n" + table(*best_table(results)),
+            "sets": sets_table(results) + "\n" + wrapped(made(results, other, today)),
+            "primitives": primitives_table(results) + "\n" + wrapped(made(results, ["primitives"], today))},
+        "verify/survey/README.md": {"fits": fits_table(results) + "\n" + both, "tried": tried_table(results)},
+        "verify/subjects/web/README.md": {"web": web_table(results) + "\n" + both}}
+
+
+def pages(results, today):
+    """{path: the text that a page is to have}."""
+    found = {sets.ROOT / "verify/survey/RESULTS.md": page(results, today)}
+    for path, tables_ in blocks(results, today).items():
+        text = (sets.ROOT / path).read_text(encoding="utf-8")
+        for name, made_ in tables_.items():
+            begin, end = f"<!-- table {name}, by verify/survey/tables.py -->\n", f"\n<!-- end of table {name} -->"
+            if not (begin in text and end in text.partition(begin)[2]):
+                raise ValueError(f"{path}: expected {begin.strip()} and {end.strip()}")
+            before, _, rest = text.partition(begin)
+            text = before + begin + "\n" + made_ + end + rest.partition(end)[2]
+        found[sets.ROOT / path] = text
+    return found
+
+
+def digests(fathom, names):
+    """{set: the digest of the cases that its command makes today}."""
+    with tempfile.TemporaryDirectory() as folder:
+        path, found = pathlib.Path(folder) / "cases.jsonl", {}
+        for name in names:
+            sets.make(sets.SETS[name], fathom, path)
+            found[name] = sets.digest(path)
+    return found
+
+
+def main(words=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--fathom", default=str(sets.ROOT / "fathom"), help="the program; this project's launcher unless given")
+    parser.add_argument("--check", action="store_true", help="write nothing; name the pages that are older than the results")
+    options = parser.parse_args(words)
+    results = json.loads(pathlib.Path(__file__).with_name("results.json").read_text(encoding="utf-8"))
+    old = [(path, text) for path, text in pages(results, digests(options.fathom, results["sets"])).items()
+           if text != path.read_text(encoding="utf-8")]
+    for path, text in old:
+        print(f"tables: {path.relative_to(sets.ROOT)}" + (" is older than the results" if options.check else ""), file=sys.stderr)
+        if not options.check:
+            path.write_text(text, encoding="utf-8")
+    return 1 if options.check and old else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

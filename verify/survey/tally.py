@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports of `fathom certify` as numbers: results.json of schema fathom/survey/2.
+"""Reports of `fathom certify` as numbers: results.json of schema fathom/survey/3.
 
-A set has cells, one for each family or, where every case has a row of its own, for each case: `n` counts verdicts, and `worst` is the worst
-failing answer as [case, digest, verdict, sentence]. Errors are the claimed depth less the true one, in parts of R, the largest coordinate.
+Each set of each subject says when, by which fathom and about which cases it was `made`, as parts of the survey are run again alone. It has
+cells, one for each family or, where every case has a row of its own, for each case: `n` counts verdicts, and `worst` is the worst failing
+answer as [case, digest, verdict, sentence]. `outcomes` has a letter for each case, in the order of the cases. `alone` counts the answers
+that are right in status and depth, whatever else is wrong with them. Errors are the claimed depth less the true one, in parts of R, the
+largest coordinate. `tried` has how many were right with other settings, or sizes of bodies.
 """
 import collections
 import json
@@ -20,6 +23,9 @@ GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shall
                           "not-invariant", "nan"),
           "no answer": ("crash", "time-out", "silent", "garbage", "failed"), "declined": ("unsupported",)}
 GROUP_OF = {verdict: group for group, verdicts in GROUPS.items() for verdict in verdicts}
+LETTERS = {"right": ".", "too deep": "D", "too shallow": "S", "wrong status": "X", "other wrong": "W", "no answer": "N", "declined": "-"}
+# What can be wrong with an answer whose status and depth are right: its direction, its points, the distance of bodies that are apart.
+BEYOND_DEPTH = {"not-a-direction", "not-separating", "inconsistent", "witness-off", "too-far", "too-near"}
 BADNESS = ("wrong status", "too shallow", "too deep", "other wrong", "no answer")  # of equal errors, and where there is none
 SUBSETS = ("solid", "metre_sized")  # fields of a report's line that are true or false
 LONGEST = 160  # characters of a sentence
@@ -114,42 +120,51 @@ def extreme(outcomes, unit_roundoff, verdict, sign):
     return {"error": sign * error, "case": case}
 
 
-def summary(outcomes, unit_roundoff, by_case):
+def is_right_alone(outcome):
+    """In its status, and in its depth if it has one."""
+    judgement = outcome.get("judgement", {})
+    return outcome["verdict"] in PASSES or bool(judgement) and set(judgement["findings"]) <= BEYOND_DEPTH
+
+
+def judged(line):
+    """What the answers of a report held that was judged; no status is without."""
+    return {name: line["judged"][name] for name in ("overlapping", "depth", "direction", "witness", "distance")}
+
+
+def summary(lines, unit_roundoff, by_case, as_minimum):
+    """`as_minimum`: the same report, or of a subject that claims less than shortest translations one that holds it to them."""
+    outcomes = outcomes_of(lines)
     cells = collections.defaultdict(list)
     for outcome in outcomes:
         cells[outcome["id"] if by_case else family_of(outcome["id"])].append(outcome)
     relative = [abs(value) for o in outcomes if isinstance(value := o.get("judgement", {}).get("error_relative"), (int, float))]
     accuracy = collections.Counter(o["judgement"]["accuracy"] for o in outcomes if "accuracy" in o.get("judgement", {}))
     result = {"cases": len(outcomes), "groups": groups(outcomes), "verdicts": dict(collections.Counter(o["verdict"] for o in outcomes)),
+              "judged": judged(lines[-1]), "alone": sum(map(is_right_alone, outcomes_of(as_minimum))),
               "accuracy": {name: accuracy[name] for name in CLASSES if accuracy[name]},
               "median_relative_error": statistics.median(relative) if relative else None,
               "most_too_deep": extreme(outcomes, unit_roundoff, "too-deep", 1),
               "most_too_shallow": extreme(outcomes, unit_roundoff, "too-shallow", -1), "microseconds": microseconds(outcomes),
-              "subsets": {name: groups(chosen) for name in SUBSETS if (chosen := [o for o in outcomes if o.get(name) is True])}}
+              "subsets": {name: groups(chosen) for name in SUBSETS if (chosen := [o for o in outcomes if o.get(name) is True])},
+              "outcomes": "".join(LETTERS[group_of(o["verdict"])] for o in outcomes)}
     result["cells"] = {name: cell(found, unit_roundoff) for name, found in cells.items()}
     return result
 
 
-def results(work, names, adapters):
-    """The sets with their commands and rows, and every subject with what its reports say."""
-    found = {"groups": list(GROUPS), "sets": {}, "subjects": []}
-    for name in names:
-        chosen = sets.SETS[name]
-        cases = sets.read_cases(work / f"{name}.jsonl")
-        rows = collections.Counter(case if chosen.by_case else family_of(case) for case in cases)
-        found["sets"][name] = {"title": chosen.title, "about": chosen.about, "command": chosen.command(), "cases": len(cases),
-                               "by_case": chosen.by_case, "rows": dict(sorted(rows.items()) if not chosen.by_case else rows)}
-    for adapter, description in adapters.items():
-        subject = {"adapter": adapter, "description": description, "sets": {}}
-        for name in names:
-            lines = read(work / f"{name}.{adapter}.jsonl")
-            header = lines[0]
-            hello, found["tolerance"] = header["subject"], header["tolerance"]
-            subject["hello"] = {key: value for key, value in hello.items() if key not in ("type", "protocol")}
-            unit_roundoff = 2.0**-24 if numbers_of(hello)[0] == "binary32" else 2.0**-53
-            subject["sets"][name] = summary(outcomes_of(lines), unit_roundoff, sets.SETS[name].by_case)
-        found["subjects"].append(subject)
-    return found
+def set_of(name, path):
+    """A set as the results hold it: its command, its cases, and how many a row of its tables has."""
+    chosen, cases = sets.SETS[name], sets.read_cases(path)
+    rows = collections.Counter(case if chosen.by_case else family_of(case) for case in cases)
+    return {"title": chosen.title, "about": chosen.about, "command": chosen.command(), "cases": len(cases), "digest": sets.digest(path),
+            "by_case": chosen.by_case, "rows": dict(sorted(rows.items()) if not chosen.by_case else rows)}
+
+
+def answers_of(report, as_minimum, made, by_case):
+    """(hello, tolerance, the set of a subject) of a report."""
+    lines = read(report)
+    hello = {key: value for key, value in lines[0]["subject"].items() if key not in ("type", "protocol")}
+    unit_roundoff = 2.0**-24 if numbers_of(hello)[0] == "binary32" else 2.0**-53
+    return hello, lines[0]["tolerance"], {"made": made, **summary(lines, unit_roundoff, by_case, read(as_minimum))}
 
 
 def text(results_):
