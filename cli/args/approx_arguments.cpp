@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/args/named_files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
 #include "reference/approximate/grid/directions.hpp"
@@ -73,7 +74,9 @@ void add_ray_options(CLI::App& app, Request& request) {
 }
 
 void add_metric_options(CLI::App& app, Request& request) {
-  app.add_option("--ball", request.ball, "the unit ball: a mesh with O inside its hull. Symmetric about O it makes a norm, else a gauge")
+  names_file(app.add_option("--ball", request.ball,
+                            "the unit ball: a mesh with O inside its hull. Symmetric about O it makes a norm, else a gauge"),
+             FileUse::read)
       ->type_name("Q");
   add_json(app, request, "fathom/metric/1");
 }

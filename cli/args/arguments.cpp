@@ -15,6 +15,7 @@
 #include "cli/args/certify_arguments.hpp"
 #include "cli/args/did_you_mean.hpp"
 #include "cli/args/help.hpp"
+#include "cli/args/named_files.hpp"
 #include "cli/args/parser.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/pieces_arguments.hpp"
@@ -109,6 +110,7 @@ Arguments completed(Request request, const Texts& texts) {
   const std::string command = name(request.command);
   if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
   if (!texts.wrong_picture.empty()) return refusal(texts.wrong_picture, command);
+  if (!texts.wrong_files.empty()) return refusal(texts.wrong_files, command);
   if (request.case_id && request.inputs.size() == 2) return refusal("--case chooses a case of a stream, found two bodies", command);
   if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
@@ -178,6 +180,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (const std::string fault = empty_value(*asked); !fault.empty()) return refusal(fault, name(request.command));
   if (request.command == Command::cases) parser.texts.wrong_cases = wrong_cases(*asked, request.cases, request.inputs);
   parser.texts.wrong_picture = wrong_picture(*asked, request);
+  const bool stream = request.inputs.size() == 1 && !request.case_id;  // of width both are possible: it has one output
+  parser.texts.wrong_files = wrong_files(*asked, stream);
   return completed(request, parser.texts);
 }
 

@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "cli/args/named_files.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -43,9 +44,10 @@ void add_cases_options(CLI::App& app, CasesRequest& cases) {
   app.add_flag("--shapes", cases.shapes,
                "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes");
   app.add_flag("--unions", cases.unions, "likewise: those of bodies that are not convex, as unions of convex pieces");
-  app.add_option("--from-fcl", cases.fcl,
-                 "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): "
-                 "boxes and Convex with their poses; the placed points are rounded once to binary64")
+  names_file(app.add_option("--from-fcl", cases.fcl,
+                            "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): "
+                            "boxes and Convex with their poses; the placed points are rounded once to binary64"),
+             FileUse::read)
       ->type_name("FILE");
 }
 

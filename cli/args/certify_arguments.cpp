@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/args/named_files.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
@@ -70,17 +71,23 @@ std::string wrong_variants(CertifyRequest& certify) {
   return "";
 }
 
-void add_path(CLI::App& app, const char* name, std::string& path, const char* meaning, const char* type = "FILE") {
-  app.add_option(name, path, meaning)->type_name(type);
+CLI::Option* add_text(CLI::App& app, const char* name, std::string& text, const char* meaning, const char* type) {
+  return app.add_option(name, text, meaning)->type_name(type);
+}
+
+void add_path(CLI::App& app, const char* name, std::string& path, const char* meaning, FileUse use) {
+  names_file(add_text(app, name, path, meaning, use == FileUse::folder ? "DIR" : "FILE"), use);
 }
 
 void add_subject(CLI::App& app, CertifyRequest& certify) {
-  add_path(app, "--subject", certify.subject, "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command", "COMMAND");
-  add_path(app, "--adapter", certify.adapter,
+  add_text(app, "--subject", certify.subject, "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command", "COMMAND");
+  add_text(app, "--adapter", certify.adapter,
            "a library by the name that --list-adapters shows; its settings may follow: libccd-epa,epa_tolerance=1e-12", "NAME");
-  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line; - for standard input");
+  add_path(app, "--replay", certify.replay, "replies that were recorded: an optional hello, then one a line; - for standard input",
+           FileUse::read);
   add_path(app, "--claims", certify.claims,
-           "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for standard input");
+           "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for standard input",
+           FileUse::read);
   app.add_flag("--list-adapters", certify.list_adapters, "the names for --adapter, and whether each is built");
   app.add_option_function<std::string>(
          "--jobs", [&certify](const std::string& text) { certify.jobs = threads_of(text); },
@@ -111,20 +118,22 @@ void add_count(CLI::App& app, const char* name, Count& count, const char* meanin
 
 void add_reports(CLI::App& app, Request& request) {
   CertifyRequest& certify = request.certify;
-  add_path(app, "--report", certify.report, "write each verdict as it is found, schema fathom/verdict/1");
+  add_path(app, "--report", certify.report, "write each verdict as it is found, schema fathom/verdict/1", FileUse::journal);
   app.add_flag("--resume", certify.resume, "go on with the report that is there: what it holds is not run again");
   app.add_flag("--json", request.json, "the same lines on standard output, instead of the table");
   app.add_flag("--metamorphic{all}", certify.metamorphic,
                fmt::format("each case also under symmetries, any of {} with commas between them; all without a list",
                            fmt::join(all_variants(), ", ")))
       ->type_name("[=LIST]");
-  add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails");
-  add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list; comments of one that is there stay");
+  add_path(app, "--expect-fail", certify.expect_fail, "known failures: a run that differs from the list in any way fails",
+           FileUse::read_list);
+  add_path(app, "--write-expect-fail", certify.write_expect_fail, "write such a list; comments of one that is there stay",
+           FileUse::written_list);
   add_count(app, "--max-errors", certify.max_errors, "exit code 0 as long as no more cases fail");
-  add_path(app, "--junit", certify.junit, "write JUnit XML");
-  add_path(app, "--html", certify.html, "write one page with tables, histograms and pictures of failures");
-  add_path(app, "--certificates", certify.certificates, "write the proof of the truth about each failing case", "DIR");
-  add_path(app, "--shrink", certify.shrink, "reduce one failing case of each verdict to a small one", "DIR");
+  add_path(app, "--junit", certify.junit, "write JUnit XML", FileUse::written);
+  add_path(app, "--html", certify.html, "write one page with tables, histograms and pictures of failures", FileUse::written);
+  add_path(app, "--certificates", certify.certificates, "write the proof of the truth about each failing case", FileUse::folder);
+  add_path(app, "--shrink", certify.shrink, "reduce one failing case of each verdict to a small one", FileUse::folder);
 }
 
 }  // namespace

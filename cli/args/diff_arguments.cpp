@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "cli/args/diff_help.hpp"
+#include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/shell_words.hpp"
 #include "cli/io/terminal.hpp"
@@ -21,7 +22,7 @@ struct DiffParser {
     app.get_help_ptr()->description("this text");
     app.add_option("reports", request.reports);
     app.add_flag("--json", request.json, "one JSON object, schema fathom/diff/1");
-    app.add_option("--html", request.html, "write a page for a browser")->type_name("FILE");
+    names_file(app.add_option("--html", request.html, "write a page for a browser"), FileUse::written)->type_name("FILE");
   }
 };
 
@@ -49,6 +50,7 @@ DiffArguments parse_diff(const std::vector<std::string>& words) {
   if (request.reports.size() != 2)
     return refusal(fmt::format("certify diff expects two reports, the old and the new one, found {} argument{}", request.reports.size(),
                                request.reports.size() == 1 ? "" : "s"));
+  if (const std::string fault = wrong_files(parser.app, false); !fault.empty()) return refusal(fault);
   if (request.html == "-") return refusal("--html writes a file, found - for standard output");
   request.command_line = "fathom certify diff " + shell_line(words);
   return {request, "", fine};

@@ -12,6 +12,7 @@
 #include "cli/args/did_you_mean.hpp"
 #include "cli/args/export_arguments.hpp"
 #include "cli/args/golden_help.hpp"
+#include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
@@ -76,8 +77,9 @@ void add_generate_options(CLI::App& app, GoldenRequest& request) {
          "--seed", [&request](const std::string& text) { request.seed = *integer(text, 0, UINT64_MAX); }, "of the families; 1 unless given")
       ->check(integer_from(0, UINT64_MAX))
       ->type_name("N");
-  app.add_option_function<std::string>(
-         "--out", [&request](const std::string& text) { request.folder = text; }, "the folder, made if need be")
+  names_file(app.add_option_function<std::string>(
+                 "--out", [&request](const std::string& text) { request.folder = text; }, "the folder, made if need be"),
+             FileUse::folder)
       ->type_name("DIR")
       ->required();
   app.add_option_function<std::string>(
@@ -177,6 +179,7 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   if (!parser.asked()) return refusal(fmt::format("golden expects a task: {}", fmt::join(tasks, ", ")));
   const std::string task = parser.asked()->get_name();
   if (request.folder.empty()) return refusal(parser.generate->parsed() ? "--out expects a folder" : task + " expects a folder", task);
+  if (const std::string fault = wrong_files(*parser.asked(), false); !fault.empty()) return refusal(fault, task);
   if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
   request.what = parser.generate->parsed() ? GoldenRequest::What::generate
                  : parser.verify->parsed() ? GoldenRequest::What::verify

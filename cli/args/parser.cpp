@@ -12,6 +12,7 @@
 #include "cli/args/cases_arguments.hpp"
 #include "cli/args/certify_arguments.hpp"
 #include "cli/args/help.hpp"
+#include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/pieces_arguments.hpp"
 #include "cli/args/sweep_arguments.hpp"
@@ -63,12 +64,12 @@ void add_inputs(CLI::App& app, Request& request, Texts& texts) {
 }
 
 void add_poses(CLI::App& app, Request& request, bool of_one) {
-  app.add_option(
-         of_one ? "--pose-a,--pose" : "--pose-a", request.pose_a,
-         "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or "
-         "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these")
-      ->type_name("POSE");
-  if (!of_one) app.add_option("--pose-b", request.pose_b, "the same for B")->type_name("POSE");
+  CLI::Option* const of_a = app.add_option(
+      of_one ? "--pose-a,--pose" : "--pose-a", request.pose_a,
+      "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or "
+      "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these");
+  names_file(of_a, FileUse::read)->type_name("POSE");
+  if (!of_one) names_file(app.add_option("--pose-b", request.pose_b, "the same for B"), FileUse::read)->type_name("POSE");
 }
 
 void add_exact(CLI::App& app, Request& request) {
@@ -101,7 +102,7 @@ void add_seed(CLI::App& app, Request& request, const std::string& meaning) {
 }
 
 void add_svg(CLI::App& app, Request& request, const std::string& meaning) {
-  app.add_option("--svg", request.svg, meaning)->type_name("FILE");
+  names_file(app.add_option("--svg", request.svg, meaning), FileUse::placed)->type_name("FILE");
 }
 
 void add_case(CLI::App& app, Request& request) {
@@ -114,7 +115,8 @@ void add_study_options(CLI::App& app, Request& request, Texts& texts) {
   app.add_flag("--all", request.all, "list every coincidence, not the first 20 of a kind (in tables: the first)");
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/study/1");
   app.add_flag("--csv", request.csv, "a header, then one row of counts per case, or per size");
-  app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded")
+  names_file(app.add_option("--html", request.html, "write one page, with pictures, tables to filter, and of a stream every case folded"),
+             FileUse::written)
       ->type_name("FILE");
   add_sweep_options(app, request);
   add_seed(app, request, "with --sweep: of the family's pairs; 1 unless given");
@@ -127,7 +129,8 @@ void add_explain_options(CLI::App& app, Request& request, Texts& texts) {
   add_require_convex(app, request);
   add_pieces_option(app, request);
   add_case(app, request);
-  app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network")->type_name("FILE");
+  names_file(app.add_option("-o,--output", request.page, "the page: one HTML file, which needs no network"), FileUse::written)
+      ->type_name("FILE");
   app.add_flag("--times", request.times, "add how long each stage took: then the page differs from run to run");
 }
 
@@ -176,8 +179,9 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
       ->check(check_bits)
       ->type_name("K");
   add_questions(app, request, texts, of_one);
-  app.add_option("--certificate", request.certificate,
-                 "write the proof of the answer to FILE; for a stream: a directory, one file for each case")
+  names_file(app.add_option("--certificate", request.certificate,
+                            "write the proof of the answer to FILE; for a stream: a directory, one file for each case"),
+             FileUse::placed)
       ->type_name("FILE");
   app.add_flag("--embed-certificate", request.embed_certificate, "with --json: add the proof to each result");
   if (!of_one)

@@ -17,6 +17,7 @@ struct Texts {
   std::string schema;         ///< empty unless given
   std::string wrong_cases;    ///< what does not go together in `cases`
   std::string wrong_picture;  ///< what does not go together in a request for a curve or a chart
+  std::string wrong_files;    ///< which output would destroy what
 };
 
 struct Parser {

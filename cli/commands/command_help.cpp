@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -24,6 +23,7 @@
 #include "cli/manual/completion_words.hpp"
 #include "cli/manual/man_page.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/whole_file.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -87,10 +87,13 @@ void write_pages(const Pages& pages, const std::string& folder) {
   for (const HelpPage& page : pages) {
     if (is_task(page.command)) continue;
     const std::string path = (std::filesystem::path(folder) / (man_name(page.command) + ".1")).string();
-    std::ofstream file(path, std::ios::binary);
-    file << man_text(pages, page) << '\n';
-    file.close();
-    if (!file) throw OutputError(path + ": cannot be written");
+    try {
+      files::WholeFile file(path);
+      file.write(man_text(pages, page) + '\n');
+      file.put_in_place();
+    } catch (const std::system_error& error) {
+      throw OutputError(path + ": cannot be written: " + error.code().message());
+    }
   }
 }
 

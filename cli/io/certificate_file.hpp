@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "reference/files/whole_file.hpp"
+
 namespace fathom::cli {
 
 /// A file for a certificate, a picture or a report, which appears with all of its content or not at all. Opened before solving, so that an
@@ -13,19 +15,14 @@ namespace fathom::cli {
 class CertificateFile {
  public:
   /// `what` is for messages. Throws InputError if nothing can be written there.
-  explicit CertificateFile(std::string path, std::string what = "certificate");
-  ~CertificateFile();
-  CertificateFile(const CertificateFile&) = delete;
-  CertificateFile& operator=(const CertificateFile&) = delete;
+  explicit CertificateFile(const std::string& path, const std::string& what = "certificate");
 
-  /// Throws OutputError.
+  /// Writes the content, once. Throws OutputError.
   void write(std::string_view text);
 
  private:
-  [[noreturn]] void fail();
-
-  std::string what_, path_, temporary_;  // no temporary_ if the path is an existing file that is not regular: it is written directly
-  int descriptor_ = -1;
+  std::string what_;
+  files::WholeFile file_;
 };
 
 /// A folder for the certificates, or the pictures, of a stream; made if it is missing.

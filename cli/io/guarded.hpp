@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -28,6 +29,8 @@ inline ExitCode guarded(const std::function<ExitCode()>& run) {
     return failed(error.what(), bad_input);
   } catch (const Interrupted&) {
     return failed("interrupted", interrupted);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failed(error.path1().string() + ": " + error.code().message(), bad_input);
   } catch (const OutputError& error) {
     return failed(error.what(), internal_error);
   } catch (const std::exception& error) {

@@ -1,51 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a body from a file with groups, or from a folder of files. The reader of groups is in obj.cpp.
+// The reader of groups is in obj.cpp.
+#include "reference/files/piece_files.hpp"
+
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
-#include "fathom/files.hpp"
-#include "fathom/union.hpp"
+#include "kernels/float_environment.hpp"
+#include "reference/files/mesh_formats.hpp"
 #include "reference/files/natural_order.hpp"
 #include "reference/files/source.hpp"
 
-namespace fathom {
+namespace fathom::files {
 namespace {
 
 bool is_mesh_name(const std::string& name) {
-  const std::string kind = files::extension(name);
+  const std::string kind = extension(name);
   return kind == "off" || kind == "obj" || kind == "ply" || kind == "stl";
 }
 
-/// The mesh files in it, hidden ones and those in folders within left out.
-std::vector<std::string> names_in(const std::string& folder) {
+Pieces points_of(const std::vector<Body>& pieces) {
+  Pieces result;
+  for (const Body& piece : pieces) result.push_back(piece.points.exact());
+  return result;
+}
+
+std::vector<Body> piece_bodies(const std::string& path, Decimals decimals) {
+  const kernels::DefaultFloatEnvironment environment;
+  std::vector<Body> pieces;
+  for (const std::string& file : is_folder(path) ? piece_files(path) : std::vector{path}) {
+    const std::string bytes = read_file(file);
+    if (mesh_format(bytes, file) == MeshFormat::obj) std::ranges::move(parse_obj_pieces(bytes, file, decimals), std::back_inserter(pieces));
+    else pieces.push_back(parse_mesh(bytes, file, decimals));
+  }
+  if (pieces.empty()) throw InputError(path, 0, "expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
+  return pieces;
+}
+
+/// Adds the faces of a piece to those of the pieces before, which have `before` points.
+void add_faces(const MeshFaces& of_piece, std::size_t points, std::uint32_t before, MeshFaces& all) {
+  const auto corners = static_cast<std::uint32_t>(all.corners.size());
+  const bool in_order = of_piece.corners.empty(), triangles = of_piece.ends.empty();
+  const std::size_t count = in_order ? points : of_piece.corners.size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    all.corners.push_back(before + (in_order ? i : of_piece.corners[i]));
+    if (triangles && i % 3 == 2) all.ends.push_back(corners + i + 1);
+  }
+  for (const std::uint32_t end : of_piece.ends) all.ends.push_back(corners + end);
+}
+
+}  // namespace
+
+std::vector<std::string> piece_files(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code fault;
   for (std::filesystem::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
     const std::string name = entry->path().filename();
     std::error_code unknown;  // then reading it says why
-    if (is_mesh_name(name) && !name.starts_with('.') && !entry->is_directory(unknown)) names.push_back(name);
+    if (!is_mesh_name(name) || name.starts_with('.') || entry->is_directory(unknown)) continue;
+    if (entry->is_fifo(unknown))
+      throw InputError(entry->path().string(), 0, "expected a file, found a named pipe, whose writer may never come");
+    names.push_back(name);
   }
   if (fault) throw InputError(folder, 0, "expected a readable folder, found '" + fault.message() + "'");
-  std::sort(names.begin(), names.end(), files::natural_less);
+  std::sort(names.begin(), names.end(), natural_less);
+  for (std::string& name : names) name = folder + (folder.ends_with('/') ? "" : "/") + name;
   return names;
 }
 
-}  // namespace
-
-Pieces read_pieces(const std::string& path, Decimals decimals) {
-  if (!files::is_folder(path)) return parse_pieces(files::read_file(path), path, decimals);
-  Pieces pieces;
-  for (const std::string& name : names_in(path)) {
-    const std::string file = path + (path.ends_with('/') ? "" : "/") + name;
-    if (files::extension(name) == "obj")
-      std::ranges::move(parse_pieces(files::read_file(file), file, decimals), std::back_inserter(pieces));
-    else pieces.push_back(read_mesh(file, decimals).points);
+Body union_of(const std::vector<Body>& pieces) {
+  MeshFaces faces;
+  std::uint32_t before = 0;  // points of the pieces before
+  for (const Body& piece : pieces) {
+    if (piece.faces) add_faces(*piece.faces, piece.points.size(), before, faces);
+    before += static_cast<std::uint32_t>(piece.points.size());
   }
-  if (pieces.empty()) throw InputError(path, 0, "expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
-  return pieces;
+  Body body;
+  body.pieces = std::make_shared<const Pieces>(points_of(pieces));
+  body.faces = faces_of(std::move(faces));
+  return body;
 }
+
+Body read_union(const std::string& path, Decimals decimals) { return union_of(piece_bodies(path, decimals)); }
+
+}  // namespace fathom::files
+
+namespace fathom {
+
+Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals) {
+  const kernels::DefaultFloatEnvironment environment;
+  return files::points_of(files::parse_obj_pieces(text, name, decimals));
+}
+
+Pieces read_pieces(const std::string& path, Decimals decimals) { return files::points_of(files::piece_bodies(path, decimals)); }
 
 }  // namespace fathom

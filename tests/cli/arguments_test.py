@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Help, version, and every way to misuse the command line."""
+import pathlib
+import subprocess
 import unittest
 
-from harness import DATA, VERSION, CliTest
+from harness import DATA, EXECUTABLE, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json",
@@ -40,6 +42,79 @@ class Help(CliTest):
                 self.assertEqual(self.answer(*words), self.answer("help", command))
         self.assertEqual(self.answer("help", "golden", "verify"), self.answer("golden", "verify", "--help"))
         self.assertIn(f"unknown command 'nonsense' (expected {COMMANDS})\n", self.refused("help", "nonsense"))
+
+
+class Outputs(CliTest):
+    """Nothing that is written is something that is read, or written otherwise; nothing is opened before that is known."""
+
+    def setUp(self):
+        super().setUp()
+        corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        self.a, self.b = self.file("a.txt", corners), self.file("b.txt", corners)
+        self.mesh, self.other = self.file("a.off", pathlib.Path(A).read_bytes()), self.file("b.off", pathlib.Path(B).read_bytes())
+        self.pose = self.file("pose.txt", "xyz=1/2,0,0")
+        self.cases = self.file("c.txt", '{"id":"1","a":{"vertices":[[0,0,0]]},"b":{"vertices":[[0,0,0]]}}\n')
+        self.pieces = self.file("k.obj", (DATA / "key.obj").read_bytes())
+
+    def all_kept(self, *arguments, **options):
+        before = {path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}
+        code, out, err = self.run_cli(*arguments, **options)
+        self.assertEqual((code, out), (2, ""), err)
+        self.assertEqual({path: path.read_bytes() for path in self.folder.iterdir() if path.is_file()}, before)
+        return err
+
+    def test_no_output_is_an_input(self):
+        link, hard = self.folder / "link", self.folder / "hard"
+        link.symlink_to(self.a)
+        hard.hardlink_to(self.a)
+        for arguments in (["depth", "--certificate", self.a, self.a, self.b], ["depth", "--svg", self.b, self.a, self.b],
+                          ["depth", "--svg", link, self.a, self.b], ["depth", "--svg", hard, self.a, self.b],
+                          ["depth", "--svg", f"{self.folder}/./a.txt", self.a, self.b], ["width", "--certificate", self.a, self.a],
+                          ["depth", "--along", "1,0,0", "--svg", self.a, self.a, self.b], ["stages", "--svg", self.a, self.a, self.b],
+                          ["depth", "--pose-a", "@" + self.pose, "--svg", self.pose, self.a, self.b],
+                          ["explain", self.a, self.b, "-o", self.a],
+                          ["depth", "--case", "1", "--svg", self.cases, self.cases], ["study", "--html", self.cases, self.cases],
+                          ["depth", "--pieces", "--svg", self.pieces, self.pieces, self.pieces],
+                          ["explain", "--pieces", self.pieces, self.pieces, "-o", self.pieces],
+                          ["certify", "--subject", "true", "--html", self.cases, self.cases],
+                          ["certify", "--subject", "true", "--report", self.cases, self.cases],
+                          ["certify", "--replay", self.pose, "--junit", self.pose, self.cases],
+                          ["certify", "--subject", "true", "--expect-fail", self.pose, "--junit", self.pose, self.cases],
+                          ["certify", "diff", "--html", self.a, self.a, self.b]):
+            with self.subTest(arguments):
+                self.assertIn(" would write over '", self.all_kept(*arguments))
+
+    def test_one_name_forgotten(self):
+        for arguments in (["width", "--certificate", self.mesh, self.other], ["depth", "--certificate", self.mesh, self.other, self.a],
+                          ["study", "--html", self.mesh, self.a, self.b]):
+            self.assertIn("which is named like a mesh or like cases", self.all_kept(*arguments))
+        self.answer("width", "--certificate", self.folder / "new.off", self.other)
+
+    def test_files_of_folders(self):
+        folder = self.folder / "pieces"
+        folder.mkdir()
+        (folder / "p.obj").write_bytes((DATA / "key.obj").read_bytes())
+        (folder / "1.cert").write_text(pathlib.Path(self.cases).read_text())
+        self.assertIn("would write over", self.all_kept("depth", "--pieces", "--svg", folder / "p.obj", folder, self.pieces))
+        self.assertIn("would write over", self.all_kept("depth", "--certificate", folder, folder / "1.cert"))
+        self.answer("depth", "--svg", folder, "--certificate", folder, self.cases)
+        self.assertTrue((folder / "1.svg").exists() and (folder / "1.cert").read_text().startswith("fathom-certificate"))
+
+    def test_no_two_outputs_are_one(self):
+        one = self.folder / "one"
+        for arguments in (["depth", "--certificate", one, "--svg", one, self.a, self.b],
+                          ["certify", "--subject", "true", "--junit", one, "--html", one, self.cases],
+                          ["certify", "--subject", "true", "--certificates", one, "--shrink", one, self.cases]):
+            self.assertIn(" write to one place, ", self.all_kept(*arguments))
+        out = self.folder / "out"
+        with open(out, "wb") as stream:
+            code, _, err = self.run_cli("depth", "--certificate", out, self.a, self.b, stdout=stream)
+        self.assertEqual((code, out.read_bytes()), (2, b""))
+        self.assertIn("--certificate and standard output write to one place", err)
+        with open(self.cases, "rb") as stream:
+            done = subprocess.run([EXECUTABLE, "study", "--html", self.cases, "-"], stdin=stream, capture_output=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"would write over 'standard input'", done.stderr)
 
 
 class Misuse(CliTest):

@@ -109,6 +109,18 @@ class Single(CliTest):
             self.assertEqual((code, out), (2, ""))
             self.assertIn(f"{place}: cannot write a certificate: ", err)
 
+    def test_a_folder_that_cannot_be_reached(self):
+        loop = self.folder / "loop"
+        loop.symlink_to("loop")
+        cases = self.file("c.jsonl", case(UNIT, UNIT))
+        for arguments in (["depth", "--certificate", loop / "x", cases], ["depth", "--svg", loop / "x", cases],
+                          ["golden", "generate", "--level", "L0", "--out", loop / "x"],
+                          ["certify", "--subject", "true", "--certificates", loop / "x", cases]):
+            code, out, err = self.run_cli(*arguments)
+            self.assertEqual((code in (2, 3), out), (True, ""), err)
+            self.assertIn("Too many levels of symbolic links", err)
+            self.assertNotIn("internal error", err)
+
     def test_a_full_disk_is_no_success(self):
         code, out, err = self.run_cli("depth", "--certificate", "/dev/full", self.a, self.b)
         self.assertEqual((code, out), (3, ""))

@@ -12,6 +12,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/whole_file.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::harness {
@@ -84,13 +85,8 @@ Journal Journal::resume(const std::string& path, const std::string& header, cons
 }
 
 void Journal::add(const std::string& line) {
-  const std::string text = line + '\n';
-  for (std::size_t written = 0; written < text.size();) {
-    const ssize_t count = ::write(file_, text.data() + written, text.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw JournalError(path_ + ": cannot be written: " + std::strerror(errno));
-    written += static_cast<std::size_t>(count);
-  }
+  if (const int code = files::write_all(file_, line + '\n'); code != 0)
+    throw JournalError(path_ + ": cannot be written: " + std::strerror(code));
 }
 
 }  // namespace fathom::harness

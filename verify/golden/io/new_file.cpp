@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "reference/files/whole_file.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 
@@ -48,12 +49,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw FileError("write", final_, errno);
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
+  if (const int code = files::write_all(descriptor_, bytes); code != 0) throw FileError("write", final_, code);
 }
 
 void NewFile::sync() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that appears whole or not at all. It is written under a hidden name, synced to disk, and renamed.
+// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no other process can write it meanwhile.
 #pragma once
 
 #include <filesystem>

@@ -4,23 +4,21 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <system_error>
 
 #include "reference/files/body_json.hpp"
+#include "reference/files/whole_file.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
 namespace fathom::harness {
 namespace {
 
-/// Under another name first; a rename replaces the old file at once.
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path draft = path.string() + ".part";
-  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(draft, path, error);
-  if (!out || error) throw InputError(path.string(), 0, "cannot be written" + (error ? ": " + error.message() : ""));
+void write_whole(const std::string& path, const std::string& text) try {
+  files::WholeFile file(path);
+  file.write(text);
+  file.put_in_place();
+} catch (const std::system_error& error) {
+  throw InputError(path, 0, "cannot be written: " + error.code().message());
 }
 
 void make_folder(const std::string& directory) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of a body from a file with groups, or from a folder of files; with the faces of their meshes, which tell whether each is convex.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fathom/files.hpp"
+#include "fathom/union.hpp"
+
+namespace fathom::files {
+
+/// The mesh files in a folder (.off, .obj, .ply, .stl) in the natural order of their names; hidden ones and those in folders within left
+/// out. Throws InputError if the folder cannot be read, or holds a named pipe of such a name.
+std::vector<std::string> piece_files(const std::string& folder);
+
+/// The union of meshes, or of point sets, each a piece. Its `faces` are those of all pieces: corners count the points of one after another.
+Body union_of(const std::vector<Body>& pieces);
+
+/// The union that read_pieces reads, with its faces. Throws as that does.
+Body read_union(const std::string& path, Decimals decimals);
+
+}  // namespace fathom::files
