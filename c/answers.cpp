@@ -155,7 +155,7 @@ struct Json {
   }
   std::string operator()(UnionDepth depth) const {
     if (answer.listed && *answer.listed < depth.optima.size()) depth.optima.resize(*answer.listed);
-    return cli::union_json({id, std::move(depth), {}}, request);
+    return cli::union_json({id, std::move(depth), bodies()}, request);
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "c/boundary.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/files/piece_files.hpp"
 
 namespace fathom::c {
 namespace {
@@ -43,7 +44,7 @@ int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_bod
 int fathom_body_from_piece_files(const char* path, int decimals, fathom_body** body) {
   return make_handle(body, [&] {
     require(path, "path");
-    return union_of(fathom::read_pieces(path, decimals_from(decimals)));
+    return handle(fathom::files::read_union(path, decimals_from(decimals)));
   });
 }
 

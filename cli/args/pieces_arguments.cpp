@@ -3,16 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "kernels/printable.hpp"
-#include "reference/files/source.hpp"
-
 namespace fathom::cli {
 namespace {
 
 /// What unions have no place for.
-constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines",  "--seed",   "--bits",  "--pose-a",
-                                            "--pose-b", "--require-convex", "--optima", "--along", "--steps",
-                                            "--times",  "--schema",         "--csv",    "--case",  "--threads"};
+constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines", "--seed",   "--bits", "--optima", "--along",
+                                            "--steps",  "--times",         "--schema", "--csv",  "--case",   "--threads"};
 
 }  // namespace
 
@@ -20,7 +16,7 @@ void add_pieces_option(CLI::App& app, Request& request, const std::string& more)
   app.add_flag(
       "--pieces", request.pieces,
       "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the mesh files of a "
-      "folder" +
+      "folder; another mesh, or a shape, is one piece" +
           more);
 }
 
@@ -31,10 +27,7 @@ std::string wrong_pieces(const CLI::App& asked, const Request& request) {
   };
   for (const char* option : of_convex_bodies)
     if (given(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
-  if (request.inputs.size() != 2) return "--pieces expects two OBJ files or folders, found one input";
-  for (const std::string& input : request.inputs)
-    if (files::extension(input) != "obj" && !files::is_folder(input))
-      return "--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found " + kernels::shown(input);
+  if (request.inputs.size() != 2) return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
   return "";
 }
 

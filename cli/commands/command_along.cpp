@@ -12,6 +12,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "cli/io/terminal.hpp"
 #include "cli/output/along_output.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/pose.hpp"
@@ -19,6 +20,8 @@
 
 namespace fathom::cli {
 namespace {
+
+constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow terminal
 
 /// Answers for A at each place of the path.
 class Walk {
@@ -60,7 +63,7 @@ class Walk {
 /// Prints rows as soon as they are known; JSON, which is one object, in the end.
 void print_row(const Path& path, const AlongStep& step, const Request& request) {
   if (request.csv) print(along_csv_row(step));
-  else if (!request.json) print(along_text_row(path, step));
+  else if (!request.json) print(fitted(along_text_row(path, step), indent));
 }
 
 }  // namespace
@@ -68,16 +71,14 @@ void print_row(const Path& path, const AlongStep& step, const Request& request) 
 ExitCode run_along(const Request& request) {
   std::unique_ptr<CertificateFile> picture;
   if (!request.svg.empty()) picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
-  const Case pair = asked_case(request);
+  const Case pair = asked_case(request, false);
   const Working working;
   Progress progress("steps");
-  const AskedCase asked(pair, false);
-  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
-    throw InputError(pair.id, 0, fault);
+  const AskedCase asked = looked_at(pair, request);
   const Path path{pair.id, *request.along.translation, request.along.steps};
   Walk walk(pair, request, progress);
   std::vector<AlongStep> steps;
-  if (!request.json) print(request.csv ? along_csv_header() : along_text_header(path));
+  if (!request.json) print(request.csv ? along_csv_header() : fitted(along_text_header(path), indent));
   for (std::uint32_t i = 0; i <= path.steps; ++i) {
     steps.push_back(walk.at(i));
     progress.answered();

@@ -53,9 +53,7 @@ std::string case_text(const Case& single) {
 }
 
 std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
-  const AskedCase asked(single, false);
-  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
-    throw InputError(single.id, 0, fault);
+  const AskedCase asked = looked_at(single, request);
   const std::string depth = depth_json(asked, request, monitor);
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
@@ -63,21 +61,21 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
 }
 
 std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
-  const UnionAnswer answer{single.id, union_depth_of(single, monitor), ""};
+  const AskedCase asked = looked_at(single, request);
+  const UnionAnswer answer{single.id, union_depth_of(single, monitor), asked.bodies};
   if (!answer.depth.complete) throw Interrupted();
   const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
   stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
   stages.id = single.id;
   const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");
-  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, case_text(single), picture});
+  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, case_text(single), notes_on(asked.bodies), picture});
 }
 
 }  // namespace
 
 ExitCode run_explain(const Request& request) {
   CertificateFile file(request.page, "page");  // an unwritable path fails early
-  const Case single = asked_case(request);
-  if (const std::string fault = wrong_bodies(single, false, "", true); !fault.empty()) throw InputError(single.id, 0, fault);
+  const Case single = asked_case(request, true);
   std::string page;
   {
     const Working working;

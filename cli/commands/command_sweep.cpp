@@ -14,6 +14,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "cli/io/terminal.hpp"
 #include "cli/output/sweep_output.hpp"
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
@@ -28,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double long_enough = 0.2;  // seconds: what is shorter is measured again, and the shortest time counts
 constexpr int most_runs = 3;
+constexpr std::size_t behind_size = 9;  // spaces before the further lines of a row, on a narrow terminal
 
 const families::Family& family_named(const std::string& name) {
   if (const families::Family* family = families::find_family(name)) return *family;
@@ -66,14 +68,14 @@ void run_sizes(const Sweep& sweep, const Request& request, std::vector<SweepRow>
   const std::vector<unsigned>& sizes = request.sweep.sizes;
   const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   Progress progress("points of a body");  // time goes with them: it tells how long the rest will take
-  print(request.csv ? sweep_csv_header(sweep) : sweep_text_header(sweep));
+  print(request.csv ? sweep_csv_header(sweep) : fitted(sweep_text_header(sweep), behind_size));
   std::size_t done = 0;
   for (const unsigned size : sizes) {
     progress.about(fmt::format("size {}", size));
     progress.count({done, all});
     rows.push_back(row_of(family, size, request, progress));
     progress.answered();
-    print(request.csv ? sweep_csv_row(rows.back()) : sweep_text_row(rows.back()));
+    print(request.csv ? sweep_csv_row(rows.back()) : fitted(sweep_text_row(rows.back()), behind_size));
     done += size;
   }
 }
@@ -93,7 +95,7 @@ ExitCode run_sweep(const Request& request) {
     take_time_to_write();
     code = interrupted;
   }
-  if (!request.csv && rows.size() > 1) print(sweep_text_growth(sweep, rows));
+  if (!request.csv && rows.size() > 1) print(fitted(sweep_text_growth(sweep, rows), behind_size));
   if (picture && !rows.empty()) picture->write(sweep_svg(sweep, rows));
   if (code == interrupted) talk(fmt::format("interrupted after {} of {} sizes", rows.size(), request.sweep.sizes.size()));
   return code;

@@ -99,13 +99,14 @@ ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Moni
 }
 
 /// Throws InputError as union_depth_of does, and if the request asks for what unions do not have. A search that is interrupted answers
-/// between which bounds the depth lies, unless it is one of a stream.
+/// between which bounds the depth lies.
 UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor) {
   const Case& single = asked;
   if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)
     throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
-  UnionAnswer answer{single.id, union_depth_of(single, monitor), ""};
-  if (!answer.depth.complete) return is_stream(request) ? throw Interrupted() : answer;
+  if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no unions of pieces, which have a schema of their own");
+  UnionAnswer answer{single.id, union_depth_of(single, monitor), asked.bodies};
+  if (!answer.depth.complete) return answer;
   if (!request.certificate.empty() || request.embed_certificate)
     answer.certificate = certificate_text(pieces_of(single.a), pieces_of(single.b), answer.depth, single.id, &monitor);
   return answer;
@@ -113,12 +114,12 @@ UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Moni
 
 std::string text_of(const UnionAnswer& answer, const Request& request) {
   if (request.json) return union_json(answer, request);
-  return is_stream(request) ? union_line(answer, request) : union_text(answer.depth, request);
+  return is_stream(request) ? union_line(answer, request) : union_text(answer, request);
 }
 
 std::string picture_text(const Case& single, const UnionAnswer& answer, const Request& request) {
   if (!answer.depth.complete) return "";
-  return union_picture(answer.id, pieces_of(single.a), pieces_of(single.b), answer.depth, request);
+  return union_picture(answer, pieces_of(single.a), pieces_of(single.b), request);
 }
 
 ExitCode code_of(const UnionAnswer& answer) { return answer.depth.complete ? fine : interrupted; }

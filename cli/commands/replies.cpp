@@ -15,8 +15,8 @@
 #include "cli/output/hull_note.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
-#include "fathom/union.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
@@ -25,11 +25,19 @@
 namespace fathom::cli {
 namespace {
 
+/// A body by its file or folder, or by the words of a shape.
+Body body_of_input(const std::string& input, const Request& request) {
+  if (!files::is_shape_text(input)) return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
+  Body body = files::parse_shape(input, request.decimals);
+  if (request.pieces && body.shape)
+    throw InputError(input, 0, "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
+  return request.pieces ? files::union_of({body}) : body;
+}
+
 Case single_case(const Request& request) {
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
-    if (request.pieces) return Body{.points = {}, .pieces = std::make_shared<const Pieces>(read_pieces(input, request.decimals))};
-    Body result = files::is_shape_text(input) ? files::parse_shape(input, request.decimals) : read_mesh(input, request.decimals);
+    Body result = body_of_input(input, request);
     const std::string option = i == 0 ? "--pose-a" : "--pose-b";
     if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
       const files::GivenPose pose = asked_pose(*text, option, request.decimals, result.shape && result.shape->radius > 0);
@@ -93,9 +101,17 @@ void refuse_poses_of_stream(const Request& request) {
 
 }  // namespace
 
-Case asked_case(const Request& request) {
+Case asked_case(const Request& request, bool takes_unions, const std::string& refuses_shapes) {
   refuse_poses_of_stream(request);
-  return holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
+  Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
+  const std::string fault = wrong_bodies(single, has_one_body(request), refuses_shapes, takes_unions);
+  return fault.empty() ? single : throw InputError(single.id, 0, fault);
+}
+
+AskedCase looked_at(const Case& single, const Request& request) {
+  AskedCase asked(single, has_one_body(request));
+  const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex);
+  return fault.empty() ? asked : throw InputError(single.id, 0, fault);
 }
 
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
@@ -128,14 +144,10 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
 ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
-  const Case single = asked_case(request);
-  if (const std::string fault = wrong_bodies(single, has_one_body(request), replies.refuses_shapes, replies.takes_unions); !fault.empty())
-    throw InputError(single.id, 0, fault);
+  const Case single = asked_case(request, replies.takes_unions, replies.refuses_shapes);
   const Working working;
   Progress progress;
-  const AskedCase asked(single, has_one_body(request));
-  if (const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex); !fault.empty())
-    throw InputError(single.id, 0, fault);
+  const AskedCase asked = looked_at(single, request);
   Workspace workspace;
   const CaseReply reply = replies.reply(asked, progress, workspace);
   if (reply.keep) reply.keep();

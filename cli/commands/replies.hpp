@@ -44,8 +44,12 @@ struct Replies {
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
 /// Returns the one case that the request is about: its meshes, where they stand; or of a stream the case called `case_id`, the first of
-/// that id, and if there is no id, its only case. Throws InputError, with the ids that there are.
-Case asked_case(const Request& request);
+/// that id, and if there is no id, its only case. Throws InputError, with the ids that there are; and if a body is such as the command does
+/// not take: a union of pieces unless `takes_unions`, a shape if there is a reason in `refuses_shapes`.
+Case asked_case(const Request& request, bool takes_unions, const std::string& refuses_shapes = "");
+
+/// The case with what is known of its bodies. Throws InputError if the request wants convex meshes and one is not.
+AskedCase looked_at(const Case& single, const Request& request);
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.
 StreamWork stream_work(const Request& request, const Replies& replies);

@@ -15,6 +15,9 @@ namespace fathom::cli {
 /// limited, for every thread takes some of it.
 unsigned usual_threads();
 
+/// So many of the threads that were asked for: fewer where the address space is limited, for more would leave too little for the items.
+unsigned possible_threads(unsigned asked);
+
 /// Items that are under way at once, for each thread: behind an item that takes long, the others go on with so many.
 inline constexpr std::size_t items_in_flight = 16;
 
@@ -25,6 +28,7 @@ inline constexpr std::size_t items_in_flight = 16;
 template <class Item, class Next, class Work, class Deliver>
 void in_order(unsigned threads, Next next, Work work, Deliver deliver) {
   using Shared = std::shared_ptr<Item>;
+  threads = possible_threads(threads);
   if (threads == 1) {
     while (const Shared item = next()) {
       work(*item);

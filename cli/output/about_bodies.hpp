@@ -20,8 +20,10 @@ AboutBodies about_bodies(const Case& input, bool one_body);
 
 /// The rows "sizes" and, if a mesh is not convex, "hull".
 void add_bodies(std::vector<Row>& rows, const AboutBodies& bodies);
+void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts);
 
-/// The fields "sizes" and, if a body is a mesh with faces, "hull".
+/// The fields "sizes" and, if a body is a mesh with faces or has such pieces, "hull".
 void add_bodies(Json& result, const AboutBodies& bodies);
+void add_hull(Json& result, const shapes::HullFacts& facts);
 
 }  // namespace fathom::cli

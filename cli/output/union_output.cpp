@@ -41,6 +41,11 @@ void add_optimum(std::vector<Row>& rows, const UnionDepth& depth, const Request&
     rows.emplace_back("ties", count == 1 ? "none" : fmt::format("{} translations; the first is shown, --json lists all", count));
 }
 
+std::string counted(const UnionCounters& c) {
+  return fmt::format("{} cells split, {} nearest points, {} of {} pairs of pieces looked at", c.nodes, c.nearest_points, c.pairs_touched,
+                     c.pairs);
+}
+
 Json contact_json(const PieceContact& c) {
   return {{"pieces", std::vector<std::uint32_t>{c.a, c.b}}, {"direction", exact(c.direction)}, {"contact", contact_object(c.contact)}};
 }
@@ -51,9 +56,9 @@ Json optimum_json(const UnionOptimum& optimum) {
   return {{"translation", exact(optimum.translation)}, {"clearance", Json::boolean(optimum.clearance)}, {"contacts", contacts}};
 }
 
-Json distance_json(const UnionDistance& apart) {
+Json distance_json(const UnionDistance& apart, const Request& request) {
   const Distance& d = apart.distance;
-  return {{"distance", length(d.squared, std::nullopt)},
+  return {{"distance", length(d.squared, request.digits)},
           {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
           {"translation", exact(d.translation)},
           {"witness", witness_object(d.witness)},
@@ -62,7 +67,8 @@ Json distance_json(const UnionDistance& apart) {
 
 }  // namespace
 
-std::string union_text(const UnionDepth& depth, const Request& request) {
+std::string union_text(const UnionAnswer& answer, const Request& request) {
+  const UnionDepth& depth = answer.depth;
   std::vector<Row> rows;
   if (depth.complete) {
     add_squared(rows, "depth", depth.low, request);
@@ -81,16 +87,15 @@ std::string union_text(const UnionDepth& depth, const Request& request) {
                                                   depth.bounds->a, depth.bounds->b));
     rows.emplace_back("hulls", root_text(depth.bounds->hulls));
   }
-  if (request.counters) {
-    const UnionCounters& c = depth.counters;
-    rows.emplace_back("counted", fmt::format("{} cells split, {} nearest points, {} of {} pairs of pieces looked at", c.nodes,
-                                             c.nearest_points, c.pairs_touched, c.pairs));
-  }
+  add_hull(rows, answer.bodies.hull);
+  if (request.counters) rows.emplace_back("counted", counted(depth.counters));
   return aligned(depth.complete ? std::string(name(depth.status)) : "interrupted", rows);
 }
 
 std::string union_line(const UnionAnswer& answer, const Request& request) {
   const UnionDepth& depth = answer.depth;
+  if (!depth.complete)
+    return case_line(answer.id, {"interrupted", "depth at least " + root_text(depth.low), "at most " + root_text(depth.high)});
   std::vector<std::string> parts{std::string(name(depth.status)), "depth " + root_text(depth.squared())};
   if (depth.status == Status::penetrating) {
     if (request.exact) parts.push_back("depth^2 " + exact_text(depth.squared()));
@@ -101,6 +106,7 @@ std::string union_line(const UnionAnswer& answer, const Request& request) {
     parts.push_back("deepest pair " + root_text(depth.bounds->deepest_pair));
   }
   if (depth.apart) parts.push_back("distance " + root_text(depth.apart->distance.squared));
+  if (request.counters) parts.push_back("counted " + counted(depth.counters));
   return case_line(answer.id, parts);
 }
 
@@ -116,15 +122,16 @@ std::string union_json(const UnionAnswer& answer, const Request& request) {
       {"id", answer.id},
       {"status", name(depth.status)},
       {"complete", Json::boolean(depth.complete)},
-      {"depth", depth.complete ? length(depth.low, std::nullopt) : Json()},
-      {"low", length(depth.low, std::nullopt)},
-      {"high", length(depth.high, std::nullopt)},
+      {"depth", depth.complete ? length(depth.low, request.digits) : Json()},
+      {"low", length(depth.low, request.digits)},
+      {"high", length(depth.high, request.digits)},
       {"optima", optima},
-      {"apart", depth.apart ? distance_json(*depth.apart) : Json()},
+      {"apart", depth.apart ? distance_json(*depth.apart, request) : Json()},
       {"deepest_pair",
        Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
       {"hulls", length(bounds.hulls, std::nullopt)},
       {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
+  add_hull(result, answer.bodies.hull);
   if (request.embed_certificate && depth.complete) result["certificate"] = answer.certificate;
   return result.text();
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/args/request.hpp"
+#include "cli/output/about_bodies.hpp"
 #include "fathom/union.hpp"
 
 namespace fathom::cli {
@@ -13,17 +14,18 @@ namespace fathom::cli {
 struct UnionAnswer {
   std::string id;
   UnionDepth depth;
-  std::string certificate;  ///< its text; empty if it was not asked for, or the search was stopped
+  AboutBodies bodies;
+  std::string certificate = {};  ///< its text; empty if it was not asked for, or the search was stopped
 };
 
 /// Several lines, without the last newline.
-std::string union_text(const UnionDepth& depth, const Request& request);
+std::string union_text(const UnionAnswer& answer, const Request& request);
 /// One line.
 std::string union_line(const UnionAnswer& answer, const Request& request);
 /// One line, pure ASCII.
 std::string union_json(const UnionAnswer& answer, const Request& request);
 
-/// An SVG file of two unions, whose depth is complete: the way out, the pieces in contact, and the answer below.
-std::string union_picture(const std::string& id, const Pieces& a, const Pieces& b, const UnionDepth& depth, const Request& request);
+/// An SVG file of two unions, the answer about which is complete: the way out, the pieces in contact, and the answer below.
+std::string union_picture(const UnionAnswer& answer, const Pieces& a, const Pieces& b, const Request& request);
 
 }  // namespace fathom::cli

@@ -34,7 +34,8 @@ void add_contacts(std::vector<std::string>& caption, const std::vector<PieceCont
 
 }  // namespace
 
-std::string union_picture(const std::string& id, const Pieces& a, const Pieces& b, const UnionDepth& depth, const Request& request) {
+std::string union_picture(const UnionAnswer& answer, const Pieces& a, const Pieces& b, const Request& request) {
+  const UnionDepth& depth = answer.depth;
   const picture::PairScene scene = picture::scene_of(a, b, depth);
   std::vector<std::string> caption;
   if (depth.apart) {
@@ -55,8 +56,9 @@ std::string union_picture(const std::string& id, const Pieces& a, const Pieces& 
   if (depth.bounds && depth.status == Status::penetrating)
     caption.push_back(fmt::format("deepest pair: {}, piece {} of A and piece {} of B; hulls: {}", root_text(depth.bounds->deepest_pair),
                                   depth.bounds->a, depth.bounds->b, root_text(depth.bounds->hulls)));
+  if (const std::string dents = shapes::dents_text(answer.bodies.hull); !dents.empty()) caption.push_back(dents);
   caption.push_back(legend(scene));
-  return picture::scene_document(scene, id, caption);
+  return picture::scene_document(scene, answer.id, caption);
 }
 
 }  // namespace fathom::cli

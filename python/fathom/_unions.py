@@ -27,7 +27,8 @@ def union(pieces: Iterable[BodyLike]) -> Body:
 def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Body:
     """The union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there.
 
-    So tools for convex decomposition write them (docs/unions.md).
+    So tools for convex decomposition write them (docs/unions.md). Another mesh file is one piece. A group or file that is not convex is
+    taken as its hull, with a NotConvexWarning.
 
     decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
 

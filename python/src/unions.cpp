@@ -15,6 +15,7 @@
 #include "python/src/bodies.hpp"
 #include "python/src/points.hpp"
 #include "python/src/watching.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/dents.hpp"
 
@@ -76,6 +77,21 @@ Body union_from(py::handle from, const std::string& called, const std::string& n
   return union_of(pieces_from(from, called, name));
 }
 
+/// Warns of the pieces of a union that are not convex, where faces tell it.
+void warn_of_dents(const Body& body, const std::string& called) {
+  const std::optional<shapes::DentedPieces> dented = [&] {
+    const py::gil_scoped_release unlocked;
+    return shapes::dented_pieces(body);
+  }();
+  if (dented && !dented->empty()) warn(shapes::dents_text(called, *dented));
+}
+
+Body union_in_files(const std::string& path, const std::string& decimals) {
+  Body body = files::read_union(path, decimals_from(decimals));
+  warn_of_dents(body, path);
+  return body;
+}
+
 // ---- answers ----
 
 UnionAnswer answer_about(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, bool bounds,
@@ -83,6 +99,8 @@ UnionAnswer answer_about(const py::object& a, const py::object& b, const py::obj
   UnionAnswer answer;
   answer.a = posed(union_from(a, "A", "a"), pose_a, "a", &answer.notes);
   answer.b = posed(union_from(b, "B", "b"), pose_b, "b", &answer.notes);
+  warn_of_dents(answer.a, "A");
+  warn_of_dents(answer.b, "B");
   answer.found = watched([&](Monitor& monitor) { return union_depth(*answer.a.pieces, *answer.b.pieces, {&monitor, bounds}); }, stop);
   if (const std::optional<std::string> sizes = shapes::sizes_note(shapes::sizes_of(answer.a, answer.b))) answer.notes.push_back(*sizes);
   return answer;
@@ -156,10 +174,7 @@ void bind_unions(py::module_& module) {
   module.def("union_depth", answer_about, arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("bounds"), arg("stop"));
   module.def(
       "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, arg("pieces"));
-  module.def(
-      "read_pieces",
-      [](const std::string& path, const std::string& decimals) { return union_of(read_pieces(path, decimals_from(decimals))); },
-      arg("path"), arg("decimals"));
+  module.def("read_pieces", union_in_files, arg("path"), arg("decimals"));
 }
 
 }  // namespace fathom::python

@@ -20,12 +20,7 @@ std::string shown(const Json& value) {
   return kernels::printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), readable);
 }
 
-}  // namespace
-
-std::string read_faces(std::string_view text, const char* name, Body& body) {
-  const Json document = Json::parse(text);
-  const Json& faces = document.at(name).at("faces");
-  const std::string path = std::string(name) + ".faces";
+std::string take_faces(const Json& faces, const std::string& path, Body& body) {
   if (faces.is_null()) return "";
   if (!faces.is_array()) return path + ": expected an array of faces, found " + shown(faces);
   MeshFaces read;
@@ -41,6 +36,16 @@ std::string read_faces(std::string_view text, const char* name, Body& body) {
   }
   body.faces = faces_of(std::move(read));
   return "";
+}
+
+}  // namespace
+
+std::string read_faces(std::string_view text, const char* name, Body& body) {
+  return take_faces(Json::parse(text).at(name).at("faces"), std::string(name) + ".faces", body);
+}
+
+std::string read_array_of_faces(std::string_view text, const std::string& path, Body& body) {
+  return take_faces(Json::parse(text), path, body);
 }
 
 }  // namespace fathom::files

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/files/case_places.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "reference/files/shape_names.hpp"
+
 namespace fathom::files {
 
 std::string expected_at(CasePlace place) {
@@ -31,8 +36,21 @@ CasePlace field_of_body(std::string_view key) {
   if (key == "vertices") return CasePlace::vertices;
   if (key == "pose") return CasePlace::pose;
   if (key == "faces") return CasePlace::faces;
-  if (key == "shape" || key == "margin" || key == "pieces") return CasePlace::shape;
-  return key == "pose_rounding" ? CasePlace::body_rounding : CasePlace::other;
+  if (key == "pose_rounding") return CasePlace::body_rounding;
+  return is_field_of_shapes(key) ? CasePlace::shape : CasePlace::other;
+}
+
+bool is_field_of_shapes(std::string_view key) {
+  constexpr std::array<std::string_view, 6> others = {"shape", "axis", "vertices", "faces", "terms", "pieces"};
+  return std::ranges::find(others, key) != others.end() || number_field(key) != nullptr;
+}
+
+bool has_field(const ShapeName& shape, std::string_view key) {
+  if (key == "axis") return shape.part == ShapePart::axis;
+  if (key == "vertices") return shape.part == ShapePart::vertices;
+  if (key == "faces") return shape.name == "hull";
+  if (key == "terms") return shape.part == ShapePart::terms;
+  return key == "shape" || has_number(shape, key);
 }
 
 bool may_be_null(CasePlace place) {

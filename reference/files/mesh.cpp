@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tells the format of a mesh by extension or first bytes; what the formats share.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -47,7 +48,37 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
+/// What the file holds instead of a mesh, and what to do about it.
+std::string other_content(std::string_view bytes, const std::string& name) {
+  struct Kind {
+    std::string_view ending, beginning, what;
+  };
+  constexpr std::array<Kind, 8> kinds{
+      {{"gltf", "glTF", "glTF, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
+       {"glb", "glTF", "glTF, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
+       {"dae", "<COLLADA", "COLLADA, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
+       {"urdf", "<robot", "a description of a robot, which is not read: name the mesh files that it lists"},
+       {"sdf", "<sdf", "a description of a model, which is not read: name the mesh files that it lists"},
+       {"npy", "\x93NUMPY", "an array of numpy, which is not read: numpy.savetxt('points.xyz', array) writes lines x y z"},
+       {"fbx", "Kaydara FBX", "FBX, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
+       {"step", "ISO-10303-21", "STEP, which is not read: export a mesh as OBJ, PLY, STL or OFF"}}};
+  constexpr std::size_t head = 1024;
+  const std::string_view start = bytes.substr(0, head);
+  for (const Kind& kind : kinds)
+    if (extension(name) == kind.ending || start.starts_with(kind.beginning) ||
+        (kind.beginning[0] == '<' && start.find(kind.beginning) != std::string_view::npos))
+      return std::string(kind.what);
+  const std::string_view first = start.substr(0, start.find_first_of("\r\n"));
+  const bool table = std::ranges::count(first, ',') >= 2 && first.size() < bytes.size();
+  return kernels::shown(bytes) + (table ? ": a table of points has no line with names above them" : "");
+}
+
 }  // namespace
+
+std::optional<MeshFormat> mesh_format(std::string_view bytes, const std::string& name) {
+  const std::optional<MeshFormat> named = format_of_name(name);
+  return named ? named : format_of_content(bytes);
+}
 
 std::shared_ptr<const MeshFaces> faces_of(MeshFaces faces) {
   if (faces.ends.empty()) return nullptr;
@@ -98,10 +129,8 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals) {
   if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
-  std::optional<MeshFormat> format = files::format_of_name(name);
-  if (!format) format = files::format_of_content(bytes);
-  if (format) return parse_mesh(bytes, name, decimals, *format);
-  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + kernels::shown(bytes));
+  if (const std::optional<MeshFormat> format = files::mesh_format(bytes, name)) return parse_mesh(bytes, name, decimals, *format);
+  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + files::other_content(bytes, name));
 }
 
 Body read_mesh(const std::string& path, Decimals decimals) { return parse_mesh(files::read_file(path), path, decimals); }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,12 @@ Body parse_off(std::string_view text, const std::string& name, Decimals decimals
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimals);
 Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals);
+/// The pieces of a body: the groups of an OBJ file.
+std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
+
+/// The format of a mesh, by its name or else by its first bytes; nullopt if neither tells.
+std::optional<MeshFormat> mesh_format(std::string_view bytes, const std::string& name);
 
 /// The faces as a body keeps them; null if there are none.
 std::shared_ptr<const MeshFaces> faces_of(MeshFaces faces);

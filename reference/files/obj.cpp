@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line.
+// Wavefront OBJ: lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A '#' starts a comment, but
+// in the names of objects and groups, which run to the end of their line.
 #include <algorithm>
 #include <charconv>
 #include <map>
 #include <utility>
 
-#include "fathom/union.hpp"
-#include "kernels/float_environment.hpp"
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/source.hpp"
 
 namespace fathom::files {
 namespace {
@@ -51,23 +49,36 @@ void require_vertices(const TextScanner& scanner, const std::string& name, std::
                    "expected a vertex index of at most " + std::to_string(points) + ", found '" + std::to_string(highest.index) + "'");
 }
 
-/// Which piece the faces after a line 'o' or 'g' belong to: that of the object and the group. Those without a name are new ones.
+/// Which piece the faces after a line 'o' or 'g' belong to. Each line 'o' begins an object, also of a name that was there; in it, groups of
+/// one name are one, and those without a name are new ones.
 class Groups {
  public:
-  void object(std::string_view name) {
-    object_ = named(name);
+  void object() {
+    ++object_;
     group_.clear();
   }
-  void group(std::string_view name) { group_ = named(name); }
+  void group(std::string_view name) { group_ = name.empty() ? "\n" + std::to_string(++unnamed_) : std::string(name); }
   std::size_t piece() { return pieces_.try_emplace({object_, group_}, pieces_.size()).first->second; }
 
  private:
-  std::string named(std::string_view name) { return name.empty() ? "\n" + std::to_string(++unnamed_) : std::string(name); }
-
-  std::string object_, group_;
-  std::size_t unnamed_ = 0;
-  std::map<std::pair<std::string, std::string>, std::size_t> pieces_;
+  std::size_t object_ = 0, unnamed_ = 0;
+  std::string group_;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> pieces_;
 };
+
+/// The mesh of these faces alone: their corners, in the order of their numbers.
+Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
+  std::vector<std::uint32_t> used = faces.corners;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& corner : faces.corners)
+    corner = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
+  std::vector<Point> corners;
+  for (const std::uint32_t i : used) corners.push_back(points[i]);
+  Body piece{std::move(corners)};
+  piece.faces = faces_of(std::move(faces));
+  return piece;
+}
 
 }  // namespace
 
@@ -85,40 +96,30 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
   return mesh_body(std::move(points), std::move(faces));
 }
 
-}  // namespace fathom::files
-
-namespace fathom {
-
-Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals) {
-  const kernels::DefaultFloatEnvironment environment;
-  files::TextScanner scanner(text, name, {.comment = '#', .continuation = true});
+std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals) {
+  TextScanner scanner(text, name, {.comment = '#', .continuation = true});
   std::vector<Point> points;
-  files::HighestIndex highest;
-  files::Groups groups;
+  HighestIndex highest;
+  Groups groups;
   std::vector<MeshFaces> faces;  // of each piece
   while (scanner.next_line()) {
     const std::string_view keyword = scanner.next_token();
-    if (keyword == "o") groups.object(scanner.rest_of_line());
-    if (keyword == "g") groups.group(scanner.rest_of_line());
+    if (keyword == "o") groups.object();
+    if (keyword == "g") groups.group(scanner.name_to_end_of_line());
     if (keyword == "v") {
       Point& p = points.emplace_back();
-      for (mpq_class* c : {&p.x, &p.y, &p.z}) *c = files::exact(files::read_coordinate(scanner, decimals));
+      for (mpq_class* c : {&p.x, &p.y, &p.z}) *c = exact(read_coordinate(scanner, decimals));
     }
     if (keyword != "f") continue;
     const std::size_t piece = groups.piece();
     if (piece == faces.size()) faces.emplace_back();
-    files::read_face(scanner, points.size(), highest, faces[piece]);
+    read_face(scanner, points.size(), highest, faces[piece]);
   }
-  files::require_vertices(scanner, name, points.size(), highest);
+  require_vertices(scanner, name, points.size(), highest);
   if (faces.empty()) scanner.fail_at_end("at least one face 'f i j k': a piece is what the faces of a group have as corners");
-  Pieces pieces;
-  for (MeshFaces& of_piece : faces) {
-    std::sort(of_piece.corners.begin(), of_piece.corners.end());
-    of_piece.corners.erase(std::unique(of_piece.corners.begin(), of_piece.corners.end()), of_piece.corners.end());
-    std::vector<Point>& piece = pieces.emplace_back();
-    for (const std::uint32_t corner : of_piece.corners) piece.push_back(points[corner]);
-  }
+  std::vector<Body> pieces;
+  for (MeshFaces& of_piece : faces) pieces.push_back(piece_of(points, std::move(of_piece)));
   return pieces;
 }
 
-}  // namespace fathom
+}  // namespace fathom::files

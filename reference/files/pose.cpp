@@ -93,7 +93,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) rows[i][j] = (*given.matrix)[i][j];
   std::string note = note_on(rows);
-  if (!note.empty() && has_radius) note += "; its radius or margin stays";
+  if (!note.empty() && has_radius)
+    note += "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
   if (given.transposed) {
     note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
   } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {

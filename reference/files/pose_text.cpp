@@ -8,6 +8,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/source.hpp"
+#include "reference/files/text_scanner.hpp"
 
 namespace fathom::files {
 namespace {
@@ -171,7 +172,9 @@ GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& faul
 GivenPose read_pose(const std::string& argument, const std::string& option, Decimals decimals) {
   const kernels::DefaultFloatEnvironment environment;
   const bool in_file = argument.starts_with('@');
-  const std::string path = in_file ? argument.substr(1) : option, text = in_file ? read_file(path, longest) : argument;
+  const std::string path = in_file ? argument.substr(1) : option, given = in_file ? read_file(path, longest) : argument;
+  std::string_view text = given;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   std::string fault = text.size() > longest ? "expected a pose, found more than a MiB" : "";
   GivenPose pose;
   if (fault.empty()) pose = parse_pose(text, decimals, fault);

@@ -14,8 +14,11 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/case_faces.hpp"
+#include "reference/files/case_places.hpp"
 #include "reference/files/misspelt_fields.hpp"
 #include "reference/files/named_body.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_names.hpp"
@@ -37,8 +40,7 @@ std::string found(const Json& value) {
 
 /// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
 bool is_ours(std::string_view key) {
-  return number_field(key) || key == "shape" || key == "axis" || key == "vertices" || key == "terms" || key == "pieces" || key == "pose" ||
-         key == "pose_rounding" || key == "unit" || pose_word(key);
+  return is_field_of_shapes(key) || key == "pose" || key == "pose_rounding" || key == "unit" || pose_word(key);
 }
 
 /// Finds repeated fields, which a document does not show.
@@ -70,7 +72,7 @@ class Reader {
   void report(const std::string& path, const std::string& expected, const std::string& instead) {
     refuse(path + ": expected " + expected + ", found " + instead);
   }
-  void refuse(const std::string& sentence) {
+  void refuse(const std::string& sentence) {  // "" if there is nothing to refuse
     if (fault.empty()) fault = sentence;
   }
 
@@ -84,7 +86,7 @@ class Reader {
   Shape unplaced(const Json& json, const std::string& path, NamedBody& words);
   Shape placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words);
   void round(Shape& shape, const std::string& path);
-  std::vector<Point> piece(const Json& json, const std::string& path);
+  Body piece(const Json& json, const std::string& path);
   Body union_of(const Json& json, const std::string& path, bool rounded);
   bool is_rounded(const Json& json, const std::string& path);
 };
@@ -182,10 +184,9 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
     return there;
   };
   for (const auto& [key, value] : json.items()) {
-    const NumberField* const field = number_field(key);
-    if (!field || value.is_null()) continue;
-    if (!has_number(shape, key)) report(path + "." + key, "no such field of a " + std::string(shape.name), "one");
-    result.numbers[key] = numbers(value, field->count, path + "." + key);
+    if (!is_field_of_shapes(key) || value.is_null()) continue;
+    if (!has_field(shape, key)) report(path + "." + key, "no such field of a " + std::string(shape.name), "one");
+    else if (const NumberField* const field = number_field(key)) result.numbers[key] = numbers(value, field->count, path + "." + key);
   }
   for (const NumberField& field : shape.numbers)
     if (!result.numbers.contains(field.name)) report(path, "a field '" + std::string(field.name) + "'", "none");
@@ -262,8 +263,8 @@ void Reader::round(Shape& shape, const std::string& path) {
     if (!round_to_binary64(atom.center)) refuse(path + ": expected points within binary64 once placed, found a larger one");
 }
 
-// The points of a piece, where its own pose puts it.
-std::vector<Point> Reader::piece(const Json& json, const std::string& path) {
+// A piece, where its own pose puts it.
+Body Reader::piece(const Json& json, const std::string& path) {
   NamedBody words;
   const Shape shape = placed_shape(unplaced(json, path, words), json, path, words);
   if (!fault.empty()) return {};
@@ -271,23 +272,25 @@ std::vector<Point> Reader::piece(const Json& json, const std::string& path) {
   std::optional<std::vector<Point>> points = points_of(shape);
   if (!points) refuse(path + ": expected a hull, a box or a triangle, found another shape");
   else if (shape.radius != 0) refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
-  return std::move(points).value_or(std::vector<Point>());
+  Body body{std::move(points).value_or(std::vector<Point>())};
+  if (fault.empty() && json.contains("faces")) refuse(read_array_of_faces(json["faces"].dump(), path + ".faces", body));
+  return body;
 }
 
 // Its pieces, each where its own pose puts it, all of them where the body's does.
 Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
-  for (const char* other : {"shape", "vertices", "faces", "margin"})
-    if (json.contains(other) && !json[other].is_null()) report(path + "." + other, "no such field beside 'pieces'", "one");
+  for (const auto& [key, value] : json.items())
+    if (is_field_of_shapes(key) && key != "pieces" && !value.is_null()) report(path + "." + key, "no such field beside 'pieces'", "one");
   const Json& pieces = json["pieces"];
   if (!pieces.is_array() || pieces.empty()) report(path + ".pieces", "an array of convex pieces", found(pieces));
   rounded = is_rounded(json, path) || rounded;
   std::optional<GivenPose> placing;
   if (fault.empty() && json.contains("pose") && !json["pose"].is_null()) placing = pose(json["pose"], path + ".pose");
-  Pieces read;
+  std::vector<Body> read;
   for (std::size_t i = 0; fault.empty() && i < pieces.size(); ++i) {
     const std::string place = path + ".pieces[" + std::to_string(i) + "]";
     read.push_back(piece(pieces[i], place));
-    for (Point& p : read.back()) {
+    for (Point& p : read.back().points.edit()) {
       if (placing) p = placed(p, exact_pose(*placing));
       if (rounded && !round_to_binary64(p)) report(place, "points within binary64 once placed", "a larger one");
     }
@@ -295,9 +298,7 @@ Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
   if (!fault.empty()) return {};
   if (placing)
     if (const std::string note = pose_note(*placing, false); !note.empty()) notes.push_back({CaseNote::pose, path + ".pose: " + note});
-  Body body;
-  body.pieces = std::make_shared<const Pieces>(std::move(read));
-  return body;
+  return files::union_of(read);
 }
 
 bool Reader::is_rounded(const Json& json, const std::string& path) {

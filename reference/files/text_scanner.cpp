@@ -16,7 +16,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' |
 
 TextScanner::TextScanner(std::string_view text, std::string file, ScanRules rules, std::size_t first_line)
     : text_(text), file_(std::move(file)), rules_(rules), line_(first_line) {
-  if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
 // The line [position_, line_end_) starts at next_; its comment and a joining backslash are left out.
@@ -26,6 +26,7 @@ void TextScanner::take_line() {
   position_ = next_;
   std::size_t end = position_;
   while (end < text_.size() && text_[end] != '\n' && text_[end] != '\r') ++end;
+  whole_end_ = end;
   next_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : end < text_.size() ? 1 : 0);
   std::string_view line = text_.substr(position_, end - position_);
   if (rules_.comment != '\0') line = line.substr(0, line.find(rules_.comment));
@@ -41,7 +42,7 @@ bool TextScanner::next_line() {
     while (position_ < line_end_ && is_blank(text_[position_])) ++position_;
     if (position_ < line_end_ || joined_) return true;
   }
-  position_ = line_end_ = text_.size();
+  position_ = line_end_ = whole_end_ = text_.size();
   return false;
 }
 
@@ -62,8 +63,12 @@ std::string_view TextScanner::next_token_anywhere() {
   return token;
 }
 
-std::string_view TextScanner::rest_of_line() const {
-  std::size_t start = position_, end = line_end_;
+std::string_view TextScanner::rest_of_line() const { return trimmed(line_end_); }
+
+std::string_view TextScanner::name_to_end_of_line() const { return trimmed(whole_end_); }
+
+std::string_view TextScanner::trimmed(std::size_t end) const {
+  std::size_t start = position_;
   while (start < end && is_blank(text_[start])) ++start;
   while (end > start && is_blank(text_[end - 1])) --end;
   return text_.substr(start, end - start);

@@ -8,6 +8,9 @@
 
 namespace fathom::files {
 
+/// What some programs write before a text in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// What a scan skips besides blanks.
 struct ScanRules {
   char comment = '\0';        ///< starts a comment that runs to the end of the line; '\0' for none
@@ -27,6 +30,8 @@ class TextScanner {
   std::string_view next_token_anywhere();
   /// Returns the rest of the line, without comment and outer blanks. Does not move.
   [[nodiscard]] std::string_view rest_of_line() const;
+  /// The same of a name, which may hold the character that starts comments elsewhere.
+  [[nodiscard]] std::string_view name_to_end_of_line() const;
   /// Reads the next token of the line as a count: decimal digits only. `what` names it in the message: "the number of vertices".
   std::uint64_t count(const std::string& what);
 
@@ -42,11 +47,12 @@ class TextScanner {
 
  private:
   void take_line();
+  [[nodiscard]] std::string_view trimmed(std::size_t end) const;
 
   std::string_view text_;
   std::string file_;
   ScanRules rules_;
-  std::size_t position_ = 0, line_end_ = 0, next_ = 0;
+  std::size_t position_ = 0, line_end_ = 0, whole_end_ = 0, next_ = 0;  // line_end_ is before a comment
   std::size_t line_;
   bool started_ = false, joined_ = false;
 };

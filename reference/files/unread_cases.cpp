@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "reference/files/text_scanner.hpp"
+
 namespace fathom::files {
 namespace {
 
@@ -109,7 +111,7 @@ UnreadCase UnreadCases::failure(std::size_t line, const std::string& message) co
 std::optional<UnreadCase> UnreadCases::next() {
   if (finished_) return std::nullopt;
   for (std::string text; next_line(text);) {
-    if (line_ == 1 && text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    if (line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     if (kept_ == LineRead::whole && is_blank(text)) continue;
     any_ = true;
     case_line_ = line_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <variant>
@@ -72,8 +73,14 @@ Lengths extent_of(const Shape& shape, const std::vector<Term>& terms) {
   return result;
 }
 
+/// A length, or what it is more than if it is beyond the numbers.
+std::string number_text(double length) {
+  return std::isfinite(length) ? fmt::format("{:.4g}", length) : fmt::format("over {:.4g}", std::numeric_limits<double>::max());
+}
+
 std::string text_of(const std::optional<Lengths>& lengths) {
-  return lengths ? fmt::format("{:.4g} x {:.4g} x {:.4g}", (*lengths)[0], (*lengths)[1], (*lengths)[2]) : "a half-space";
+  if (!lengths) return "a half-space";
+  return fmt::format("{} x {} x {}", number_text((*lengths)[0]), number_text((*lengths)[1]), number_text((*lengths)[2]));
 }
 
 }  // namespace
@@ -95,9 +102,10 @@ std::optional<std::string> sizes_note(const BodySizes& sizes) {
   if (!sizes.a || !sizes.b) return std::nullopt;
   const double of_a = std::ranges::max(*sizes.a), of_b = std::ranges::max(*sizes.b);
   const bool a_is_large = of_a > of_b;
-  const double ratio = a_is_large ? of_a / of_b : of_b / of_a;
+  const double large = std::max(of_a, of_b), ratio = std::min(large, std::numeric_limits<double>::max()) / std::min(of_a, of_b);
   if (of_a == 0 || of_b == 0 || !(ratio > remarkable)) return std::nullopt;
-  return fmt::format("{} is {:.4g} times as large as {} (sizes: {}): are both in the same unit?", a_is_large ? 'A' : 'B', ratio,
+  const std::string times = std::isfinite(large) || std::isinf(ratio) ? number_text(ratio) : "over " + number_text(ratio);
+  return fmt::format("{} is {} times as large as {} (sizes: {}): are both in the same unit?", a_is_large ? 'A' : 'B', times,
                      a_is_large ? 'B' : 'A', sizes_text(sizes));
 }
 
@@ -107,10 +115,47 @@ std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
   return found.tried ? std::optional(std::move(found)) : std::nullopt;
 }
 
+std::optional<DentedPieces> dented_pieces(const Body& body) {
+  if (!body.pieces) {
+    std::optional<polytope::MeshConvexity> fact = hull_fact(body);
+    if (!fact) return std::nullopt;
+    return fact->dents ? DentedPieces{{0, *std::move(fact->dents)}} : DentedPieces{};
+  }
+  if (!body.faces) return std::nullopt;
+  const MeshFaces& all = *body.faces;
+  const std::size_t count = all.ends.empty() ? all.corners.size() / 3 : all.ends.size();
+  DentedPieces found;
+  std::size_t face = 0, begin = 0, before = 0;  // `before`: points of the pieces before
+  for (std::size_t i = 0; i < body.pieces->size(); ++i) {
+    const std::vector<Point>& points = (*body.pieces)[i];
+    MeshFaces faces;
+    const auto is_its = [&] { return (!all.ends.empty() && all.ends[face] == begin) || all.corners[begin] < before + points.size(); };
+    for (; face < count && is_its(); ++face) {
+      const std::size_t end = all.ends.empty() ? begin + 3 : all.ends[face];
+      for (; begin < end; ++begin) faces.corners.push_back(static_cast<std::uint32_t>(all.corners[begin] - before));
+      faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+    }
+    before += points.size();
+    if (faces.ends.empty()) continue;
+    polytope::MeshConvexity compared = polytope::mesh_convexity(points, faces);
+    if (compared.tried && compared.dents) found.emplace_back(i, *std::move(compared.dents));
+  }
+  return found;
+}
+
+std::string dents_text(std::string_view body, const DentedPieces& pieces) {
+  if (pieces.empty()) return "";
+  std::string text = dents_of(fmt::format("piece {} of {}", pieces[0].first, body), pieces[0].second);
+  return pieces.size() == 1 ? text : fmt::format("{} (and {} more of its pieces are not)", text, pieces.size() - 1);
+}
+
 std::string dents_text(const HullFacts& facts) {
   std::string result;
-  if (facts.a && facts.a->dents) result = dents_of("A", *facts.a->dents);
-  if (facts.b && facts.b->dents) result += (result.empty() ? "" : "; ") + dents_of("B", *facts.b->dents);
+  const auto add = [&](const std::string& text) { result += (result.empty() || text.empty() ? "" : "; ") + text; };
+  if (facts.a && facts.a->dents) add(dents_of("A", *facts.a->dents));
+  if (facts.pieces_a) add(dents_text("A", *facts.pieces_a));
+  if (facts.b && facts.b->dents) add(dents_of("B", *facts.b->dents));
+  if (facts.pieces_b) add(dents_text("B", *facts.pieces_b));
   return result;
 }
 

@@ -6,6 +6,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "reference/polytope/mesh_convexity.hpp"
@@ -33,13 +36,24 @@ std::optional<std::string> sizes_note(const BodySizes& sizes);
 /// Compares the body with its hull; nullopt if it has no faces, or that was not tried.
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
+/// The pieces of a union that are no hulls of their own, by their numbers.
+using DentedPieces = std::vector<std::pair<std::size_t, polytope::Dents>>;
+
+/// Compares the pieces with their hulls, or a mesh as the only one; nullopt if there are no faces. A piece of which that was not tried is
+/// left out.
+std::optional<DentedPieces> dented_pieces(const Body& body);
+
 /// What is known of the bodies of a case.
 struct HullFacts {
   std::optional<polytope::MeshConvexity> a, b;
+  std::optional<DentedPieces> pieces_a = std::nullopt, pieces_b = std::nullopt;
 };
 
 /// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for each body that is not, joined by "; "; or
-/// "".
+/// "". Of a union the first such piece is told of, and how many there are.
 std::string dents_text(const HullFacts& facts);
+
+/// The same of one union, called `body`.
+std::string dents_text(std::string_view body, const DentedPieces& pieces);
 
 }  // namespace fathom::shapes

@@ -37,6 +37,12 @@ def vector(text):
 
 
 class Along(CliTest):
+    def test_unions_are_refused(self):
+        cases = self.file("m.json", '{"id":"m","a":{"pieces":[{"shape":"box","half":[1,1,1]}]},"b":{"shape":"box","half":[1,1,1]}}')
+        for option in ([], ["--json"], ["--csv"], ["--method", "exact"], ["--bits", "50"]):
+            self.assertIn("a: expected a convex body, found a union of pieces, which 'depth' takes",
+                          self.refused("depth", "--along", "1,0,0", *option, cases))
+
     def curve(self, a, b, path, steps, *options):
         return self.result("depth", f"--along={path}", "--steps", steps, *options, a, b)
 

@@ -51,6 +51,11 @@ class OutOfMemory(CliTest):
                 with self.subTest(more=more, command=command):
                     self.assertEqual(run_within(LEAST + more * MIB, *command, *inputs), (3, "", "fathom: out of memory\n"))
 
+    def test_threads_that_would_take_all_of_it_are_not_begun(self):
+        stream = GOOD.encode() * 300
+        self.assertEqual(run_within(2000 * MIB, "depth", "--threads", "1024", "-", stdin=stream),
+                         (0, self.answer("depth", "-", stdin=GOOD * 300), ""))
+
     def test_a_stream_loses_what_does_not_fit_and_nothing_else(self):
         """At limits where the huge case ends while it is read, and while it is solved: by C++'s vectors, and by GMP's numbers."""
         huge = case(HUGE[::3], HUGE[1::3], id="huge").encode()

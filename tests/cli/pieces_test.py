@@ -197,6 +197,74 @@ class Pieces(CliTest):
         self.refused("empty: expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there", "--pieces", empty,
                      KEY)
 
+    def test_names_with_a_hash(self):
+        """They run to the end of their line: pieces of different names are different ones."""
+        apart = obj([[-5, -5, -5], [0, 5, 5]], [[3, -5, -5], [8, 5, 5]])
+        plate = obj([[1, -1, -1], [2, 1, 1]])
+        for names in (("wall#1", "wall#2"), ("wall #1", "wall #2"), ("wall", "wall")):
+            text = apart.replace("convex_0", names[0]).replace("convex_1", names[1])
+            found = self.pieces(plate, text)
+            self.assertEqual((found["status"], found["apart"]["distance"]["squared"]), ("disjoint", "1"), names)
+
+    def test_poses_meshes_and_shapes(self):
+        expected = self.pieces(PLATE, SLOT)
+        mesh = self.file("plate.xyz", box([0.75, -1, -1], [1.75, 1, 1]))
+        slot, moved = self.file("slot.obj", SLOT), self.file("moved.obj", PLATE.replace("v 0.75", "v 7.75").replace("v 1.75", "v 8.75"))
+        for a in ([mesh], ["box:half=0.5:1:1,at=1.25:0:0"], ["--pose-a", "xyz=-7,0,0", moved]):
+            found = self.result("depth", "--pieces", *a, slot)
+            self.assertEqual((found["depth"], found["optima"]), (expected["depth"], expected["optima"]), a)
+        self.assertEqual(self.result("depth", "--pieces", "--pose-b=xyz=1/4,0,0", mesh, slot)["depth"]["squared"], "1/4")
+        page = self.folder / "page.html"
+        self.answer("explain", "--pieces", "--pose-b=xyz=1/4,0,0", mesh, slot, "-o", page)
+        self.assertIn("0.5", page.read_text())
+
+    def test_groups_that_are_not_convex(self):
+        """Two boxes in one group are taken as their hull, and that is said."""
+        merged = SLOT.replace("o convex_1\n", "")
+        sentence = "piece 0 of B is not convex: the hull holds 1.06 times its volume, all its points are on the hull"
+        a, b = self.file("a.obj", PLATE), self.file("b.obj", merged)
+        self.assertIn("hull          " + sentence, self.answer("depth", "--pieces", a, b))
+        found = self.result("depth", "--pieces", a, b)
+        VALIDATOR.validate(found)
+        self.assertEqual((found["hull"]["a"], [dent["piece"] for dent in found["hull"]["b"]]), ([], [0]))
+        self.assertIn(sentence, self.run_cli("depth", "--pieces", "--json", a, b)[2])
+        self.assertEqual(self.pieces(PLATE, SLOT)["hull"], {"a": [], "b": []})
+        self.refused("expected convex meshes, as --require-convex says: " + sentence, "--pieces", "--require-convex", a, b)
+        picture, page = self.folder / "out.svg", self.folder / "out.html"
+        self.answer("depth", "--pieces", "--svg", picture, a, b)
+        self.answer("explain", "--pieces", a, b, "-o", page)
+        for written in (picture, page):
+            self.assertIn(sentence, written.read_text())
+        code, _, err = self.run_cli("explain", "--pieces", "--require-convex", a, b, "-o", page)
+        self.assertEqual(code, 2)
+        self.assertIn("expected convex meshes", err)
+
+    def test_pieces_of_cases_that_are_not_convex(self):
+        dent = {"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]],
+                "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]]}
+        plain = {"vertices": [[1, 1, 1], [3, 3, 3], [3, 1, 1], [1, 3, 1]]}
+        path = self.cases({"id": "d", "a": {"pieces": [plain, dent]}, "b": plain}, {"id": "e", "a": {"pieces": [plain]}, "b": plain})
+        code, out, err = self.run_cli("depth", "--json", path)
+        self.assertEqual(code, 0, err)
+        self.assertIn("cases.jsonl:1: piece 1 of A is not convex: the hull holds 1.33 times its volume", err)
+        first, second = map(json.loads, out.splitlines())
+        self.assertEqual((first["hull"]["a"][0]["piece"], "hull" in second), (1, False))
+        code, out, err = self.run_cli("depth", "--require-convex", path)
+        self.assertEqual((code, out.count("\n")), (2, 1))
+        self.assertIn("expected convex meshes, as --require-convex says: piece 1 of A is not convex", err)
+
+    def test_options_that_lines_and_json_obey(self):
+        found = self.pieces(PLATE, SLOT, "--digits", "5")
+        self.assertEqual(found["depth"]["enclosure"], ["0.75", "0.75"])
+        apart = self.pieces(PLATE, obj([[3.75, 0, 0], [4, 1, 1]]), "--digits", "5")
+        self.assertEqual(apart["apart"]["distance"]["enclosure"], ["2", "2"])
+        path = self.cases({"a": {"pieces": [{"shape": "box", "half": [1, 1, 1]}]}, "b": {"shape": "box", "half": [1, 1, 1]}})
+        self.assertIn("; counted ", self.answer("depth", "--counters", path))
+        self.assertNotIn("counted", self.answer("depth", path))
+        code, out, err = self.run_cli("depth", "--schema", "1", "--json", path)
+        self.assertEqual(code, 2)
+        self.assertIn("--schema 1 has no unions of pieces", out + err)
+
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
         flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
@@ -204,11 +272,10 @@ class Pieces(CliTest):
         self.refused("none.obj:2: expected at least one face", "--pieces", good, self.file("none.obj", "o a\nv 0 0 0\n"))
         self.refused("far.obj:5: expected a vertex index of at most 3, found '4'", "--pieces", good,
                      self.file("far.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"))
-        self.refused("--pieces expects OBJ files, whose groups are the pieces, or folders of mesh files, found 'a.off'", "--pieces",
-                     "a.off", good)
+        self.refused("a.off: expected a readable file, found none of this name", "--pieces", self.folder / "a.off", good)
         self.refused("found the single mesh", "--pieces", good)
         self.refused("cannot be combined with --optima", "--pieces", "--optima", "1", good, good)
-        self.refused("--pieces expects OBJ files", "--pieces", "sphere:r=1", good)
+        self.refused("sphere:r=1: expected a polytope, found a shape that is none", "--pieces", "sphere:r=1", good)
 
 
 if __name__ == "__main__":

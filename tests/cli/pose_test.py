@@ -46,7 +46,8 @@ class Poses(CliTest):
         moved = self.result("depth", "capsule:r=1,h=2,at=1:2:3,quaternion=1:1:0:0", "sphere:r=2")
         self.same(self.result("depth", "capsule:r=1,h=2", "sphere:r=2", "--pose-a", "xyz=1,2,3 rpy=90,0,0deg"), moved)
         code, out, err = self.run_cli("depth", *SHAPES, "--pose-b", "2 0 0 0; 0 2 0 0; 0 0 2 0")
-        self.assertEqual((code, err), (0, "fathom: --pose-b: det 8, not a rotation: the body is scaled by 2; its radius or margin stays\n"))
+        self.assertEqual((code, err), (0, "fathom: --pose-b: det 8, not a rotation: the body is scaled by 2; its radius or margin stays "
+                                           "(of a tapered capsule the smaller radius: what the larger has more is mapped)\n"))
         self.assertIn("the matrix of a pose is singular", self.refused("depth", "cylinder:r=1,h=1", SHAPES[0], "--pose-a",
                                                                        "1 0 0 0; 1 0 0 0; 0 0 1 0"))
 
@@ -118,6 +119,9 @@ class Notes(CliTest):
         self.assertRegex(out, r"\nsizes +A 1000 x 1000 x 1000, B 1 x 1 x 1\n")
         self.assertEqual(self.result("depth", large, small)["sizes"], {"a": [1000, 1000, 1000], "b": [1, 1, 1]})
         self.assertEqual(self.result("width", small)["sizes"], {"a": [1, 1, 1]})
+        beyond = self.file("beyond.xyz", [["1e100000", 0, 0], [0, 0, 0]])
+        self.assertIn("A is over 1.798e+308 times as large as B (sizes: A over 1.798e+308 x 0 x 0, B 1 x 1 x 1)",
+                      self.run_cli("depth", "--exact-decimals", beyond, small)[2])
         hundred = {"a": {"vertices": [[0, 0, 0], [100, 0, 0]]}, "b": {"vertices": UNIT}}
         self.assertEqual(self.notes(hundred), [])
         more = {"a": {"vertices": [[0, 0, 0], [100.5, 0, 0]]}, "b": {"vertices": UNIT}}

@@ -50,6 +50,35 @@ TEST(BadCase, Fields) {
   EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"pose_rounding":64})"), R"(a.pose_rounding: expected "binary64", found 64)");
 }
 
+TEST(BadCase, FieldsOfAnotherBody) {
+  const std::string at_a = "a.", found = ", found one";
+  for (const auto& [field, value] :
+       {std::pair("radius", "5"), std::pair("half_length", "1"), std::pair("half", "[1,1,1]"), std::pair("radii", "[1,1,1]"),
+        std::pair("offset", "0"), std::pair("axis", "\"x\""), std::pair("terms", "[]")}) {
+    const std::string more = ",\"" + std::string(field) + "\":" + value + "}";
+    const std::string expected = at_a + field + ": expected no such field";
+    EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
+    EXPECT_EQ(of_a(R"({"shape":"hull","vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
+    EXPECT_EQ(of_a(R"({"margin":0,"vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
+    EXPECT_EQ(of_a(R"({"pieces":[{"shape":"box","half":[1,1,1]}])" + more), expected + " beside 'pieces'" + found);
+    EXPECT_EQ(of_a(R"({"pieces":[{"vertices":[[0,0,0]])" + more + "]}"), "a.pieces[0]." + expected.substr(2) + " of a hull" + found);
+    EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],")" + std::string(field) + R"(":null})"), "") << "law: null is no field";
+  }
+  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"vertices":[[5,5,5]]})"), "a.vertices: expected no such field of a box, found one");
+  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"faces":[[0,1,2]]})"), "a.faces: expected no such field of a box, found one");
+  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"axis":"q"})"), "a.axis: expected no such field of a box, found one");
+  EXPECT_EQ(of_a(R"({"shape":"sphere","radius":1,"pieces":null,"name":"ball","terms":null})"), "") << "law: unknown fields are passed over";
+}
+
+TEST(BadCase, FacesOfPieces) {
+  const auto of_piece = [](const std::string& faces) {
+    return of_a(R"({"pieces":[{"vertices":[[0,0,0],[1,0,0],[0,1,0]],"faces":)" + faces + "}]}");
+  };
+  EXPECT_EQ(of_piece("[[0,1,2]]"), "");
+  EXPECT_EQ(of_piece("null"), "");
+  EXPECT_EQ(of_piece("[[0,1,3]]"), "a.pieces[0].faces[0]: expected vertex indices below 3, found 3");
+}
+
 TEST(BadCase, Vertices) {
   EXPECT_EQ(of_vertices("[]"), "a.vertices: expected at least one point, found none");
   EXPECT_EQ(of_vertices("null"), "a.vertices: expected an array of points, found null");

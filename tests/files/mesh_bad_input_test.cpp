@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <tuple>
 
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
@@ -218,6 +219,19 @@ TEST(BadMesh, UnknownContent) {
                       "ELF",
                       "m"),
             "m:1: expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found '\\x7fELF'");
+}
+
+TEST(BadMesh, OtherFormatsAreNamed) {
+  const std::string expected = "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found ";
+  for (const auto& [bytes, name, what] :
+       {std::tuple("glTF\x02", "m.glb", "glTF, which is not read: export"),
+        std::tuple("{\"asset\":{}}", "m.gltf", "glTF, which is not read"),
+        std::tuple("<?xml version=\"1.0\"?>\n<COLLADA>", "m", "COLLADA, which is not read: export"),
+        std::tuple("<?xml version=\"1.0\"?>\n<robot name=\"r\">", "r.urdf", "a description of a robot, which is not read: name the mesh"),
+        std::tuple("<robot>", "m.xml", "a description of a robot"),
+        std::tuple("\x93NUMPY\x01", "m.npy", "an array of numpy, which is not read"),
+        std::tuple("x,y,z\n0,0,0\n", "m.csv", "'x,y,z\\x0a0,0,0\\x0a': a table of points has no line with names above them")})
+    EXPECT_TRUE(complaint(bytes, name).starts_with(std::string(name) + ":1: " + expected + what)) << complaint(bytes, name);
 }
 
 std::string complaint_of_file(const std::string& path) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces of a body from an OBJ file with groups, or from a folder of files.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
 #include "reference/files/natural_order.hpp"
+#include "reference/files/piece_files.hpp"
 
 namespace fathom {
 namespace {
@@ -45,7 +48,27 @@ TEST(Pieces, GroupsOfOneNameAreOneAndUnnamedOnesAreNew) {
   EXPECT_EQ(pieces_of(five + ("g a\n" + f) + "g b\n" + f + "g a\n" + f).size(), 2U);
   EXPECT_EQ(pieces_of(five + ("o a\ng x\n" + f) + "o b\ng x\n" + f).size(), 2U) << "law: groups are those of an object";
   EXPECT_EQ(pieces_of(five + ("o\n" + f) + "o\n" + f).size(), 2U);
+  EXPECT_EQ(pieces_of(five + ("o a\n" + f) + "o a\n" + f).size(), 2U) << "law: each line 'o' begins an object";
+  EXPECT_EQ(pieces_of(five + ("o a\ng x\n" + f) + "o a\ng x\n" + f).size(), 2U);
   EXPECT_EQ(pieces_of(five + ("o a\ng b\n" + f)).size(), 1U) << "law: a group without faces is no piece";
+}
+
+TEST(Pieces, NamesRunToTheEndOfTheirLine) {
+  const std::string f = "f 1 2 3 4 # a comment\n";
+  for (const char* const letter : {"o", "g"})
+    for (const char* const name : {" wall#", " wall #", " # ", " #"})
+      EXPECT_EQ(pieces_of(five + ((letter + std::string(name) + "1\n") + f) + letter + name + "2\n" + f).size(), 2U) << letter << name;
+  EXPECT_EQ(pieces_of(five + ("g wall#1\n" + f) + "g b\n" + f + "g wall#1 \n" + f).size(), 2U);
+}
+
+TEST(Pieces, KeepTheFacesOfTheirMeshes) {
+  const Body body = files::union_of({Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = std::make_shared<const MeshFaces>()},
+                                     Body{.points = {{5, 0, 0}}},
+                                     Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                                          .faces = std::make_shared<const MeshFaces>(MeshFaces{{3, 2, 1, 0}, {4}})}});
+  ASSERT_TRUE(body.pieces && body.faces);
+  EXPECT_EQ(body.pieces->size(), 3U);
+  EXPECT_EQ(*body.faces, (MeshFaces{{0, 1, 2, 7, 6, 5, 4}, {3, 7}})) << "law: corners count the points of all pieces";
 }
 
 TEST(Pieces, BadFilesAreRefusedWithTheirLine) {
@@ -99,6 +122,14 @@ TEST(PieceFolders, FilesArePiecesInNaturalOrder) {
   }
 }
 
+TEST(PieceFolders, AnotherMeshIsOnePiece) {
+  const Folder folder;
+  folder.add("one.off", off(7));
+  folder.add("points", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  EXPECT_EQ(read_pieces(folder.path() + "/one.off"), (Pieces{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 7}}}));
+  EXPECT_EQ(read_pieces(folder.path() + "/points").size(), 1U);
+}
+
 std::string complaint_of_folder(const Folder& folder) {
   try {
     read_pieces(folder.path());
@@ -116,6 +147,9 @@ TEST(PieceFolders, BadOnesAreRefusedWithFileAndLine) {
   bad.add("a.off", off(1));
   bad.add("b.off", "OFF\n4 0 0\n0 0 0\n1 0 zero\n");
   EXPECT_EQ(complaint_of_folder(bad).substr(0, bad.path().size() + 9), bad.path() + "/b.off:4:");
+  const Folder piped;
+  ASSERT_EQ(::mkfifo((piped.path() + "/x.ply").c_str(), 0600), 0);
+  EXPECT_EQ(complaint_of_folder(piped), piped.path() + "/x.ply: expected a file, found a named pipe, whose writer may never come");
   open.add("b.obj", "v 0 0 0\no a\n");
   EXPECT_EQ(complaint_of_folder(open).substr(0, open.path().size() + 36), open.path() + "/b.obj:2: expected at least one face");
 }

@@ -6,8 +6,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -91,6 +94,13 @@ TEST(PoseText, HasManyForms) {
     EXPECT_EQ(exact_pose(read(text)), quarter) << text;
   EXPECT_EQ(exact_pose(read("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1")), quarter) << "written column by column";
   EXPECT_EQ(exact_pose(read("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
+}
+
+TEST(PoseText, AFileMayBeginWithAByteOrderMark) {
+  const std::string path = std::filesystem::temp_directory_path() / ("fathom_pose_test_" + std::to_string(std::random_device()()));
+  std::ofstream(path) << "\xEF\xBB\xBFxyz=1,2,3 rpy=0,0,90deg\n";
+  EXPECT_EQ(exact_pose(read_pose("@" + path, "--pose-a", Decimals::exact)), quarter);
+  std::filesystem::remove(path);
 }
 
 TEST(PoseText, DecimalsMeanWhatIsSaid) {

@@ -32,7 +32,7 @@ std::string html_page(const UnionSheet& sheet) {
                     "fathom depth --pieces --json",
                     picture::markup(union_sentence(depth)),
                     union_subtitle(depth),
-                    {},
+                    sheet.notes,
                     {{"what", "What happens"}, {"why", "Why no shorter way"}},
                     main,
                     left_out_section(sheet.stages.left_out),

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "view/stages/union_stages.hpp"
 
@@ -15,6 +16,7 @@ struct UnionSheet {
   std::string depth;                  ///< the line of `fathom depth --pieces --json`
   const stages::UnionStages& stages;  ///< of the same bodies
   std::string pair;                   ///< a line of fathom/case/1
+  std::vector<std::string> notes;     ///< as in Sheet
   std::string picture;                ///< both bodies as SVG, as in Sheet
 };
 
