@@ -112,9 +112,8 @@ class ExplainPieces(CliTest):
         good = self.file("good.obj", PLATE)
         flat = self.file("flat.obj", PLATE + "o flat\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 9 10 11\n")
         for words, sentence in (((good, flat, "-o", page), "piece 1 of B is flat"), ((good, "-o", page), "found the single mesh"),
-                                (("a.off", good, "-o", page), "--pieces expects OBJ files"), ((good, good), "explain writes a page"),
+                                (("a.off", good, "-o", page), "a.off: expected a readable file"), ((good, good), "explain writes a page"),
                                 (("--times", good, good, "-o", page), "cannot be combined with --times"),
-                                (("--require-convex", good, good, "-o", page), "cannot be combined with --require-convex"),
                                 ((good, good, "-o", self.folder), "cannot write a page")):
             self.assertIn(sentence, self.refused("explain", "--pieces", *words))
         self.assertFalse(page.exists(), "law: bad input makes no page")

@@ -228,7 +228,6 @@ class Pieces(CliTest):
         VALIDATOR.validate(found)
         self.assertEqual((found["hull"]["a"], [dent["piece"] for dent in found["hull"]["b"]]), ([], [0]))
         self.assertIn(sentence, self.run_cli("depth", "--pieces", "--json", a, b)[2])
-        self.assertEqual(self.pieces(PLATE, SLOT)["hull"], {"a": [], "b": []})
         self.refused("expected convex meshes, as --require-convex says: " + sentence, "--pieces", "--require-convex", a, b)
         picture, page = self.folder / "out.svg", self.folder / "out.html"
         self.answer("depth", "--pieces", "--svg", picture, a, b)
@@ -238,6 +237,7 @@ class Pieces(CliTest):
         code, _, err = self.run_cli("explain", "--pieces", "--require-convex", a, b, "-o", page)
         self.assertEqual(code, 2)
         self.assertIn("expected convex meshes", err)
+        self.assertEqual(self.pieces(PLATE, SLOT)["hull"], {"a": [], "b": []})
 
     def test_pieces_of_cases_that_are_not_convex(self):
         dent = {"vertices": [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]],

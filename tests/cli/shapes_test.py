@@ -163,7 +163,7 @@ class Shapes(CliTest):
                 code, out, _ = self.run_cli("depth", "--json", "-", stdin=json.dumps({"a": body, "b": good}) + "\n")
                 self.assertEqual(code, 2)
                 self.assertIn(words, json.loads(out)["error"])
-        self.assertIn("expected one field 'radius' in an object", self.run_cli(
+        self.assertIn("a.radius: expected one field of this name, found a second one", self.run_cli(
             "depth", "--json", "-",
             stdin='{"a": {"shape": "sphere", "radius": 1, "radius": 2}, "b": {"shape": "sphere", "radius": 1}}\n')[1])
         self.assertEqual(self.run_cli("depth", "-", stdin=json.dumps({"a": {"shape": "halfspace", "normal": [1, 0, 0], "offset": 0},

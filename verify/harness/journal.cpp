@@ -12,8 +12,8 @@
 
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/whole_file.hpp"
 #include "reference/files/source.hpp"
+#include "reference/files/whole_file.hpp"
 
 namespace fathom::harness {
 namespace {
