@@ -131,9 +131,8 @@ Arguments completed(Request request, const Texts& texts) {
   if (texts.method == "exact") request.method = Method::exact;
   if (texts.method == "naive") request.method = Method::naive;
   request.shallow = texts.method == "shallow";
-  if (texts.closest_lines == "cutting") request.closest_lines = ClosestLines::cutting;
-  if (texts.closest_lines == "sampled") request.closest_lines = ClosestLines::sampled;
-  if (texts.closest_lines == "naive") request.closest_lines = ClosestLines::naive;
+  for (std::size_t i = 0; i < engine_names.size(); ++i)
+    if (texts.closest_lines == engine_names[i]) request.closest_lines = static_cast<ClosestLines>(i);
   return {std::move(request), "", fine};
 }
 

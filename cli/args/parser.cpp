@@ -164,7 +164,7 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
       ->type_name("NAME");
   app.add_option("--closest-lines", texts.closest_lines,
                  "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)")
-      ->check(one_of({"cutting", "sampled", "naive"}))
+      ->check(one_of({engine_names.begin(), engine_names.end()}))
       ->type_name("NAME");
   add_seed(app, request, "of the closest lines' random order, which changes the work and not the answer; 1 unless given");
   app.add_option(

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
 
+#include "cli/args/parser_words.hpp"
 #include "kernels/printable.hpp"
 
 namespace fathom::cli {
@@ -68,13 +70,23 @@ void add_sweep_options(CLI::App& app, Request& request) {
                      usual_sizes))
       ->check(CLI::Validator(check_sizes, "", ""))
       ->type_name("LOW..HIGH");
+  app.add_option_function<std::vector<std::string>>(
+         "--closest-lines",
+         [&request](const std::vector<std::string>& names) {
+           for (const std::string& name : names)
+             request.sweep.engines.push_back(static_cast<ClosestLines>(std::ranges::find(engine_names, name) - engine_names.begin()));
+         },
+         "with --sweep: the pairs of lines that these engines evaluate, side by side: cutting, sampled, naive (all pairs of lines)")
+      ->delimiter(',')
+      ->check(one_of({engine_names.begin(), engine_names.end()}))
+      ->type_name("NAME,...");
   app.add_flag("--times", request.times, "with --sweep: add the seconds that each size took, which differ from run to run");
 }
 
 std::string wrong_sweep(const CLI::App& study, Request& request) {
   const auto given = [&](const char* option) { return study.count(option) > 0; };
   if (!given("--sweep")) {
-    for (const char* option : {"--sizes", "--times", "--svg", "--seed"})
+    for (const char* option : {"--sizes", "--closest-lines", "--times", "--svg", "--seed"})
       if (given(option)) return fmt::format("{} goes with --sweep FAMILY", option);
     return "";
   }

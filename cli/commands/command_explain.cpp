@@ -13,6 +13,7 @@
 #include "reference/files/shape_names.hpp"
 #include "view/page/page.hpp"
 #include "view/page/union_page.hpp"
+#include "view/picture/markup.hpp"
 #include "view/picture/scene_picture.hpp"
 #include "view/stages/stages.hpp"
 
@@ -75,7 +76,8 @@ std::string page_of_unions(const Case& single, const Request& request, Monitor& 
 
 ExitCode run_explain(const Request& request) {
   CertificateFile file(request.page, "page");  // an unwritable path fails early
-  const Case single = asked_case(request, true);
+  Case single = asked_case(request, true);
+  if (request.inputs.size() == 2) single.id = picture::without_folders(single.id);  // names of files; a case has its own
   std::string page;
   {
     const Working working;

@@ -13,6 +13,7 @@
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/study/study.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -53,10 +54,13 @@ class PageFile {
   template <class AnyStudy>
   CaseReply reply(const AskedCase& pair, AnyStudy found) {
     CaseReply result{text_of(pair.input.id, found, request_)};
-    if (file_) result.keep = [this, seen = pair.input, kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
+    if (!file_) return result;
+    Case seen = pair.input;
+    if (request_.inputs.size() == 2) seen.id = picture::without_folders(seen.id);  // names of files; a case has its own
+    result.keep = [this, seen = std::move(seen), kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
     return result;
   }
-  void lose(const std::string& sentence) { page_.add_fault(sentence); }
+  void lose(const std::string& sentence) { page_.add_fault(picture::without_folders(sentence)); }
   void write(const std::string& cut_short) {
     if (file_) file_->write(page_.html(request_.command_line, cut_short));
   }

@@ -49,6 +49,11 @@ SweepRow row_of(const families::Family& family, unsigned size, const Request& re
   options.optima = 1;
   options.monitor = &monitor;
   SweepRow row{size, Status::disjoint, {}};
+  for (const ClosestLines engine : request.sweep.engines) {
+    options.closest_lines = engine;
+    row.evaluated.push_back(penetration_depth(pair.a, pair.b, options).counters.pairs_evaluated);
+  }
+  if (!request.sweep.engines.empty()) options.closest_lines = request.sweep.engines.front();  // which the other counts and the times are of
   for (int run = 0; run < most_runs; ++run) {
     const Clock::time_point begin = Clock::now();
     const Depth depth = penetration_depth(pair.a, pair.b, options);
@@ -75,7 +80,7 @@ void run_sizes(const Sweep& sweep, const Request& request, std::vector<SweepRow>
     progress.count({done, all});
     rows.push_back(row_of(family, size, request, progress));
     progress.answered();
-    print(request.csv ? sweep_csv_row(rows.back()) : fitted(sweep_text_row(rows.back()), behind_size));
+    print(request.csv ? sweep_csv_row(sweep, rows.back()) : fitted(sweep_text_row(sweep, rows.back()), behind_size));
     done += size;
   }
 }
@@ -83,7 +88,7 @@ void run_sizes(const Sweep& sweep, const Request& request, std::vector<SweepRow>
 }  // namespace
 
 ExitCode run_sweep(const Request& request) {
-  const Sweep sweep{request.sweep.family, request.seed, request.times};
+  const Sweep sweep{request.sweep.family, request.seed, request.times, request.sweep.engines};
   std::unique_ptr<CertificateFile> picture;
   if (!request.svg.empty()) picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
   const Working working;

@@ -10,6 +10,7 @@
 #include "cli/output/json_values.hpp"
 #include "cli/output/surd_output.hpp"
 #include "cli/output/text_result.hpp"
+#include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
 
 namespace fathom::cli {
@@ -148,7 +149,7 @@ std::string along_svg(const Path& path, const std::vector<AlongStep>& steps) {
     if (std::holds_alternative<Bounds>(step.value)) band.slices.push_back({step.share.get_d(), step.low, step.high});
   if (!band.slices.empty()) panel.band = std::move(band);
   return plot::figure_file(
-      {"Signed depth along a path: " + safe_id(path.id),
+      {"Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
        fmt::format("A is moved by s {} for s from 0 to 1, in {} steps. {}.", translation_text(path.translation), path.steps, course(steps)),
        "along",
        {panel}});

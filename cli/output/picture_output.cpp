@@ -57,7 +57,7 @@ std::string picture_text(const Case& bodies, const ShapeAnswer& answer, const Re
   const std::vector<AlongNormal> ways = depth.translations();
   if (!ways.empty() && scene.moves())
     caption.push_back((depth.status() == Status::disjoint ? "A to B: " : "translation of A: ") + place_text(ways.front(), request.exact) +
-                      ways_text(ways.size()));
+                      (has_continuum(depth) ? "; a continuum of ways is as short" : ways_text(ways.size())));
   if (depth.contact()) caption.push_back("contact: " + contact_text(*depth.contact()));
   add_common(caption, answer.bodies, scene);
   return picture::scene_document(scene, answer.id, caption);

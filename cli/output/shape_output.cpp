@@ -119,8 +119,6 @@ std::string value_text(const SignedDepth& depth, int sign_of_it) {
   return sign_of_it > 0 ? fmt::format("from {} to {}", low, high) : fmt::format("from {} to {}", -high, -low);
 }
 
-bool is_one_ray(const OptimalCone& cone) { return cone.lineality == Lineality::none && cone.rays.size() == 1; }
-
 std::string cone_text(const OptimalCone& cone, bool exact) {
   std::vector<std::string> parts;
   if (cone.lineality == Lineality::all) parts.emplace_back("every direction");
@@ -168,13 +166,17 @@ void add_places(std::vector<Row>& rows, const SignedDepth& depth, const Request&
   if (const std::optional<RoundedWitness> witness = depth.witness())
     add_points(rows, apart ? "nearest" : "witness", place_text(witness->a, request.exact), place_text(witness->b, request.exact),
                same_body);
-  if (depth.cone && !is_one_ray(*depth.cone)) rows.emplace_back("ties", cone_text(*depth.cone, request.exact));
+  if (has_continuum(depth)) rows.emplace_back("ties", cone_text(*depth.cone, request.exact));
   if (const Penetration* const cores = of_cores(depth); cores && cores->optima.size() > (same_body ? 2 : 1))
     rows.emplace_back("ties", fmt::format("{} {}; the first is shown, --json lists all", cores->optima.size() / (same_body ? 2 : 1),
                                           same_body ? "pairs of planes" : "nearest facets"));
 }
 
 }  // namespace
+
+bool has_continuum(const SignedDepth& depth) {
+  return depth.cone && (depth.cone->lineality != Lineality::none || depth.cone->rays.size() > 1);
+}
 
 std::string shape_length_text(const SignedDepth& depth) {
   const std::optional<Status> status = depth.status();

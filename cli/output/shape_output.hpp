@@ -24,6 +24,9 @@ std::string shape_block(const ShapeAnswer& answer, const Request& request);
 std::string shape_line(const ShapeAnswer& answer, const Request& request);
 std::string shape_json(const ShapeAnswer& answer, const Request& request);
 
+/// Whether cores touch such that not one direction is optimal but all of a cone.
+bool has_continuum(const SignedDepth& depth);
+
 /// The status and the length that goes with it: "penetrating: depth 0.5", "disjoint: distance 2", "undecided: signed depth from ...".
 std::string shape_length_text(const SignedDepth& depth);
 

@@ -122,7 +122,8 @@ std::string StudyPage::html(const std::string& command, const std::string& cut_s
   const std::string body = fmt::format(
       "<header>{}{}</header>\n<main>\n{}{}</main>\n<footer><p class=\"soft\">Made by fathom {}. Counts are exact; features are 0-based "
       "indices of points.</p>\n<p class=\"soft\"><code>{}</code></p></footer>\n",
-      head(), warning, stream_ ? case_by_case() : sections_, without_study(), FATHOM_VERSION, picture::markup(command));
+      head(), warning, stream_ ? case_by_case() : sections_, without_study(), FATHOM_VERSION,
+      picture::markup(picture::without_folders(command)));
   return picture::page(stream_ ? "What coincides" : title_ + ": what coincides", body);
 }
 

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <functional>
 #include <string_view>
 
+#include "cli/args/sweep_request.hpp"
 #include "view/plot/plot.hpp"
 
 namespace fathom::cli {
@@ -13,18 +14,26 @@ namespace {
 
 /// A count that grows.
 struct Column {
-  std::string_view key, words;  ///< in CSV; in tables and charts
-  std::uint64_t (*of)(const SweepRow&);
+  std::string key, words;  ///< in CSV; in tables and charts
+  std::function<std::uint64_t(const SweepRow&)> of;
 };
 
-constexpr std::array<Column, 6> columns{{
-    {"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
-    {"canonical_pairs", "canonical pairs", [](const SweepRow& row) { return row.counters.canonical_pairs; }},
-    {"sum", "sum |A_i|+|B_i|", [](const SweepRow& row) { return row.sum(); }},
-    {"pairs_evaluated", "pairs evaluated", [](const SweepRow& row) { return row.counters.pairs_evaluated; }},
-    {"blocks_tested", "blocks tested", [](const SweepRow& row) { return row.counters.block_tests; }},
-    {"blocks_cleared", "blocks cleared", [](const SweepRow& row) { return row.cleared(); }},
-}};
+/// With several engines, what each of them evaluates stands in the place of one count.
+std::vector<Column> columns_of(const Sweep& sweep) {
+  std::vector<Column> columns{{"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
+                              {"canonical_pairs", "canonical pairs", [](const SweepRow& row) { return row.counters.canonical_pairs; }},
+                              {"sum", "sum |A_i|+|B_i|", [](const SweepRow& row) { return row.sum(); }}};
+  for (std::size_t i = 0; i < sweep.engines.size(); ++i) {
+    const std::string engine(engine_names[static_cast<std::size_t>(sweep.engines[i])]);
+    columns.push_back({"pairs_evaluated_" + engine, "pairs, " + engine, [i](const SweepRow& row) { return row.evaluated.at(i); }});
+  }
+  if (sweep.engines.empty())
+    columns.push_back({"pairs_evaluated", "pairs evaluated", [](const SweepRow& row) { return row.counters.pairs_evaluated; }});
+  columns.push_back({"blocks_tested", "blocks tested", [](const SweepRow& row) { return row.counters.block_tests; }});
+  columns.push_back({"blocks_cleared", "blocks cleared", [](const SweepRow& row) { return row.cleared(); }});
+  return columns;
+}
+
 constexpr std::size_t size_width = 7, status_width = 11, edges_width = 8, least_width = 9;
 
 std::size_t width(const Column& column) { return std::max(column.words.size(), least_width); }
@@ -63,39 +72,39 @@ plot::CurvePanel panel_of(const std::string& title, const std::string& what) {
 std::string sweep_text_header(const Sweep& sweep) {
   std::string result = fmt::format("{}, seed {}, by the exact method\n{:>{}}  {:<{}}  {:>{}}", sweep.family, sweep.seed, "size", size_width,
                                    "status", status_width, "edges", edges_width);
-  for (const Column& column : columns) result += fmt::format("  {:>{}}", column.words, width(column));
+  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.words, width(column));
   return sweep.timed ? result + fmt::format("  {:>{}}", "seconds", least_width) : result;
 }
 
-std::string sweep_text_row(const SweepRow& row) {
+std::string sweep_text_row(const Sweep& sweep, const SweepRow& row) {
   std::string result =
       fmt::format("{:>{}}  {:<{}}  {:>{}}", row.size, size_width, name(row.status), status_width, row.edges(), edges_width);
-  for (const Column& column : columns) result += fmt::format("  {:>{}}", column.of(row), width(column));
+  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.of(row), width(column));
   return row.seconds ? result + fmt::format("  {:>{}}", seconds_text(*row.seconds), least_width) : result;
 }
 
 std::string sweep_text_growth(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   std::string result = fmt::format("growth: edges to the power {:>{}}", "", size_width + status_width + edges_width + 4 - 27);
-  for (const Column& column : columns) result += fmt::format("  {:>{}}", exponent_text(places(rows, column.of)), width(column));
+  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", exponent_text(places(rows, column.of)), width(column));
   if (!sweep.timed) return result;
   return result + fmt::format("  {:>{}}", exponent_text(places(rows, [](const SweepRow& row) { return *row.seconds; })), least_width);
 }
 
 std::string sweep_csv_header(const Sweep& sweep) {
   std::string result = "size,status,edges_a,edges_b,edges";
-  for (const Column& column : columns) result += fmt::format(",{}", column.key);
+  for (const Column& column : columns_of(sweep)) result += fmt::format(",{}", column.key);
   return sweep.timed ? result + ",seconds" : result;
 }
 
-std::string sweep_csv_row(const SweepRow& row) {
+std::string sweep_csv_row(const Sweep& sweep, const SweepRow& row) {
   std::string result = fmt::format("{},{},{},{},{}", row.size, name(row.status), row.counters.edges_a, row.counters.edges_b, row.edges());
-  for (const Column& column : columns) result += fmt::format(",{}", column.of(row));
+  for (const Column& column : columns_of(sweep)) result += fmt::format(",{}", column.of(row));
   return row.seconds ? result + "," + seconds_text(*row.seconds) : result;
 }
 
 std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   plot::CurvePanel work = panel_of("Counts of the exact method", "count");
-  for (const Column& column : columns) {
+  for (const Column& column : columns_of(sweep)) {
     std::vector<plot::Datum> counts = places(rows, column.of);
     const std::string name = legend(column.words, counts);
     work.series.push_back({name, std::move(counts)});

@@ -16,6 +16,7 @@ struct SweepRow {
   unsigned size;  ///< as it was asked for
   Status status;
   Counters counters;
+  std::vector<std::uint64_t> evaluated = {};  ///< pairs of lines, by each engine of the sweep
   std::optional<double> seconds = {};
 
   [[nodiscard]] std::uint64_t edges() const { return counters.edges_a + counters.edges_b; }
@@ -27,16 +28,17 @@ struct Sweep {
   std::string family;
   std::uint64_t seed;
   bool timed;
+  std::vector<ClosestLines> engines = {};  ///< that are compared; empty: the usual one alone
 };
 
 // Lines are without their newlines.
 
 std::string sweep_text_header(const Sweep& sweep);
-std::string sweep_text_row(const SweepRow& row);
+std::string sweep_text_row(const Sweep& sweep, const SweepRow& row);
 /// "growth", and the exponent of each column.
 std::string sweep_text_growth(const Sweep& sweep, const std::vector<SweepRow>& rows);
 std::string sweep_csv_header(const Sweep& sweep);
-std::string sweep_csv_row(const SweepRow& row);
+std::string sweep_csv_row(const Sweep& sweep, const SweepRow& row);
 /// A file of SVG.
 std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows);
 

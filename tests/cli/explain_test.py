@@ -116,18 +116,23 @@ class Content(ExplainTest):
             if depth["sizes"][body] is not None:
                 self.assertEqual(numbers(page.fields[f"size_{body}"]), depth["sizes"][body])
         self.assertEqual(page.fields["status"], depth["status"])
-        if depth["status"] == "penetrating":
+        if depth["status"] == "penetrating" and depth["method"] == "enclosure":
+            self.assertNotIn("optima", page.fields)
+        elif depth["status"] == "penetrating" and len(depth.get("optimal_cone", {"rays": [0]})["rays"]) != 1:
+            self.assertRegex(page.fields["optima"], "^(every|all) direction")
+        elif depth["status"] == "penetrating":
             self.assertEqual(int(page.fields["optima"]), len(depth["optima"]))
             self.assertEqual(len(page.rows("data-optimum")), min(20, len(depth["optima"])) if len(depth["optima"]) > 1 else 0)
 
     def check_page(self, page, words, stdin=""):
         """The page is about what these words are about for `depth` and `stages`."""
-        depth = self.answer("depth", "--json", *words, stdin=stdin)
+        of_files = lambda text: text.replace(f"{DATA}/", "")  # the page names no folder
+        depth = of_files(self.answer("depth", "--json", *words, stdin=stdin))
         self.assertEqual(page.block("depth") + "\n", depth.replace("<", "\\u003c"))
         self.check_numbers(page, json.loads(depth))
         stages = json.loads(page.block("stages"))
         VALIDATOR.validate(stages)
-        self.assertEqual(stages, self.result("stages", *words, stdin=stdin))
+        self.assertEqual(stages, json.loads(of_files(self.answer("stages", "--json", *words, stdin=stdin))))
         again = self.result("depth", "-", stdin=page.block("case") + "\n")
         self.assertEqual({**again, "hull": None}, {**json.loads(depth), "hull": None})
         sections = [attributes["id"] for tag, attributes in page.elements if tag == "section"]
@@ -163,6 +168,38 @@ class Content(ExplainTest):
                 self.assertIn("left-out", page.texts)
                 found = {kind: all_of["count"] for kind, all_of in self.result("study", *words)["coincidences"].items() if all_of["count"]}
                 self.assertEqual({kind["kind"]: kind["count"] for kind in stages["coincidences"]}, found)
+
+    def test_ways_out_are_counted_only_where_they_are_known(self):
+        for words, subtitle, optima in (
+                (["sphere:r=1", "sphere:r=1"], "a continuum of shortest ways out", "every direction"),
+                (["capsule:r=1,h=2", "capsule:r=1,h=2"], "a continuum of shortest ways out", "every direction orthogonal to (0, 0, 1)"),
+                (["sphere:r=1", "sphere:r=1,at=1:0:0"], "one shortest way out", "1"),
+                (["box:half=1:1:1", "sphere:r=1"], "6 shortest ways out", "6"),
+                (["cylinder:r=1,h=5", "cylinder:r=1,h=5"], None, None),
+                (["cylinder:r=1,h=2", "cone:r=1,h=1,at=0.5:0.25:1"], None, None)):
+            with self.subTest(words):
+                text = self.page_text(*words)
+                page = Page(text)
+                self.assertEqual(page.fields.get("optima"), optima)
+                self.assertEqual(page.fields["status"], "penetrating")
+                if subtitle is None:
+                    self.assertIsNone(re.search(r"shortest ways? out", text))
+                else:
+                    self.assertIn(f"&middot; {subtitle}", text)
+
+    def test_decimals_are_written_as_in_the_text_of_the_answer(self):
+        page = self.page("box:half=1:1:1", "box:half=1:1:1,at=1:0:0")
+        self.assertEqual((page.fields["depth"], page.fields["unit"]), ("1", "(-1, 0, 0)"))
+
+    def test_files_are_named_without_their_folders(self):
+        for command in (["explain", CUBE, ICOSAHEDRON, "-o"], ["depth", CUBE, ICOSAHEDRON, "--svg"], ["study", CUBE, ICOSAHEDRON, "--html"],
+                        ["depth", CUBE, ICOSAHEDRON, "--along", "1,0,0", "--svg"]):
+            path = self.folder / "page"
+            self.answer(*command, path)
+            text = path.read_text()
+            self.assertIn("cube.off icosahedron.off", text, command)
+            self.assertNotIn(str(DATA), text, command)
+            self.assertNotIn(str(self.folder), text, command)
 
     def test_every_case_of_the_catalogue(self):
         cases = [json.loads(line) for line in self.answer("cases", "--catalogue").splitlines()]

@@ -51,6 +51,16 @@ TEST(Markup, AnyBytes) {
   }));
 }
 
+TEST(WithoutFolders, CutsAbsolutePathsAndNothingElse) {
+  EXPECT_EQ(without_folders("/home/me/a.off /srv/b.off"), "a.off b.off");
+  EXPECT_EQ(without_folders("fathom certify --subject './run --in=/home/me/x.json' \"/tmp/c.jsonl\""),
+            "fathom certify --subject './run --in=x.json' \"c.jsonl\"");
+  EXPECT_EQ(without_folders("/home/me/cases.jsonl:3: expected a case"), "cases.jsonl:3: expected a case");
+  EXPECT_EQ(without_folders("into /home/me/folder/, then"), "into folder, then");
+  for (const char* text : {"", "/", "a / b", "1/2", "tests/data/cube.off", "and/or", "</script>", "box:half=1,1/2,1"})
+    EXPECT_EQ(without_folders(text), text);
+}
+
 TEST(Ascii, IsCutAndPrintable) {
   EXPECT_EQ(ascii("plain", 5), "plain");
   EXPECT_EQ(ascii("plainer", 5), "pl...");

@@ -18,7 +18,7 @@ const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint"
 }  // namespace
 
 std::string decimal_length(const Data& length) {
-  if (at(length, "value").is_number()) return at(length, "value").dump();
+  if (at(length, "value").is_number()) return shown(at(length, "value"));
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     return at(rounded, "rn") == "inf" ? "more than the largest binary64" : "less than the least positive binary64";
   return "";
@@ -34,7 +34,7 @@ std::string length_text(const Data& depth) {
   const auto bound = [&](std::string_view key) {
     const Data& value = at(bounds, key);
     if (!value.is_number()) return std::string("infinity");
-    return apart ? Data(-value.get<double>()).dump() : value.dump();
+    return shown(apart ? Data(-value.get<double>()) : value);
   };
   return apart ? fmt::format("{} to {}", bound("high"), bound("low")) : fmt::format("{} to {}", bound("low"), bound("high"));
 }
@@ -86,6 +86,29 @@ std::uint64_t optima_count(const Data& depth) {
   return count.is_number() ? count.get<std::uint64_t>() : at(depth, "optima").size();
 }
 
+/// The cone's generators, if there are several: the optima are then a continuum. Empty if there is no cone, or it is one ray.
+std::string continuum(const Data& depth) {
+  const Data& cone = at(depth, "optimal_cone");
+  if (!cone.is_object()) return "";
+  const Data &rays = at(cone, "rays"), &lineality = at(cone, "lineality");
+  if (lineality == "all") return "every direction";
+  if (lineality == "none" && rays.size() == 1) return "";
+  std::string result;
+  const auto add = [&](const std::string& part) { result += (result.empty() ? "all directions between " : ", ") + part; };
+  if (lineality == "plane" && rays.empty()) return "every direction orthogonal to " + shown(at(cone, "axis"));
+  if (lineality == "plane") add("those orthogonal to " + shown(at(cone, "axis")));
+  if (lineality == "line") add("both along " + shown(at(cone, "axis")));
+  for (const Data& ray : rays) add(shown(ray));
+  return result;
+}
+
+/// How many shortest ways out there are, as far as the answer tells: bounds do not.
+std::string count_of_ways(const Data& depth) {
+  if (at(depth, "method") == "enclosure") return "";
+  if (const std::string all = continuum(depth); !all.empty()) return all;
+  return std::to_string(optima_count(depth));
+}
+
 std::string optima_table(const Data& depth) {
   const Data& optima = at(depth, "optima");
   if (optima.size() < 2) return "";
@@ -114,11 +137,10 @@ std::string answer_sentence(const Data& depth) {
 std::string subtitle(const Data& depth) {
   std::string result = shown(at(depth, "id"));
   if (const Data& contact = at(depth, "contact"); contact.is_object()) result += " &middot; contact " + shown(at(contact, "kind"));
-  if (is(depth, "penetrating")) {
-    const std::uint64_t count = optima_count(depth);
-    result += " &middot; " + (count > 1 ? counted(count, "shortest way out", "shortest ways out") : std::string("one shortest way out"));
-  }
-  return result;
+  if (!is(depth, "penetrating") || count_of_ways(depth).empty()) return result;
+  if (!continuum(depth).empty()) return result + " &middot; a continuum of shortest ways out";
+  const std::uint64_t count = optima_count(depth);
+  return result + " &middot; " + (count == 1 ? "one shortest way out" : counted(count, "shortest way out", "shortest ways out"));
 }
 
 std::string facts(const Data& depth) {
@@ -140,7 +162,7 @@ std::string facts(const Data& depth) {
     rows.add("witness_a", "point of A", shown(at(witness, "a")), exact_place(at(exact, "a")));
     rows.add("witness_b", "point of B", shown(at(witness, "b")), exact_place(at(exact, "b")));
   }
-  if (overlap) rows.add("optima", "optima", std::to_string(optima_count(depth)));
+  if (const std::string count = count_of_ways(depth); overlap && !count.empty()) rows.add("optima", "optima", count);
   add_about(rows, depth);
   return rows.list() + optima_table(depth);
 }

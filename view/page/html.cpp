@@ -15,6 +15,7 @@ bool is_text(std::string_view head) { return head.starts_with('\''); }
 std::string plain(const Data& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // 1, not 1.0, as in the text of answers
   if (!value.is_array()) return value.dump();
   std::string result;
   for (const Data& item : value) result += (result.empty() ? "" : ", ") + plain(item);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fathom::picture {
 namespace {
 
@@ -63,6 +65,23 @@ std::string ascii(std::string_view text, std::size_t width) {
   for (const char c : text) {
     result += c >= 0x20 && c < 0x7f ? std::string(1, c) : byte_text(c);
     if (result.size() > width) return result.substr(0, width - 3) + "...";
+  }
+  return result;
+}
+
+std::string without_folders(std::string_view text) {
+  constexpr std::string_view before = " \t\n'\"=:,;(", after = " \t\n'\",;)";
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool begins = text[at] == '/' && (at == 0 || before.find(text[at - 1]) != std::string_view::npos);
+    const std::size_t end = begins ? std::min(text.find_first_of(after, at), text.size()) : at + 1;
+    std::string_view part = text.substr(at, end - at);
+    if (begins && part.find_last_not_of('/') != std::string_view::npos) {
+      part = part.substr(0, part.find_last_not_of('/') + 1);
+      part = part.substr(part.rfind('/') + 1);
+    }
+    result += part;
+    at = end;
   }
   return result;
 }

@@ -15,4 +15,8 @@ std::string markup(std::string_view text);
 /// Printable ASCII; other bytes as "\x1b". At most `width` >= 3 characters: what is longer ends in "...".
 std::string ascii(std::string_view text, std::size_t width = static_cast<std::size_t>(-1));
 
+/// The text with each absolute path in it cut to its last part: pages and pictures are shown to others, whom folders do not concern. A path
+/// begins with a slash where a word begins, and ends at a space, a quotation mark, a comma, a semicolon or a parenthesis.
+std::string without_folders(std::string_view text);
+
 }  // namespace fathom::picture

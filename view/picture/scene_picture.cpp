@@ -40,7 +40,7 @@ std::string text_element(const std::string& style, double y, const std::string& 
 }  // namespace
 
 std::string description_of(const PairScene& scene) {
-  std::string result = "Orthographic view of A, toned, and B, hatched, across the shortest way of A out of B, which points to the right.";
+  std::string result = "Orthographic view of A, toned, and B, hatched, across a shortest way of A out of B, which points to the right.";
   if (!scene.moves()) result = "Orthographic view of A, toned, and B, hatched, along a plane between them; they touch at the dot.";
   if (scene.status == Status::disjoint)
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
@@ -66,6 +66,7 @@ std::string scene_document(const PairScene& scene, const std::string& title, std
   std::vector<Panel> panels = panels_of(scene, alone);
   if (panels.size() > 1) panels = panels_of(scene, of_two);
   std::string body, spoken = description_of(scene);
+  const std::string name = without_folders(title);
   for (const Panel& panel : panels)
     body += panel_element(scene, panel, {panel.close ? of_two.width + gap : 0, head}, panel.close ? "close" : "whole");
   double y = head + panels.front().window.size().height + line;
@@ -78,9 +79,9 @@ std::string scene_document(const PairScene& scene, const std::string& title, std
   }
   const PixelSize size{alone.width, y};
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_opening(" xmlns=\"http://www.w3.org/2000/svg\"", size, "pair document") +
-         svg_told("picture", markup(title), markup(spoken)) + "\n<style>" + document_style() + "</style>\n" +
+         svg_told("picture", markup(name), markup(spoken)) + "\n<style>" + document_style() + "</style>\n" +
          fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", size.width, size.height) +
-         text_element("heading", head - 12, lines_of(title).front()) + body + "</svg>\n";
+         text_element("heading", head - 12, lines_of(name).front()) + body + "</svg>\n";
 }
 
 }  // namespace fathom::picture

@@ -71,7 +71,8 @@ std::string report_line(const char* which, const ReportFile& report) {
   const std::string short_of = report.whole ? "" : "; cut short: it has no summary";
   const std::string repeated =
       report.repeated > 0 ? fmt::format("; {} lines of an id that comes again, whose last counts", report.repeated) : "";
-  return fmt::format("<dt>{}</dt><dd>{}, {}{}{}</dd>", which, markup(report.title()), markup(report.path), short_of, repeated);
+  return fmt::format("<dt>{}</dt><dd>{}, {}{}{}</dd>", which, markup(report.title()), markup(picture::without_folders(report.path)),
+                     short_of, repeated);
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ std::string diff_page(const ReportFile& before, const ReportFile& after, const R
   body += fmt::format(
       "</main>\n<footer><p class=\"soft\">Compared by fathom {}. R is the largest coordinate of a pair.</p>\n<p "
       "class=\"soft\"><code>{}</code></p></footer>\n",
-      markup(version), markup(command));
+      markup(version), markup(picture::without_folders(command)));
   return picture::page(markup(after.title()) + ": what changed", body);
 }
 

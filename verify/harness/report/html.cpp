@@ -65,13 +65,15 @@ std::string account(std::size_t failures, std::size_t shown) {
 std::string unattributed_section(const UnattributedCounts& unattributed) {
   if (unattributed.empty()) return "";
   std::string items;
-  for (const auto& [detail, count] : unattributed) items += fmt::format("<li>{} x {}</li>\n", count, markup(detail));
+  for (const auto& [detail, count] : unattributed)
+    items += fmt::format("<li>{} x {}</li>\n", count, markup(picture::without_folders(detail)));
   return "<section><h2>No case's fault</h2>\n<ul>\n" + items + "</ul></section>\n";
 }
 
 std::string footer(const RunInfo& from) {
   const std::string version = from.version.empty() ? "" : " " + from.version;
-  const std::string command = from.command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", markup(from.command));
+  const std::string command =
+      from.command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", markup(picture::without_folders(from.command)));
   return fmt::format("<footer><p class=\"soft\">Judged by fathom{}. Truths are exact; errors are correctly rounded.</p>{}</footer>\n",
                      markup(version), command);
 }

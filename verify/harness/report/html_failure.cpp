@@ -307,7 +307,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
   std::string said = "<div class=\"facts\">\n";
   if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions);
-  said += truth_list(outcome, known, failure.certificate_name);
+  said += truth_list(outcome, known, picture::without_folders(failure.certificate_name));
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);
   if (outcome.pieces) said += pieces_list(*outcome.pieces);
