@@ -62,6 +62,7 @@ class Certify {
   ExitCode work() {
     try {
       if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
+      if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
       found_.emplace(request_, info(), cases_->expected());
       examine();
       return finish();

@@ -36,6 +36,13 @@ expect 2 '^s MALFORMED <stdin>:1: ' - <"$program"
 expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 width%20of%20a%20box$' --width - <proved_width.cert
 expect 1 '^s REFUSED apart:[0-9]+: the points of b are not those of a again$' --width -- proved_statuses.cert </dev/null
 expect 2 '^usage' --width </dev/null
+for words in --help proved_width.cert; do
+  said=$("$program" "$words" 2>&1 >/dev/full)
+  status=$?
+  [ "$status" = 2 ] && [ "$said" = 'fathom-check-proved: cannot write: No space left on device' ] && continue
+  printf 'fathom-check-proved %s >/dev/full: exit code %s and\n%s\n' "$words" "$status" "$said"
+  bad=1
+done
 
 # a name that would pass for a longer line
 expect 2 '^s MALFORMED <stdin>:2: ' - <<'CERTIFICATE'
@@ -57,7 +64,11 @@ printf 'fathom-certificate 1\na 1\n0 0 0\nb 1\n0/7 0 0\nclaim touching\ndirectio
 expect 0 '^s VERIFIED touching depth_squared=0 .*/optima=1%20x$' --width "$folder/optima=1 x" </dev/null
 
 # size: 100,000 points a body, doubled facets, a facet of 16,000 corners, in 256 KiB of stack
-many() { yes "$1" | head -n "$2"; }
+many() { yes -- "$1" | head -n "$2"; }
+copies() { # COUNT, of what comes on standard input, of at most a kilobyte
+  text=$(cat)
+  many "$text" "$(($1 * $(printf '%s\n' "$text" | wc -l)))"
+}
 large() { # EXTRA-POINTS EXTRA-FACETS CORNERS-OF-THE-LAST
   points='0 0 0@3 0 0@0 2 0@3 2 0@0 0 1@3 0 1@0 2 1@3 2 1'
   echo "fathom-certificate 1"
@@ -83,14 +94,32 @@ expect 0 '^s VERIFIED penetrating depth_squared=1 optima=2 <stdin>$' - <"$scratc
 large 0 0 16000 >"$scratch"
 expect 1 '^s REFUSED <stdin>:' - <"$scratch"
 
+# format 2: a sum of many terms, cut off and whole; many vectors of a lineality; and the file behind it is judged
+terms() { # TERMS LINES-OF-A-TERM
+  printf 'fathom-certificate 2\nshape_a %s\n' "$1"
+  printf '%b' "$2" | copies "$1"
+}
+terms 600000 'term 0\n' >"$scratch"
+expect 2 '^s MALFORMED .*:600003: expected .*, but the text ends$' "$scratch" proved_width.cert </dev/null
+expect 2 '^s VERIFIED penetrating depth_squared=1 optima=2 width' "$scratch" proved_width.cert </dev/null
+{
+  terms 300000 'term 1\npoint 0 0 1\n'
+  printf 'halfspace_b 0 0 1 0\nclaim signed_bounds -300000 -300000\ndirections 1 some\n0 0 1\nheights_a 300000\n'
+  many -1 300000
+  printf 'inner_a 1\n0 0 0 0%s\nend 300000%s 1 300000 1\n' "$(many ' 0 0 0 0' 299999 | tr -d '\n')" "$(many ' 1' 300000 | tr -d '\n')"
+} >"$scratch"
+expect 0 '^s VERIFIED disjoint signed_depth_in=\[-300000,-300000\] <stdin>$' - <"$scratch"
+{
+  printf 'fathom-certificate 2\na 1\n0 0 0\nb 1\n0 0 0\nclaim touching\ndirections 1 some\n0 0 1\nweights_a 1\n0 1\nweights_b 1\n0 1\nlineality 1000000\n'
+  many '1 0 0' 1000000
+  printf 'rays 0\ndifferences 0\nend 1 1 1 1 1 1000000 0 0\n'
+} >"$scratch"
+expect 1 '^s REFUSED <stdin>:' - <"$scratch"
+
 # unions: many pieces, optima's separations, polytopes; a tree as deep as it is long, and one node with all the others below it
 box() { # NAME LOW-X HIGH-X LOW-Y HIGH-Y LOW-Z HIGH-Z
   printf '%s 8\n' "$1"
   for z in "$6" "$7"; do for y in "$4" "$5"; do printf '%s %s %s\n' "$2" "$y" "$z" "$3" "$y" "$z"; done; done
-}
-copies() { # COUNT, of what comes on standard input, of at most a kilobyte
-  text=$(cat)
-  yes "$text" | head -n "$(($1 * $(printf '%s\n' "$text" | wc -l)))"
 }
 slab() { # PIECES POLYTOPES SPLITS CHILDREN
   printf 'fathom-certificate 3\npieces_a %s\n' "$1"

@@ -144,7 +144,10 @@ class Hellos(CertifyTest):
     def test_wrong_ones(self):
         for way, told in {"hello-silent": "the subject said no hello: ended with exit code 0",
                           "hello-crash": "the subject said no hello: killed by signal 11 (Segmentation fault); last words: about to go",
-                          "hello-garbage": "the subject's hello is wrong: expected a JSON object, found 'liar 1.0, ready'",
+                          "hello-garbage": "the subject said no hello: ended with exit code 0; what the subject wrote before its hello is no "
+                                           "JSON object, and passed over: 'liar 1.0, ready'",
+                          "hello-half": "the subject's hello is wrong: expected a JSON object, found '{\"type\":'",
+                          "hello-flood": "the subject said no hello within 10 s; ",
                           "hello-without-name": "the subject's hello is wrong: expected \"name\" in the hello, found none",
                           "hello-without-unit": "the subject's hello is wrong: expected \"unit\" in the hello's conventions, found none",
                           "hello-other-protocol": "hello is wrong: expected protocol fathom/subject/1, found 'fathom/subject/2'",
@@ -154,6 +157,11 @@ class Hellos(CertifyTest):
                 self.assertEqual((code, lines), (4, []))
                 self.assertIn(told, err)
                 self.assertIn("nothing was judged", err)
+
+    def test_behind_the_greeting_of_a_library(self):
+        code, lines, err = self.certify("--jobs", "2", "--subject", liar("hello-late"), "-", stdin=STREAM)
+        self.assertEqual((code, set(self.verdicts(lines).values())), (0, {"pass"}))
+        self.assertEqual(err, "fathom: what the subject wrote before its hello is no JSON object, and passed over: 'liar 1.0', ...\n")
 
     def test_that_is_all_there_is(self):
         code, lines, err = self.certify("--jobs", "1", "--subject", liar("hello-then-crash"), "-", stdin=STREAM)

@@ -60,6 +60,11 @@ def flood(run):
         os.write(2, b"warning: something is not as it should be\n" * 100)
 
 
+def flood_of_lines():
+    while True:
+        write("loading\n" * 1000)
+
+
 def close_output(run):
     os.close(1)
     time.sleep(60)
@@ -129,7 +134,10 @@ DURING_HELLO = {
     "hello-never": lambda: time.sleep(60),
     "hello-silent": lambda: sys.exit(0),
     "hello-crash": lambda: kill(signal.SIGSEGV),
-    "hello-garbage": lambda: write("liar 1.0, ready\n"),
+    "hello-garbage": lambda: [write("liar 1.0, ready\n"), sys.exit(0)],
+    "hello-half": lambda: write('{"type":\n'),
+    "hello-flood": flood_of_lines,
+    "hello-late": lambda: [write("liar 1.0\n\n[1]\n"), say(HELLO)],
     "hello-without-name": lambda: say({k: v for k, v in HELLO.items() if k != "name"}),
     "hello-without-unit": lambda: say({**HELLO, "conventions": {"touching": "either", "depth": "positive", "moves": "a"}}),
     "hello-other-protocol": lambda: say({**HELLO, "protocol": "fathom/subject/2"}),

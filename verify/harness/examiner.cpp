@@ -83,6 +83,19 @@ std::string Examiner::unfinished_line() {
                       : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line));
 }
 
+/// The first line that may be a message, as no line does that begins otherwise than an object of JSON. The others are passed over.
+Process::Got Examiner::read_message(std::string& line, Clock::time_point deadline) {
+  passed_over_.clear();
+  while (true) {
+    const Process::Got got = process_->read_line(line, deadline);
+    if (got != Process::Got::line || line.substr(0, line.find_first_not_of(" \t\r") + 1).ends_with('{')) return got;
+    if (passed_over_.empty()) passed_over_ = "what the subject wrote before its hello is no JSON object, and passed over: " + excerpt(line);
+    else if (!passed_over_.ends_with(", ...")) passed_over_ += ", ...";
+    if (settings_.stop && settings_.stop()) return Process::Got::stopped;
+    if (Clock::now() >= deadline) return Process::Got::time_out;  // it may never stop writing
+  }
+}
+
 void Examiner::start() {
   process_.reset();
   try {
@@ -96,15 +109,16 @@ void Examiner::start() {
   const double patience = std::max(settings_.time_out, settings_.hello_time_out);
   process_->send(hello_message());
   std::string line;
-  const Process::Got got = process_->read_line(line, Clock::now() + duration(patience));
+  const Process::Got got = read_message(line, Clock::now() + duration(patience));
+  const auto beside = [this] { return (passed_over_.empty() ? "" : "; " + passed_over_) + last_words(); };
   if (got == Process::Got::stopped) throw Interrupted();
   if (got == Process::Got::time_out)
-    throw SubjectError(fmt::format("the subject said no hello within {} s", patience) + unfinished_line() + last_words());
+    throw SubjectError(fmt::format("the subject said no hello within {} s", patience) + unfinished_line() + beside());
   if (got == Process::Got::too_long) throw SubjectError("the subject's first line is no hello: it does not end");
   if (got == Process::Got::end) {
     const std::optional<Ending> ending = process_->ending(Clock::now() + grace);
     throw SubjectError("the subject said no hello: " + (ending ? described(*ending) : "closed its output") +
-                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line))) + last_words());
+                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line))) + beside());
   }
   try {
     SubjectInfo info = read_hello(line);
@@ -113,7 +127,7 @@ void Examiner::start() {
                          hello_text(info));
     info_ = std::move(info);
   } catch (const ProtocolError& error) {
-    throw SubjectError(std::string("the subject's hello is wrong: ") + error.what() + last_words());
+    throw SubjectError(std::string("the subject's hello is wrong: ") + error.what() + beside());
   }
 }
 

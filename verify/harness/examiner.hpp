@@ -50,6 +50,8 @@ class Examiner {
   Examiner& operator=(const Examiner&) = delete;
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
+  /// What the subject wrote before its hello and was passed over, such as a greeting of a library that it loads: a sentence, or nothing.
+  [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
@@ -75,6 +77,7 @@ class Examiner {
   };
 
   void start();
+  Process::Got read_message(std::string& line, Process::Clock::time_point deadline);
   void start_again();
   [[nodiscard]] Judging judging();
   Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer);
@@ -90,6 +93,7 @@ class Examiner {
   SubjectCommand command_;
   Settings settings_;
   SubjectInfo info_;
+  std::string passed_over_;
   Workspace workspace_;
   std::unique_ptr<Process> process_;
   std::optional<std::string> answered_;     // the last case that this process answered

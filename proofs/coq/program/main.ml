@@ -109,20 +109,23 @@ let one ~width (r : Lines.t) file =
      | Lines.Malformed (line, reason) -> malformed !name line reason
      | Stack_overflow | Out_of_memory -> malformed !name end_line too_large);
     Lines.advance r
-  | exception (Lines.Malformed _ | Out_of_memory as fault) ->
+  | exception (Lines.Malformed _ | Stack_overflow | Out_of_memory as fault) ->
     let line, reason = match fault with Lines.Malformed (line, reason) -> (line, reason) | _ -> (r.number, too_large) in
     malformed !name line reason;
     if r.number = first then Lines.step r;
     Lines.to_next_certificate r
 
+(* whatever comes of it, the next file is judged *)
 let stream ~width channel file =
-  match Lines.opened channel with
-  | exception Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason)
-  | r ->
-    (try
-       one ~width r file;
-       while r.text <> Lines.No_more do one ~width r file done
-     with Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason))
+  let line = ref 1 in
+  try
+    let r = Lines.opened channel in
+    let next () = line := r.number; one ~width r file in
+    next ();
+    while r.text <> Lines.No_more do next () done
+  with
+  | Sys_error reason -> malformed file 0 ("expected a file that can be read: " ^ reason)
+  | Stack_overflow | Out_of_memory -> malformed file !line too_large
 
 let input ~width name =
   let file = if name = "-" then "<stdin>" else escaped name in
@@ -141,16 +144,18 @@ let rec understood ~width files = function
   | [] -> finish ~width files
 and finish ~width files = if files = [] then None else Some (width, List.rev files)
 
-let () =
+let work () =
   match List.tl (Array.to_list Sys.argv) with
   | [ "--help" ] | [ "-h" ] -> print_string usage
   | words ->
     match understood ~width:false [] words with
-    | None -> prerr_string usage; exit 2
-    | Some (width, files) ->
-      (try List.iter (input ~width) files; flush stdout
-       with Sys_error reason ->
-         prerr_endline ("fathom-check-proved: cannot write: " ^ reason);
-         close_out_noerr stdout;
-         exit 2);
-      exit !worst
+    | None -> prerr_string usage; worst := 2
+    | Some (width, files) -> List.iter (input ~width) files
+
+let () =
+  (try work (); flush stdout
+   with Sys_error reason ->
+     prerr_endline ("fathom-check-proved: cannot write: " ^ reason);
+     close_out_noerr stdout;
+     worst := 2);
+  exit !worst

@@ -80,7 +80,7 @@ let core r counts vectors name =
       terms := announce (rows r r.number atoms "point, disc or ball, and its vectors" (atom vectors)) :: !terms;
       incr got
     done;
-    counts := !counts @ (!got :: place);
+    counts := List.rev_append (List.rev !counts) (!got :: place);
     Proved.Terms (List.rev !terms)
   end
   else if starts r "halfspace_" then begin

@@ -17,7 +17,7 @@ let heights (d : Signed_limits.denominators) b =
 let inner_points (d : Signed_limits.denominators) b =
   let part = in_units d.of_parameters in
   let place (i, (x, y, z)) = (i, { Proved.zx = part x; zy = part y; zz = part z }) in
-  Array.to_list (Array.map (List.map place) b.inner.items)
+  Array.to_list (Array.map (Proved.each place) b.inner.items)
 
 let claim g (d : Signed_limits.denominators) =
   let one () = single g.all g.directions in
@@ -29,7 +29,7 @@ let claim g (d : Signed_limits.denominators) =
   let cone (c : cone) =
     let within (j, i) = in_range n j && in_range m i in
     Array.iteri (fun k ji -> demand c.differences.lines_of.(k) (within ji) "a difference names a point that is not there") c.differences.items;
-    { Proved.lineality = List.map (fun v -> fst (direction v)) (Array.to_list c.lineality.items);
+    { Proved.lineality = Array.to_list (Array.map (fun v -> fst (direction v)) c.lineality.items);
       rays = Array.to_list (Array.map direction c.rays.items);
       differences = Array.to_list c.differences.items } in
   match g.claim, g.lower with

@@ -43,7 +43,8 @@ let rec determinant rows columns =
 
 (* The rule of FORMAT.md, check 5: with G the products of the normals and c the offsets, adj(G) c; if det G = 0, a column of adj(G). *)
 let multipliers half_spaces =
-  let normals = Array.of_list (List.map fst half_spaces) and offsets = Array.of_list (List.map snd half_spaces) in
+  let constraints = Array.of_list half_spaces in
+  let normals = Array.map fst constraints and offsets = Array.map snd constraints in
   let r = Array.length normals in
   if r > 4 then []
   else begin

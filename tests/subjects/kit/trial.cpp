@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <fathom_subject.hpp>
 #include <iostream>
 #include <limits>
@@ -11,9 +14,21 @@ namespace {
 
 using fathom_subject::Body, fathom_subject::Reply, fathom_subject::Vector;
 
+[[maybe_unused]] const int loaded = std::printf("a greeting of a library\n");
+
+struct Wordless : std::exception {
+  [[nodiscard]] const char* what() const noexcept override { return nullptr; }
+};
+
 Reply about_shapes(const Body& a, const Body& b) {
   Reply reply;
   reply.overlap = true;
+  if (b.shape == a.shape) {
+    reply.hull[0].assign(a.rotation.begin(), a.rotation.end());
+    const auto turned = b.quaternion ? fathom_subject::details::rotation_of(*b.quaternion) : b.rotation;
+    reply.hull[1].assign(turned.begin(), turned.end());
+    return reply;
+  }
   reply.depth = a.number.at("radius") + a.margin;
   const auto column = static_cast<std::size_t>(a.axis - 'x');
   reply.direction = Vector{a.rotation[0][column], a.rotation[1][column], a.rotation[2][column]};
@@ -59,6 +74,17 @@ Reply solve(const Body& a, const Body& b) {
     reply.distance = infinity;
     return reply;
   }
+  if (what == 9) throw std::runtime_error("half a pair: \xed\xa0\x80");
+  if (what == 10) throw std::runtime_error(std::string(17 << 20, 'x'));
+  if (what == 11) throw Wordless();
+  if (what == 13) {
+    reply.microseconds = 12.5;
+    return reply;
+  }
+  if (what == 14) {
+    reply.witness = {a.vertices[1], b.vertices[1]};
+    return reply;
+  }
   if (what == 5) reply.overlap = false;
   else reply.depth = 1.0 / 3 + static_cast<double>(a.faces.size());
   return reply;
@@ -80,5 +106,6 @@ int main() {
   subject.settings = {{"limit", "3"}};
   subject.claims = "separating";
   subject.rounding = {{"vertices", 0.1}, {"box", 0.25}};
+  if (const char* const axis = std::getenv("FATHOM_KIT_AXIS")) subject.axis = axis[0];
   return fathom_subject::run(subject, solve);
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A subject that misbehaves as the first coordinate of A says, and answers about shapes with what it was told of them.
-const { run, Unsupported } = await import(process.env.FATHOM_KIT);
+const { rotationOf, run, Unsupported } = await import(process.env.FATHOM_KIT);
+console.log('a greeting of a library');
 
 run((a, b) => {
+  if (a.shape && b.shape === a.shape)
+    return { overlap: true, hull: { a: a.rotation, b: b.quaternion ? rotationOf(b.quaternion) : b.rotation } };
   if (a.shape) {
     const along = a.rotation.map((row) => row['xyz'.indexOf(a.axis)]);
     return { overlap: true, depth: a.radius + a.margin, direction: along,
@@ -21,7 +24,13 @@ run((a, b) => {
   if (what === 6) return { overlap: true, depth: 0.25, hull: { a: a.vertices } };
   if (what === 7) return { overlap: true, depth: 0.25, contacts: [{ position: a.vertices[0] }, { position: a.vertices[1], depth: 0.25 }] };
   if (what === 8) return { overlap: false, distance: Infinity };
+  if (what === 9) throw new Error('half a pair: \ud800');
+  if (what === 10) throw new Error('x'.repeat(17 << 20));
+  if (what === 11) throw { toString() { throw new Error('no text'); } };
+  if (what === 12) return { overlap: true, depth: 1, direction: [1, 0] };
+  if (what === 13) return { overlap: true, microseconds: 12.5 };
+  if (what === 14) return { overlap: true, witness: { a: a.vertices[1], b: b.vertices[1] } };
   return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
 }, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
      shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 },
-     claims: 'separating' });
+     claims: 'separating', axis: process.env.FATHOM_KIT_AXIS });

@@ -10,7 +10,7 @@
 //
 // and then `fathom certify --subject ./my_subject cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md): lines are
 // flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its exceptions become
-// the answer `failed`, and each answer says how many microseconds it took.
+// the answer `failed`, and each answer says how many microseconds it took. Any compiler of C++17 to C++23 and any standard library will do.
 #pragma once
 
 #include <unistd.h>
@@ -18,8 +18,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <functional>
@@ -47,7 +49,7 @@ struct Body {
   std::string shape;                        ///< "sphere", "cylinder", ...; empty for a body of vertices
   std::map<std::string, double> number;     ///< of a shape: "radius", "half_length", "offset", ...
   std::map<std::string, Vector> triple;     ///< of a shape: "half", "radii", "normal"
-  char axis = 'z';                          ///< along which a shape lies before it is placed
+  char axis = 'z';                          ///< along which a shape lies before it is placed; the declared one, if one was declared
   double margin = 0;                        ///< the radius of the ball that is added around a shape
   std::optional<std::array<double, 4>> quaternion;     ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
   Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
@@ -69,6 +71,7 @@ struct Reply {
   std::optional<double> distance = {};  ///< of bodies that are apart; direction and witness then lead farther apart, and are nearest points
   std::vector<Contact> contacts = {};   ///< of a depth, which is the largest of theirs
   std::array<std::vector<Vector>, 2> hull = {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
+  std::optional<double> microseconds = {};       ///< how long it took, if you timed a part of your function yourself
 };
 
 /// Throw it for a pair that your code does not take: the case is not judged then. Any other exception is a failure to answer.
@@ -96,23 +99,32 @@ struct Subject {
   std::string answers = {};                          ///< the precision of answers, if `precision` is that of points alone
   std::map<std::string, double> rounding = {};       ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
   std::string claims = "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
+  char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as the case has them
 };
 
 namespace details {
 
 /// A value of JSON. Of true, false and null no more is known: no message to a subject has them where it matters.
 struct Json {
+  struct Member;
   std::optional<double> number;
   std::string text;
-  std::vector<Json> items;                            ///< of a list
-  std::vector<std::pair<std::string, Json>> members;  ///< of an object
+  std::vector<Json> items;      ///< of a list
+  std::vector<Member> members;  ///< of an object
 
-  const Json& at(const char* name) const {
-    for (const auto& member : members)
-      if (member.first == name) return member.second;
-    throw std::invalid_argument(std::string("a message without ") + name);
-  }
+  const Json& at(const char* name) const;
 };
+
+struct Json::Member {
+  std::string name;
+  Json value;
+};
+
+inline const Json& Json::at(const char* name) const {
+  for (const Member& member : members)
+    if (member.name == name) return member.value;
+  throw std::invalid_argument(std::string("a message without ") + name);
+}
 
 class JsonReader {
  public:
@@ -161,7 +173,7 @@ class JsonReader {
       if (!take('"')) fail();
       std::string name = text();
       if (!take(':')) fail();
-      json.members.emplace_back(std::move(name), value());
+      json.members.push_back({std::move(name), value()});
     } while (take(','));
     if (!take('}')) fail();
   }
@@ -172,14 +184,15 @@ class JsonReader {
     if (!take(']')) fail();
   }
 
-  // Not by strtod, which takes the decimal point of the program's locale.
+  // Not by a stream: libc++'s fail on subnormal numbers. strtod takes the decimal point of the program's locale.
   double number() {
     const char* const begin = at_;
     while (at_ != end_ && std::strchr("+-.0123456789eE", *at_) && *at_ != '\0') ++at_;
-    double value = 0;
-    std::istringstream text(std::string(begin, at_));
-    text.imbue(std::locale::classic());
-    if (!(text >> value) || !(text >> std::ws).eof()) fail();
+    std::string text(begin, at_);
+    if (const std::size_t point = text.find('.'); point != std::string::npos) text.replace(point, 1, std::localeconv()->decimal_point);
+    char* rest = nullptr;
+    const double value = std::strtod(text.c_str(), &rest);
+    if (text.empty() || *rest != '\0') fail();
     return value;
   }
 
@@ -193,6 +206,12 @@ class JsonReader {
 
   const char *at_, *end_;
 };
+
+/// The text of an exception, cut where it is long; null if it has none.
+inline std::string reason(const char* text) {
+  constexpr std::size_t longest = 1000;
+  return std::string(text ? text : "an exception without a text").substr(0, longest);
+}
 
 inline std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -261,8 +280,21 @@ inline void place(const Json& pose, Body& body) {
   }
 }
 
-inline Body body_of(const Json& from) {
+/// A shape that lies along body.axis, as the library's own that lies along `axis`: a cyclic exchange of axes goes before its rotation.
+inline void turn(Body& body, char axis) {
+  const std::size_t by = static_cast<std::size_t>(3 + body.axis - axis) % 3;
+  body.axis = axis;
+  if (by == 0) return;
+  for (Vector& row : body.rotation) row = {row[by % 3], row[(1 + by) % 3], row[(2 + by) % 3]};
+  if (!body.quaternion) return;
+  const auto [w, x, y, z] = *body.quaternion;
+  const double s = by == 1 ? 0.5 : -0.5;  // times the quaternion (0.5, s, s, s)
+  body.quaternion = {0.5 * w - s * (x + y + z), 0.5 * x + s * (w + y - z), 0.5 * y + s * (w + z - x), 0.5 * z + s * (w + x - y)};
+}
+
+inline Body body_of(const Json& from, char axis = 0) {
   Body body;
+  bool has_axis = false;
   for (const auto& [name, value] : from.members) {
     if (name == "pieces") {
       for (const Json& piece : value.items) body.pieces.push_back(body_of(piece).vertices);
@@ -277,6 +309,7 @@ inline Body body_of(const Json& from) {
       body.shape = value.text;
     } else if (name == "axis") {
       body.axis = value.text.empty() ? 'z' : value.text[0];
+      has_axis = true;
     } else if (name == "margin") {
       body.margin = value.number.value_or(0);
     } else if (name == "pose") {
@@ -288,6 +321,7 @@ inline Body body_of(const Json& from) {
     }
   }
   if (body.shape.empty() && body.vertices.empty() && body.pieces.empty()) throw std::invalid_argument("a body without vertices");
+  if (has_axis && axis) turn(body, axis);
   return body;
 }
 
@@ -331,29 +365,29 @@ inline std::string answer(const Reply& reply) {
   return result;
 }
 
-inline std::string reply_to(const Json& message, const Solve& solve) {
-  const Body a = body_of(message.at("a")), b = body_of(message.at("b"));
+inline std::string reply_to(const Json& message, const Subject& subject, const Solve& solve) {
+  const Body a = body_of(message.at("a"), subject.axis), b = body_of(message.at("b"), subject.axis);
   std::string said;
   try {
     const auto start = std::chrono::steady_clock::now();
     const Reply reply = solve(a, b);
     const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-    said = answer(reply) + ",\"microseconds\":" + number(spent.count());
+    said = answer(reply) + ",\"microseconds\":" + number(reply.microseconds.value_or(spent.count()));
   } catch (const Unsupported& why) {
-    said = "\"unsupported\":" + quoted(why.what());
+    said = "\"unsupported\":" + quoted(reason(why.what()));
   } catch (const std::exception& why) {
-    said = "\"failed\":" + quoted(why.what());
+    said = "\"failed\":" + quoted(reason(why.what()));
   } catch (...) {
     said = R"("failed":"an exception of an unknown type")";
   }
   return R"({"type":"reply","id":")" + message.at("id").text + "\"," + said + '}';
 }
 
-/// Answers go to what is the standard output now; what is printed there later goes to the standard error.
+/// Answers go to what is the standard output now; what is printed there later, or is still held back, goes to the standard error.
 inline void serve(const Subject& subject, const Solve& solve) {
-  std::fflush(stdout);
   std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
   if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("the standard output cannot be used");
+  std::fflush(stdout);
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
     std::string text;
@@ -362,7 +396,7 @@ inline void serve(const Subject& subject, const Solve& solve) {
       const std::string& type = message.at("type").text;
       if (type == "stop") return;
       if (type == "hello") text = hello(subject);
-      else if (type == "run") text = reply_to(message, solve);
+      else if (type == "run") text = reply_to(message, subject, solve);
       else throw std::invalid_argument("a message that is no hello, run or stop");
     } catch (const std::exception& why) {
       throw std::invalid_argument("line " + std::to_string(number) + ": " + why.what());

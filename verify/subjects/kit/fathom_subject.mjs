@@ -9,8 +9,8 @@
 //   }, { name: 'my engine', version: '1.0', precision: 'binary32' });
 //
 // and then `fathom certify --subject 'node my_subject.mjs' cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md):
-// answers are written at once, NaN and infinities so that they are judged, whatever your code prints goes to standard error, its exceptions
-// become the answer `failed`, and each answer says how many microseconds it took.
+// answers are written at once, NaN and infinities so that they are judged, whatever your code prints once this file is imported goes to
+// standard error, its exceptions become the answer `failed`, and each answer says how many microseconds it took.
 import { writeSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
@@ -34,9 +34,10 @@ export function rotationOf(quaternion) {
 /**
  * One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. `faces` are the hull's facets,
  * counter-clockwise from outside, if they were asked for. A shape has its fields as docs/shapes.md names them (radius, half_length, ...),
- * `axis`, `margin` (0 if there is none), and lies at rotation p + translation; `quaternion` is there unless the case gave a matrix.
+ * `axis`, `margin` (0 if there is none), and lies at rotation p + translation; `quaternion` is there unless the case gave a matrix. `axis` is
+ * the declared one, if one was declared: a cyclic exchange of axes goes before the rotation then.
  */
-function bodyOf(message) {
+function bodyOf(message, axis) {
   const { pose, ...fields } = message;
   const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], ...fields };
   if (Array.isArray(pose)) {
@@ -46,6 +47,15 @@ function bodyOf(message) {
     body.quaternion = pose.quaternion;
     body.rotation = rotationOf(pose.quaternion);
     body.translation = pose.translation ?? body.translation;
+  }
+  if (axis && body.axis) {
+    const by = (3 + 'xyz'.indexOf(body.axis) - 'xyz'.indexOf(axis)) % 3;
+    body.axis = axis;
+    body.rotation = body.rotation.map((row) => [0, 1, 2].map((i) => row[(i + by) % 3]));
+    if (by > 0 && body.quaternion) {
+      const [w, x, y, z] = body.quaternion, s = by === 1 ? 0.5 : -0.5;  // times the quaternion (0.5, s, s, s)
+      body.quaternion = [0.5 * w - s * (x + y + z), 0.5 * x + s * (w + y - z), 0.5 * y + s * (w + z - x), 0.5 * z + s * (w + x - y)];
+    }
   }
   return body;
 }
@@ -58,7 +68,11 @@ function number(x) {
 }
 
 // Arrays, typed arrays, and objects with x, y, z.
-const vector = (v) => ('x' in v ? [v.x, v.y, v.z] : Array.from(v)).map(number);
+function vector(v) {
+  const numbers = 'x' in v ? [v.x, v.y, v.z] : Array.from(v);
+  if (numbers.length !== 3) throw new TypeError(`${numbers.length} numbers in the place of three`);
+  return numbers.map(number);
+}
 
 const isGiven = (value) => value !== undefined && value !== null;
 
@@ -74,20 +88,28 @@ function replyOf(answer) {
   if (isGiven(answer.hull))
     reply.hull = Object.fromEntries(['a', 'b'].filter((name) => isGiven(answer.hull[name]))
                                         .map((name) => [name, Array.from(answer.hull[name], vector)]));
-  if (isGiven(answer.microseconds)) reply.microseconds = Number(answer.microseconds);
+  if (isGiven(answer.microseconds)) reply.microseconds = number(answer.microseconds);
   return reply;
 }
 
-async function answerTo(solve, message) {
-  const a = bodyOf(message.a), b = bodyOf(message.b);
+// The text of an error, whatever was thrown. Bytes of UTF-8 hold no lone surrogates.
+function said(text) {
+  try {
+    return Buffer.from(String(text()).slice(0, 1000)).toString();
+  } catch {
+    return 'a text that cannot be made';
+  }
+}
+
+async function answerTo(solve, message, axis) {
+  const a = bodyOf(message.a, axis), b = bodyOf(message.b, axis);
   const start = process.hrtime.bigint();
   try {
     const answer = await solve(a, b);
     const microseconds = Number(process.hrtime.bigint() - start) / 1000;
     return { microseconds, ...replyOf(answer) };
   } catch (why) {
-    if (why instanceof Unsupported) return { unsupported: why.message };
-    return { failed: String(why) };
+    return why instanceof Unsupported ? { unsupported: said(() => why.message) } : { failed: said(() => why) };
   }
 }
 
@@ -103,11 +125,9 @@ function write(line) {
   }
 }
 
-// Standard output is for answers: everything else that is printed goes to standard error.
-function divertPrints() {
-  process.stdout.write = process.stderr.write.bind(process.stderr);
-  console.log = console.info = console.debug = console.error;
-}
+// Standard output is for answers: everything else that is printed goes to standard error, also when modules are loaded that are imported later.
+process.stdout.write = process.stderr.write.bind(process.stderr);
+console.log = console.info = console.debug = console.error;
 
 /**
  * Answers cases until there are no more. solve(a, b) returns, now or by a promise, { overlap, depth, direction, witness: { a, b } }; all but
@@ -131,17 +151,17 @@ function divertPrints() {
  * settings        { iterations: 100, ... }: shown beside the verdicts
  * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes
  * claims          'minimum': no translation is shorter than depth * direction; or 'separating': no more than that this one separates
+ * axis            'x', 'y' or 'z': along which the engine's own shapes lie. Bodies then come turned to it; left out: as the case has them
  */
 export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
-          shapes = [], promises = [], settings = {}, rounding, claims = 'minimum' } = declared;
+          shapes = [], promises = [], settings = {}, rounding, claims = 'minimum', axis } = declared;
   const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit, claims },
                   capabilities: { faces, shapes }, promises, settings, rounding };
-  divertPrints();
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     const message = JSON.parse(line);
     if (message.type === 'hello') write(JSON.stringify(hello));
-    else if (message.type === 'run') write(JSON.stringify({ type: 'reply', id: message.id, ...(await answerTo(solve, message)) }));
+    else if (message.type === 'run') write(JSON.stringify({ type: 'reply', id: message.id, ...(await answerTo(solve, message, axis)) }));
     else break;
   }
 }

@@ -10,8 +10,8 @@
     fathom_subject.run(solve, name="my library", version="1.0")
 
 and then `fathom certify --subject 'python3 my_subject.py' cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md):
-lines are flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its
-exceptions become the answer `failed`, and each answer says how many microseconds it took.
+lines are flushed, NaN and infinities are written so that they are judged, whatever your code prints once this file is imported goes to
+standard error, its exceptions become the answer `failed`, and each answer says how many microseconds it took.
 """
 import json
 import math
@@ -32,7 +32,7 @@ class Body:
     vertices     [[x, y, z], ...]; of a shape, only hulls and triangles have them
     faces        [[i, j, k, ...], ...]: facets of the hull, counter-clockwise from outside; [] unless asked for, or of a flat body
     shape        "sphere", "cylinder", ...; None for a body of vertices
-    axis         "x", "y" or "z": along which a shape lies before it is placed
+    axis         "x", "y" or "z": along which a shape lies before it is placed; the declared one, if one was declared
     pieces       [{"vertices": ...}, ...]: of a union, if your subject declared "pieces"; [] of any other body
     margin       the radius of the ball that is added around a shape; 0 if there is none
     rotation     3 x 3, rows; a shape's point p is at rotation p + translation. Exactly what the case says, up to rounding
@@ -42,7 +42,7 @@ class Body:
     docs/shapes.md says what they mean.
     """
 
-    def __init__(self, message):
+    def __init__(self, message, axis=None):
         self.vertices, self.faces, self.pieces, self.shape, self.margin = [], [], [], None, 0
         self.rotation, self.translation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
         for field, value in message.items():
@@ -54,6 +54,9 @@ class Body:
             self.rotation = rotation_of(pose["quaternion"])
         elif pose:
             self.rotation, self.translation = [row[:3] for row in pose], [row[3] for row in pose]
+        if axis and "axis" in message:  # a cyclic exchange of axes goes before the rotation
+            by = "xyz".index(self.axis) - "xyz".index(axis)
+            self.axis, self.rotation = axis, [[row[(i + by) % 3] for i in range(3)] for row in self.rotation]
 
 
 def rotation_of(quaternion):
@@ -69,18 +72,19 @@ def rotation_of(quaternion):
 class Reply:
     """What your code answers. Only `overlap` is needed, and what is there is judged. Numbers may be anything that float() takes.
 
-    depth      how deep, with the sign that `run` declares
-    direction  moving the declared body by |depth| * direction takes the bodies apart
-    witness    a point of A and one of B, which differ by that translation of A
-    distance   how far apart; direction then leads the declared body farther away, and witness is a pair of nearest points
-    contacts   of a manifold: pairs of a point of both bodies and the depth there, or None; the largest is the depth
-    hull       the vertices of A's and of B's hull that your code really used, where they may be others than the asked ones; None for either
-               whose are not known
+    depth         how deep, with the sign that `run` declares
+    direction     moving the declared body by |depth| * direction takes the bodies apart
+    witness       a point of A and one of B, which differ by that translation of A
+    distance      how far apart; direction then leads the declared body farther away, and witness is a pair of nearest points
+    contacts      of a manifold: pairs of a point of both bodies and the depth there, or None; the largest is the depth
+    hull          the vertices of A's and of B's hull that your code really used, where they may be others than the asked ones; None for
+                  either whose are not known
+    microseconds  how long it took, if you timed a part of your function yourself
     """
 
-    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None, distance=None, contacts=()):
+    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None, distance=None, contacts=(), microseconds=None):
         self.overlap, self.depth, self.direction, self.witness, self.hull = overlap, depth, direction, witness, hull
-        self.distance, self.contacts = distance, contacts
+        self.distance, self.contacts, self.microseconds = distance, contacts, microseconds
 
     def fields(self):
         found = {"overlap": bool(self.overlap)}
@@ -98,6 +102,8 @@ class Reply:
                                  depth in self.contacts]
         if self.hull is not None:
             found["hull"] = {name: [_vector(v) for v in hull] for name, hull in zip("ab", self.hull) if hull is not None}
+        if self.microseconds is not None:
+            found["microseconds"] = _number(self.microseconds)
         return found
 
 
@@ -111,35 +117,45 @@ def _vector(v):
     return [_number(x), _number(y), _number(z)]
 
 
-def _answers():
-    """The stream for answers. Behind it standard output is standard error, also for libraries in C."""
-    sys.stdout.flush()
-    stream = os.fdopen(os.dup(1), "w", encoding="utf-8")
+def _diverted():
+    """The stream for answers. Behind it standard output is standard error, also for libraries in C. A lone surrogate goes as "?"."""
+    stream = os.fdopen(os.dup(1), "w", encoding="utf-8", errors="replace")
     os.dup2(2, 1)
+    sys.stdout.flush()
     return stream
 
 
-def _answer(solve, message):
-    a, b = Body(message["a"]), Body(message["b"])
+_answers = _diverted()  # at import: many a library prints when it is loaded
+
+
+def _said(why):
+    """The text of an exception, whatever it is."""
+    try:
+        return str(why)[:1000]
+    except Exception:
+        return "a text that cannot be made"
+
+
+def _answer(solve, message, axis):
+    a, b = Body(message["a"], axis), Body(message["b"], axis)
     start = time.perf_counter_ns()
     try:
         reply = solve(a, b)
         spent = (time.perf_counter_ns() - start) / 1000
-        return {**reply.fields(), "microseconds": spent}
+        return {"microseconds": spent, **reply.fields()}
     except Unsupported as why:
-        return {"unsupported": str(why)}
+        return {"unsupported": _said(why)}
     except Exception as why:  # whatever the code under test throws is its answer
-        return {"failed": f"{type(why).__name__}: {why}"}
+        return {"failed": f"{type(why).__name__}: {_said(why)}"}
 
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
-        faces=False, shapes=(), promises=(), settings=None, rounding=None, claims="minimum"):
+        faces=False, shapes=(), promises=(), settings=None, rounding=None, claims="minimum", axis=None):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
-    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent. Or {"points": ...,
-                    "answers":
-                    ...}, if points are seen in one and answers are of the other
+    precision       "binary64" or "binary32": in which it computes. Bodies are rounded to it before they are sent. Or
+                    {"points": ..., "answers": ...}, if points are seen in one and answers are of the other
     touching        what it says of bodies that touch: "overlap", "separate", or "either" if it makes no promise
     depth           the sign of the depth of bodies that overlap: "positive" or "negative"
     moves           which body |depth| * direction moves apart: "a" or "b"
@@ -151,20 +167,20 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
     claims          "minimum": no translation is shorter than depth * direction; or "separating": no more than that this one separates
+    axis            "x", "y" or "z": along which the library's own shapes lie. Bodies then come turned to it; None: as the case has them
     """
     hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
              "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit, "claims": claims},
              "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
     if rounding is not None:
         hello["rounding"] = rounding
-    answers = _answers()
     for line in sys.stdin:
         message = json.loads(line)
         if message["type"] == "hello":
             answer = hello
         elif message["type"] == "run":
-            answer = {"type": "reply", "id": message["id"], **_answer(solve, message)}
+            answer = {"type": "reply", "id": message["id"], **_answer(solve, message, axis)}
         else:
             break
-        answers.write(json.dumps(answer, allow_nan=False) + "\n")
-        answers.flush()
+        _answers.write(json.dumps(answer, allow_nan=False, ensure_ascii=False) + "\n")
+        _answers.flush()
