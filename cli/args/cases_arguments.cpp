@@ -30,7 +30,12 @@ bool given(const CLI::App& app, const char* option) { return app.count(option) >
 }  // namespace
 
 void add_cases_options(CLI::App& app, CasesRequest& cases) {
-  app.add_option("--family", cases.family, "cases of this family; all: of every family in turn")->type_name("NAME");
+  app.add_option(
+         "--family", cases.families,
+         "cases of these families, in turn: names with commas between them, with * and ? for any letters; may be repeated; all: every one")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   app.add_option("--count", cases.count, "so many, with successive seeds (1)")->check(integer(1, most_count))->type_name("N");
   app.add_option("--seed", cases.seed, "the first seed (1)")->check(integer(0, most_seed))->type_name("N");
   app.add_option("--size", cases.size, "about so many points a body, of unions pieces (the family's usual size)")
@@ -69,7 +74,8 @@ std::string wrong_cases(const CLI::App& app, CasesRequest& cases, const std::vec
                        wanted == 0 ? "none" : "several");
   for (const char* option : {"--count", "--seed", "--size"})
     if (cases.what != What::family && given(app, option)) return fmt::format("{} goes with --family", option);
-  const bool of_many = cases.what == What::catalogue || cases.what == What::list || (cases.what == What::family && cases.family == "all");
+  const bool of_many = cases.what == What::catalogue || cases.what == What::list ||
+                       (cases.what == What::family && cases.families == std::vector<std::string>{"all"});
   for (const auto& [option, asked] : {std::pair("--shapes", cases.shapes), std::pair("--unions", cases.unions)})
     if (asked && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
   if (cases.shapes && cases.unions) return "--shapes and --unions are two kinds of bodies: ask for one after the other";

@@ -120,6 +120,8 @@ void add_reports(CLI::App& app, Request& request) {
   CertifyRequest& certify = request.certify;
   add_path(app, "--report", certify.report, "write each verdict as it is found, schema fathom/verdict/1", FileUse::journal);
   app.add_flag("--resume", certify.resume, "go on with the report that is there: what it holds is not run again");
+  app.add_flag("--overwrite", certify.overwrite, "replace the report that is there");
+  app.add_flag("--all-rows", certify.all_rows, "in the table, a row for each family; else those that pass share one");
   app.add_flag("--json", request.json, "the same lines on standard output, instead of the table");
   app.add_flag("--metamorphic{all}", certify.metamorphic,
                fmt::format("each case also under symmetries, any of {} with commas between them; all without a list",
@@ -134,6 +136,10 @@ void add_reports(CLI::App& app, Request& request) {
   add_path(app, "--html", certify.html, "write one page with tables, histograms and pictures of failures", FileUse::written);
   add_path(app, "--certificates", certify.certificates, "write the proof of the truth about each failing case", FileUse::folder);
   add_path(app, "--shrink", certify.shrink, "reduce one failing case of each verdict to a small one", FileUse::folder);
+  add_path(app, "--harness", certify.harness,
+           "with --shrink, your own program with @A@ and @B@ where the bodies go, as {{x, y, z}, ...}, or @A_JSON@ and @B_JSON@",
+           FileUse::read);
+  add_text(app, "--print-input", certify.print_input, "print what the subject reads for the case of this id, and ask nothing", "ID");
 }
 
 }  // namespace
@@ -173,6 +179,11 @@ std::string wrong_certify(CertifyRequest& certify, const std::vector<std::string
     return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
                        inputs.size(), inputs.size() == 1 ? "" : "s");
   if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
+  if (certify.overwrite && certify.report.empty()) return "--overwrite replaces a report, and needs --report";
+  if (certify.overwrite && certify.resume) return "--resume goes on with the report that --overwrite replaces: one of them";
+  if (!certify.harness.empty() && certify.shrink.empty()) return "--harness is filled with what --shrink finds, and needs --shrink";
+  if (!certify.print_input.empty() && !certify.replay.empty())
+    return "--print-input shows what a subject reads, and a replay reads nothing";
   if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
   if (certify.report == "-") return "--report writes a file; --json writes to standard output";
   if (!certify.replay.empty() && !certify.metamorphic.empty())

@@ -22,9 +22,12 @@ struct CertifyRequest {
   std::optional<mpq_class> fit;  ///< the size that each case is brought to
   std::vector<Method> methods;   ///< find every truth and judgement again by these
   std::string report;
-  bool resume = false;
-  std::string metamorphic;                                                        ///< as typed: "all", or a list with commas
-  std::vector<std::string> variants;                                              ///< the same, as a list
+  bool resume = false, overwrite = false;  ///< of the report that is there
+  bool all_rows = false;                   ///< in the table
+  std::string print_input;                 ///< the id of the case whose lines are printed, as the subject reads them; empty: none
+  std::string harness;                     ///< the user's own program for --shrink; empty: none
+  std::string metamorphic;                 ///< as typed: "all", or a list with commas
+  std::vector<std::string> variants;       ///< the same, as a list
   std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
   std::optional<std::size_t> max_errors;
 };

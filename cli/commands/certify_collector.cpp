@@ -31,7 +31,7 @@ Collector::Collector(const Request& request, const harness::SubjectInfo& info, s
   const std::string& report = request.certify.report;
   if (!report.empty())
     journal_.emplace(request.certify.resume ? harness::Journal::resume(report, header, remember, keep)
-                                            : harness::Journal::create(report, header));
+                                            : harness::Journal::create(report, header, request.certify.overwrite));
   if (request.json) print(header);
   for (const harness::Unattributed& unattributed : earlier) take(unattributed, true);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -91,10 +92,15 @@ ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::opt
   if (known)
     for (const std::string& surprise : known->surprises) talk(surprise);
   const bool as_listed = !known || known->fixed + known->changed + known->unmet == 0;
-  const std::size_t failures = known ? known->unlisted : summary.failures();
+  if (!as_listed && certify.write_expect_fail.empty()) talk("--write-expect-fail " + certify.expect_fail + " brings the list up to date");
+  const bool recorded = !known && !certify.write_expect_fail.empty();  // what fails was asked for, to be written down
+  const std::size_t failures = known ? known->unlisted : recorded ? 0 : summary.failures();
   if (!as_listed || failures > allowed || summary.unattributed() > 0) return judged_wrong;
   if (summary.failures() + summary.passes() > 0) return fine;
-  talk(summary.total() == 0 ? "no case was judged" : "no case was judged: the subject declined all of them");
+  const auto was_asked = [&](const Outcome& outcome) { return !certify.replay.empty() || outcome.seconds > 0; };
+  if (found.outcomes().empty()) talk("no case was judged");
+  else if (std::ranges::any_of(found.outcomes(), was_asked)) talk("no case was judged: the subject declined all of them");
+  else talk("no case was judged: none could be put to the subject: " + found.outcomes().front().detail);
   return incomplete;
 }
 

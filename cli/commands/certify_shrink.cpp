@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,6 @@
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/shrink.hpp"
-#include "verify/harness/shrink/snippet.hpp"
 #include "verify/harness/shrink/write_shrunk.hpp"
 #include "verify/harness/variants.hpp"
 
@@ -29,8 +29,13 @@ using harness::Shrunk;
 
 std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
 
-/// By verdict and variant, the failing case with the fewest points, one of points alone if there is one; of several the one with the least
-/// id.
+/// "5 points are left", or that bodies have names.
+std::string left_of(const Case& pair) {
+  return harness::has_words(pair) ? "with simpler shapes" : fmt::format("{} points are left", points_of(pair));
+}
+
+/// By verdict and variant, the failing case with the fewest points, of points alone or else of shapes rather than of unions; of several the
+/// one with the least id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {
@@ -38,7 +43,7 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
     const FailedCase*& so_far = best[{outcome.verdict, outcome.variant}];
     const auto smaller = [&](const FailedCase& than) {
       const auto size = [](const FailedCase& of) {
-        return std::pair(harness::has_words(of.seen) || harness::has_union(of.seen), points_of(of.seen));
+        return std::tuple(harness::has_union(of.seen), harness::has_words(of.seen), points_of(of.seen));
       };
       return std::pair(size(failed), outcome.id) < std::pair(size(than), found.outcomes()[than.outcome].id);
     };
@@ -53,23 +58,21 @@ bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long e
   return seen && harness::digest_of(*seen) == harness::digest_of(pair);
 }
 
-void report(const Request& request, const harness::SubjectInfo& info, const Shrunk& shrunk, const std::string& title,
-            const std::vector<std::string>& files) {
+void report(const Request& request, const Shrunk& shrunk, const std::string& title, const std::vector<std::string>& files) {
   if (!shrunk.reproduced) return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
-  const std::string sentence = fmt::format("{}: {} points are left; {} of {} tries made it smaller; {}", title, points_of(shrunk.pair),
-                                           shrunk.kept, shrunk.tried, fmt::join(files, ", "));
-  if (request.json) return talk(sentence);
+  const std::string sentence =
+      fmt::format("{}: {}; {} of {} tries made it smaller", title, left_of(shrunk.pair), shrunk.kept, shrunk.tried);
+  if (request.json) return talk(fmt::format("{}; {}", sentence, fmt::join(files, ", ")));
   print('\n' + fitted(sentence));
-  std::string text = harness::case_line(shrunk.pair);
-  text += '\n' + harness::snippet(info, shrunk.pair, shrunk.outcome);
-  text.erase(text.find_last_not_of('\n') + 1);
-  print(text);
+  for (const std::string& file : files) print("  " + file);
 }
 
 }  // namespace
 
 void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found) {
   const harness::SubjectInfo& info = examiner.info();
+  std::optional<harness::HarnessTemplate> own;
+  if (!request.certify.harness.empty()) own = harness::read_harness(request.certify.harness);
   for (const auto& [kind, failed] : starts(found)) {
     const auto& [verdict, variant] = kind;
     const Outcome& outcome = found.outcomes()[failed->outcome];
@@ -83,16 +86,14 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     if (verdict == Verdict::not_invariant)
       examine = harness::examine_variant(in_unit, variant, info.format, request.certify.tolerance, fit);
     std::vector<std::string> files;
-    if (harness::has_words(failed->seen) ||
-        harness::has_union(failed->seen)) {  // of points alone some can be left out, and the others made simpler
+    if (harness::has_union(failed->seen)) {
       const std::string path = harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
-      const char* const what = harness::has_union(failed->seen) ? "unions" : "shapes";
-      talk(fmt::format("{}: cases of {} are not made smaller; the case as it was seen: {}", title, what, path));
+      talk(fmt::format("{}: cases of unions are not made smaller; the case as it was seen: {}", title, path));
       continue;
     }
     const auto better = [&](const Shrunk& best) {
-      files = harness::write_shrunk(request.certify.shrink, best, info);
-      found.progress().report(fmt::format("shrinking {}: {} points", title, points_of(best.pair)), -1);
+      files = harness::write_shrunk(request.certify.shrink, best, info, own);
+      found.progress().report(fmt::format("shrinking {}: {}", title, left_of(best.pair)), -1);
     };
     harness::ShrinkSettings settings;
     settings.precision = info.format.points;
@@ -101,7 +102,7 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     const Shrunk shrunk = harness::shrink(begin, verdict, examine, better, interrupt_requested, settings);
     found.progress().clear();
     if (interrupt_requested()) throw Interrupted();
-    report(request, info, shrunk, title, files);
+    report(request, shrunk, title, files);
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace fathom::cli {
 
-/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk at each step. Prints the case,
-/// the files, and the snippet; with --json the files alone, on standard error. Throws Interrupted, SubjectError, InputError.
+/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk at each step. Prints the names of the
+/// files, one a line; with --json on standard error. Throws Interrupted, SubjectError, InputError.
 void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found);
 
 /// Reduces a case about which two ways to its truth differ, and writes it to the folder at each step. Says so on standard error. Throws

@@ -2,10 +2,12 @@
 // fathom cases --family NAME|all | --catalogue | --list | --from A B | --from-fcl FILE
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "cli/commands/cases_fcl.hpp"
@@ -60,35 +62,54 @@ void print_case_of(const Family& family, std::uint64_t seed, const CasesRequest&
              {{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}}, "");
 }
 
-/// Each family in turn with the first seed, then each with the second, until there are enough.
+using AnyFamily = std::variant<const families::Family*, const families::ShapeFamily*, const families::UnionFamily*>;
+
+std::string_view name_of(const AnyFamily& family) {
+  return std::visit([](const auto* one) -> std::string_view { return one->name; }, family);
+}
+
 template <class Families>
-void print_in_turn(const Families& all, const CasesRequest& request) {
-  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(all[i % all.size()], request.seed + i / all.size(), request);
+void add_all(std::vector<AnyFamily>& to, const Families& all) {
+  for (const auto& family : all) to.push_back(&family);
 }
 
-template <class Family>
-void print_some(const Family& family, const CasesRequest& request) {
-  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(family, request.seed + i, request);
-}
-
-ExitCode print_family(const CasesRequest& request) {
-  if (request.family == every_family) {
-    if (request.shapes) print_in_turn(families::shape_families(), request);
-    else if (request.unions) print_in_turn(families::union_families(), request);
-    else print_in_turn(families::families(), request);
-  } else if (const families::Family* family = families::find_family(request.family)) {
-    print_some(*family, request);
-  } else if (const families::ShapeFamily* of_shapes = families::find_shape_family(request.family)) {
-    print_some(*of_shapes, request);
-  } else if (const families::UnionFamily* of_unions = families::find_union_family(request.family)) {
-    print_some(*of_unions, request);
-  } else {
+/// The families of a name or a pattern.
+std::vector<AnyFamily> families_like(const std::string& pattern, const std::vector<AnyFamily>& all) {
+  std::vector<AnyFamily> result;
+  for (const AnyFamily& family : all)
+    if (::fnmatch(pattern.c_str(), std::string(name_of(family)).c_str(), 0) == 0) result.push_back(family);
+  if (result.empty())
     throw InputError(
         "--family", 0,
         fmt::format(
             "{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes, with --unions those of unions)",
-            kernels::shown(request.family), fmt::join(nearest_families(request.family), ", ")));
+            kernels::shown(pattern), fmt::join(nearest_families(pattern), ", ")));
+  return result;
+}
+
+/// Those that were asked for, each once.
+std::vector<AnyFamily> asked_families(const CasesRequest& request) {
+  std::vector<AnyFamily> all, result;
+  if (request.families == std::vector<std::string>{std::string(every_family)}) {
+    if (request.shapes) add_all(result, families::shape_families());
+    else if (request.unions) add_all(result, families::union_families());
+    else add_all(result, families::families());
+    return result;
   }
+  add_all(all, families::families());
+  add_all(all, families::shape_families());
+  add_all(all, families::union_families());
+  for (const std::string& pattern : request.families)
+    for (const AnyFamily& family : families_like(pattern, all))
+      if (std::ranges::find(result, family) == result.end()) result.push_back(family);
+  return result;
+}
+
+/// Each family in turn with the first seed, then each with the second, until there are enough.
+ExitCode print_families(const CasesRequest& request) {
+  const std::vector<AnyFamily> asked = asked_families(request);
+  for (std::uint64_t i = 0; i < request.count; ++i)
+    std::visit([&](const auto* family) { print_case_of(*family, request.seed + i / asked.size(), request); }, asked[i % asked.size()]);
   return fine;
 }
 
@@ -117,13 +138,15 @@ ExitCode print_list(const Families& all) {
 
 ExitCode print_meshes(const Request& request) {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
-    return text ? std::optional(files::exact_pose(asked_pose(*text, option, request.decimals, false))) : std::nullopt;
+    return text ? std::optional(asked_pose(*text, option, request.decimals, false)) : std::nullopt;
   };
-  const std::optional<files::Pose> pose_a = pose(request.pose_a, "--pose-a"), pose_b = pose(request.pose_b, "--pose-b");
+  const auto posed = [](const Body& body, const std::optional<files::GivenPose>& given) {
+    return given ? files::body_json(body, *given) : files::body_json(body);
+  };
+  const std::optional<files::GivenPose> pose_a = pose(request.pose_a, "--pose-a"), pose_b = pose(request.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
-  print(
-      case_json({path_a + " " + path_b, files::body_json(a, pose_a), files::body_json(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
+  print(case_json({path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;
 }
 
@@ -131,7 +154,7 @@ ExitCode print_meshes(const Request& request) {
 
 ExitCode run_cases(const Request& request) {
   switch (request.cases.what) {
-    case CasesRequest::What::family: return print_family(request.cases);
+    case CasesRequest::What::family: return print_families(request.cases);
     case CasesRequest::What::catalogue: return print_catalogue(request.cases);
     case CasesRequest::What::list:
       if (request.cases.shapes) return print_list(families::shape_families());

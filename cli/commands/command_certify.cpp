@@ -62,6 +62,7 @@ class Certify {
   ExitCode work() {
     try {
       if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
+      if (!certify_.print_input.empty()) return print_input();
       if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
       found_.emplace(request_, info(), cases_->expected());
       examine();
@@ -80,6 +81,16 @@ class Certify {
   }
 
  private:
+  /// Prints the lines that the subject reads for one case.
+  ExitCode print_input() {
+    while (const std::optional<Case> pair = next_case()) {
+      if (pair->id != certify_.print_input) continue;
+      for (const std::string& line : examiner_->input_for(*pair)) print(line);
+      return fine;
+    }
+    throw InputError(request_.inputs[0], 0, "expected a case of the id " + kernels::shown(certify_.print_input) + ", found none");
+  }
+
   [[nodiscard]] const harness::SubjectInfo& info() const { return replay_ ? replay_->info() : examiner_->info(); }
 
   /// Prints the first few sentences of a kind, from any thread.
@@ -232,8 +243,9 @@ class Certify {
 
   void print_table() {
     const std::size_t width = seen_columns(STDOUT_FILENO);
-    std::string table = width == unlimited ? found_->summary().table(info(), found_->outcomes(), where_to_look(certify_))
-                                           : found_->summary().table(info(), found_->outcomes(), where_to_look(certify_), width);
+    constexpr std::size_t of_files = 140;
+    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_), width == unlimited ? of_files : width,
+                                                certify_.all_rows);
     if (!table.empty() && table.back() == '\n') table.pop_back();
     print(fitted(table));
   }

@@ -86,6 +86,7 @@ struct Policy {
 /// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
 /// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Of a claimed distance it is
 /// the true distance that counts in the depth's place. Negative values count as 0.
+/// Of shapes that the implementation grew by radii of its own, the depth and the extent are those without these; see ShapeTruth.
 /// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
 struct Tolerance {
   mpq_class relative{1, 1000};       ///< of the depth
@@ -217,6 +218,9 @@ Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conve
 struct ShapeTruth {
   Shape a, b;         ///< the shapes that it saw
   SignedDepth depth;  ///< exact, or bounds
+  /// What of their radii the implementation added itself, at most the whole. It is no excuse: tolerances and classes are relative to the
+  /// bodies, and to a depth, without it.
+  mpq_class added_a = 0, added_b = 0;
 };
 
 /// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.

@@ -22,11 +22,12 @@ std::string matrix_json(const Pose& pose) {
   return array_json(pose, [](const auto& row) { return array_json(row, number_json); });
 }
 
-std::string pose_json(const NamedBody& body) {
-  if (body.matrix) return matrix_json(*body.matrix);
-  const Quaternion& turn = body.turn;
+/// Of a NamedBody or a GivenPose.
+std::string pose_json(const auto& given) {
+  if (given.matrix) return matrix_json(*given.matrix);
+  const Quaternion& turn = given.turn;
   return fmt::format(R"({{"quaternion":{},"translation":{}}})", array_json(std::array{turn.w, turn.x, turn.y, turn.z}, number_json),
-                     three(body.place));
+                     three(given.place));
 }
 
 bool is_unmoved(const NamedBody& body) { return !body.matrix && body.turn == Quaternion{1, 0, 0, 0} && body.place == Point{}; }
@@ -52,6 +53,12 @@ std::string body_json(const Body& body, const std::optional<Pose>& pose) {
                                    : vertices(body.points);
   if (pose) result += ",\"pose\":" + matrix_json(*pose);
   return result + '}';
+}
+
+std::string body_json(const Body& body, const GivenPose& pose) {
+  std::string text = body_json(body);
+  text.pop_back();
+  return text + ",\"pose\":" + pose_json(pose) + '}';
 }
 
 std::string body_json(const NamedBody& body, Defaults defaults) {

@@ -9,6 +9,7 @@
 
 #include "fathom/body.hpp"
 #include "reference/files/named_body.hpp"
+#include "reference/files/pose.hpp"
 
 namespace fathom::files {
 
@@ -35,6 +36,8 @@ enum class Defaults { left_out, written };
 /// A body by its words if it has some, else by its vertices, which are placed if there is a pose. Throws std::invalid_argument for a shape
 /// that is no polytope and has no words.
 std::string body_json(const Body& body, const std::optional<Pose>& pose = std::nullopt);
+/// By its vertices, with the pose as it was given: a matrix, or a quaternion and a translation.
+std::string body_json(const Body& body, const GivenPose& pose);
 std::string body_json(const NamedBody& body, Defaults defaults = Defaults::left_out);
 
 }  // namespace fathom::files

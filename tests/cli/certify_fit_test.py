@@ -3,6 +3,7 @@
 asked."""
 import json
 import math
+import pathlib
 import struct
 import subprocess
 import sys
@@ -233,6 +234,28 @@ class Declared(Subject):
         code, lines, _ = self.judged(stdin=boxes(0), hello={"rounding": {"box": 7}})
         self.assertEqual((code, lines[1]["verdict"]), (0, "pass"))
         self.assertEqual(lines[1]["judgement"]["depth_squared"], "1/4")
+
+    def test_a_radius_widens_no_tolerance(self):
+        """A program that looks at nothing, and claims twice its radius and a half."""
+        cases = "".join(case(box([0, 0, 0], [1, 1, 1]), box([1 - depth, 0, 0], [2, 1, 1]), id=f"c::{depth}") for depth in (0.25, 0.5, 0.75))
+        hello = {"type": "hello", "protocol": "fathom/subject/1", "name": "blind", "version": "1", "precision": "binary64", "rounding": 1e6,
+                 "conventions": {"touching": "either", "depth": "positive", "moves": "a", "unit": True}}
+        blind = self.file("blind.py", "import json, sys\n"
+                          "for line in sys.stdin:\n"
+                          "  m = json.loads(line)\n"
+                          f"  if m['type'] == 'hello': print({json.dumps(hello)!r}, flush=True)\n"
+                          "  if m['type'] == 'run': print(json.dumps({'type': 'reply', 'id': m['id'], 'overlap': True,"
+                          " 'depth': 2000000.5}),"
+                          " flush=True)\n")
+        code, lines, _ = self.certify("--subject", f"exec '{sys.executable}' '{blind}'", "-", stdin=cases)
+        self.assertEqual((code, self.verdicts(lines)), (1, {"c::0.25": "too-deep", "c::0.5": "pass", "c::0.75": "too-shallow"}))
+        self.assertEqual({line["radii"] for line in lines if line["type"] == "case"}, {"2000000"})
+        _, out, _ = self.run_cli("certify", "--subject", f"exec '{sys.executable}' '{blind}'", "-", stdin=cases)
+        self.assertEqual(out.splitlines()[0], "blind 1 (binary64); its own radii are larger than the bodies in 3 of 3 cases")
+        self.file("blind.py", pathlib.Path(blind).read_text().replace("1000000.0", "1e30"))
+        code, lines, _ = self.certify("--subject", f"exec '{sys.executable}' '{blind}'", "-", stdin=cases)
+        self.assertEqual((code, set(self.verdicts(lines).values())), (4, {"unsupported"}), "its numbers cannot tell these bodies")
+        self.assertIn("beside which numbers of binary64 do not tell bodies as long as 1", lines[1]["detail"])
 
     def test_the_radius_is_in_the_fitted_unit(self):
         code, lines, _ = self.judged("--fit", "64", stdin=small(-40, "small"), grow=0.5, hello={"rounding": 0.25})

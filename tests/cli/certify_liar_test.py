@@ -26,7 +26,7 @@ WAYS = {
     "second-hello": ("garbage", 'expected a message of type "reply"'), "dribble": ("pass", None),
 }
 # Those where no answer can come.
-ENDLESS = {"no-newline": "no answer within 0.5 s; 100 bytes came, no end of line: '{\"type\": \"reply\", \"id\": \"2\"",
+ENDLESS = {"no-newline": "no answer within 0.5 s; 106 bytes came, no end of line: '{\"type\": \"reply\", \"id\": \"2",
            "hang": "no answer within 0.5 s", "busy": "no answer within 0.5 s", "dribble-forever": "no answer within 0.5 s",
            "flood": "no answer within 0.5 s; no byte came: does it flush its output?; last words: "}
 
@@ -103,6 +103,18 @@ class NoCasesFault(CertifyTest):
         self.check("fail-at-stop", ("box::2", "after stop: ended with exit code 3"))
         self.check("deaf", *((f"box::{i}", "no answer within 0.5 s") for i in range(2)), options=("--time-out", "0.5"))
         self.check("dies-soon", ("box::0", killed), ("box::2", killed), verdicts={"box::0": "pass", "box::1": "crash", "box::2": "pass"})
+
+    def test_a_reply_that_is_sent_twice(self):
+        """Whichever it is: also where the next case has the same answer, and where there is no next case."""
+        count = 6
+        for marked in range(count):
+            stream = "".join(boxes(0, marked=i == marked).replace("box::0", f"box::{i}") for i in range(count))
+            with self.subTest(marked):
+                code, lines, err = self.certify("--subject", liar("twice"), "-", stdin=stream)
+                self.assertEqual((code, set(self.verdicts(lines).values()), lines[-1]["unattributed"]), (1, {"pass"}, 1), err)
+        stream = "".join(boxes(0).replace("box::0", f"box::{i}") for i in range(count))
+        code, lines, err = self.certify("--jobs", "1", "--subject", liar("guesses"), "-", stdin=stream)
+        self.assertEqual((code, set(self.verdicts(lines).values()), lines[-1]["unattributed"]), (1, {"pass"}, count), err)
 
     def test_that_does_not_end_at_stop(self):
         code, lines, err = self.certify("--jobs", "1", "--subject", liar("ignore-stop"), "-", stdin=STREAM)

@@ -14,6 +14,7 @@ import xml.etree.ElementTree
 from certify_harness import CertifyTest, boxes, liar
 from harness import EXECUTABLE, PATIENCE
 
+BALL = {"shape": "sphere", "radius": 1}
 COUNT = 40
 STREAM = "".join(boxes(i, marked=i % 10 == 3) for i in range(COUNT))
 EXPECTED = {f"box::{i}": "too-deep" if i % 10 == 3 else "pass" for i in range(COUNT)}
@@ -186,6 +187,20 @@ class Resumed(CertifyTest):
         self.assertEqual((self.folder / "r").read_text(), before)
         _, lines, _ = self.certify("--report", self.folder / "r", "--resume", "--subject", liar("too-deep"), self.folder / "cases.jsonl")
         self.assertEqual(self.verdicts(lines), EXPECTED)
+
+    def test_nor_is_what_fathom_declines(self):
+        """Beyond the precision, of a shape that is not declared; and what the subject declines."""
+        cases = (boxes(0).replace("[[1,", "[[1e39,") + boxes(1, marked=True) +
+                 json.dumps({"id": "ball", "a": BALL, "b": BALL}) + "\n" + boxes(2))
+        for way in ("binary32", "unsupported"):
+            with self.subTest(way):
+                (self.folder / "r").unlink(missing_ok=True)
+                first = self.run_again(resume=False, cases=cases, way=way)
+                before = (self.folder / "r").read_text()
+                self.assertEqual(before.count('"type":"case"'), 4)
+                for _ in range(2):
+                    self.assertEqual(self.run_again(cases=cases, way=way), first)
+                    self.assertEqual((self.folder / "r").read_text(), before)
 
     def test_more_and_changed_cases(self):
         self.run_again(cases=boxes(0) + boxes(1))

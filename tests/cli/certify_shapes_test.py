@@ -157,13 +157,24 @@ class Shapes(CertifyTest):
         self.assertEqual(self.judged("--metamorphic", "--report", report, "--resume", stdin=DEEP)[0], 0)
         self.assertEqual(self.log.read_text(), "")  # nothing was asked again
 
-    def test_shapes_are_not_shrunk_and_no_word_is_lost(self):
+    def test_shapes_are_made_simpler_and_no_word_is_lost(self):
+        """And the program that is written calls the user's own engine, if there is one."""
         folder = self.folder / "small"
-        code, _, err = self.judged("--shrink", str(folder), factor=2, stdin=DEEP)
-        self.assertEqual(code, 1)
-        self.assertIn("cases of shapes are not made smaller", err)
-        kept = [json.loads(path.read_text()) for path in folder.glob("*.json*")]
-        self.assertEqual([case["a"]["shape"] for case in kept], ["sphere"])
+        own = self.file("own.txt", "a = @A@\nb = @B@\nagain @A@\njson @A_JSON@ @B_JSON@\n")
+        for more, ending in (([], ".cpp"), (["--harness", own], ".txt")):
+            code, lines, err = self.judged("--shrink", str(folder), *more, factor=2, stdin=DEEP)
+            self.assertEqual(code, 1)
+            self.assertIn("too-deep.case.json", err)
+            kept = json.loads((folder / "too-deep.case.json").read_text())
+            self.assertEqual(kept["a"]["shape"], "sphere")
+            text = (folder / f"too-deep{ending}").read_text()
+            self.assertIn("fathom::sphere(", text)
+            self.assertNotIn("@", text)
+            self.assertTrue((folder / "too-deep.cert").read_text())
+        self.assertIn('json {"shape":"sphere","radius":', text)
+        code, _, err = self.run_cli("certify", "--subject", "true", "--harness", own, "-")
+        self.assertEqual(code, 2)
+        self.assertIn("--harness is filled with what --shrink finds, and needs --shrink", err)
 
 
 if __name__ == "__main__":

@@ -92,7 +92,8 @@ class Shrink(CliTest):
         folder, out = self.shrink("lopsided", "--metamorphic=swap,scale")
         self.assertEqual({path.name for path in folder.iterdir()},
                          {f"not-invariant~swap.{ending}" for ending in ("case.json", "cert", "cpp")})
-        self.assertIn("differ by ", out)
+        self.assertIn("differ by ", (folder / "not-invariant~swap.cpp").read_text())
+        self.assertIn(f"\n  {folder}/not-invariant~swap.cert\n", out)
 
 
     def test_no_control_character_of_an_id_reaches_a_terminal(self):

@@ -179,9 +179,9 @@ TEST(PiecePairs, OneBodyMayBePlain) {
 
 TEST(PiecePairs, RadiiAreDeclined) {
   SubjectInfo info;
-  EXPECT_EQ(obstacle_to(unions_case(), info), "");
+  EXPECT_EQ(obstacle_to(unions_case(), info, 0), "");
   info.rounding["vertices"] = mpq_class(1, 8);
-  EXPECT_NE(obstacle_to(unions_case(), info), "");
+  EXPECT_NE(obstacle_to(unions_case(), info, 0), "");
   EXPECT_TRUE(is_asked_in_pairs(unions_case(), info));
   info.shapes = {"pieces"};
   EXPECT_FALSE(is_asked_in_pairs(unions_case(), info));

@@ -106,6 +106,39 @@ TEST(Replies, NumbersOfPrintf) {
   EXPECT_EQ(replied(R"("overlap":true,"direction":[nan,.5,-0.])").direction->at(1), 0.5);
 }
 
+// Readers differ in which of the two they take.
+TEST(Replies, HaveEachFieldOnce) {
+  for (const char* fields : {R"("overlap":true,"depth":1,"depth":1)", R"("overlap":true,"overlap":true)", R"("id":"7","overlap":true)",
+                             R"("overlap":true,"depth":1,"\u0064epth":2)", R"("overlap":true,"x":1,"x":2)", R"("failed":"a","failed":"b")",
+                             R"("overlap":true,"depth":1,"witness":{"a":[1,2,3],"a":[1,2,3]})",
+                             R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3],"depth":1,"depth":1}])"}) {
+    try {
+      read_reply(reply_with(fields), Precision::binary64);
+      ADD_FAILURE() << fields;
+    } catch (const ProtocolError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("expected each field once, found '")) << error.what();
+    }
+  }
+  EXPECT_NO_THROW(replied(R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3]},{"position":[1,2,3]}],"x":{"depth":1})"));
+  EXPECT_THROW(read_hello(with(hello, R"("name":"x")", R"("name":"x","name":"x")")), ProtocolError);
+}
+
+// As any other number that is too large or too small.
+TEST(Replies, ExponentsOfAnySize) {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Precision precision : {Precision::binary64, Precision::binary32}) {
+    const auto depth = [&](const std::string& text) { return *replied(R"("overlap":true,"depth":)" + text, precision).depth; };
+    for (const char* text :
+         {"1e400", "1e100001", "1e+99999999999", "0.1E0000999999", "0x1p400001", "0x.8P+99999999999", "\"1e99999999999\""})
+      EXPECT_EQ(depth(text), inf) << text;
+    for (const char* text : {"-1e99999999999", "-0x1p99999999999"}) EXPECT_EQ(depth(text), -inf) << text;
+    for (const char* text : {"1e-99999999999", "-1e-100001", "0e99999999999", "0x1p-99999999999", "0x0p99999999999"})
+      EXPECT_EQ(depth(text), 0) << text;
+    EXPECT_EQ(depth("15e-0000000000001"), 1.5);
+    for (const char* text : {"1e", "1e+", "1e9999999999x", "0x1p", "0x1p99999999999.5"}) EXPECT_THROW(depth(text), ProtocolError) << text;
+  }
+}
+
 TEST(Replies, AreRoundedOnce) {
   EXPECT_EQ(replied(R"("overlap":true,"depth":0.1)", Precision::binary32).depth, static_cast<double>(0.1F));
   // Half way between two binary32 numbers, and a little more, which binary64 does not see.

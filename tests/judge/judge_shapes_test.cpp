@@ -62,6 +62,25 @@ TEST(JudgeShapes, RightAnswersAreCorrectlyRounded) {
   }
 }
 
+// A radius of the subject's own widens nothing: what is wrong by a thousandth of the depth without it is wrong, and classes are of that.
+TEST(JudgeShapes, RadiiThatTheSubjectAddedAreNoExcuse) {
+  constexpr double radius = 1000;
+  const Shape grown = with_margin(sphere(1), radius);
+  for (const auto& [along, depth] : {std::pair(mpq_class(3, 2), 0.5), {mpq_class(5, 2), -0.5}}) {  // of the asked balls
+    ShapeTruth truth = truth_about(grown, at(grown, along));
+    const double right = 2 * radius + depth;
+    EXPECT_EQ(findings(truth, overlap(right + 0.001)), Findings{}) << "of bodies that are meant to be so large";
+    truth.added_a = truth.added_b = radius;
+    EXPECT_EQ(findings(truth, overlap(right + 0.001)), Findings{Verdict::too_deep});
+    EXPECT_EQ(findings(truth, overlap(right - 0.001)), Findings{Verdict::too_shallow});
+    EXPECT_EQ(judge(truth, overlap(right)).accuracy, Accuracy::correctly_rounded);
+    EXPECT_EQ(judge(truth, overlap(right + 0x1p-22)).accuracy, Accuracy::millionth);
+    EXPECT_EQ(judge(truth, overlap(right + 0.00025)).accuracy, Accuracy::tolerance);
+    EXPECT_EQ(*judge(truth, overlap(right + 0.0009765625)).error_relative, 0.0009765625 / 0.5);
+    EXPECT_EQ(judge(truth, overlap(std::nextafter(2000.0 + depth / 3, 0)), {}, Precision::binary64, none).accuracy, std::nullopt);
+  }
+}
+
 TEST(JudgeShapes, WrongDepthsSaySo) {
   for (const auto& [truth, depth] :
        {std::pair(balls(), 0.5), std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {

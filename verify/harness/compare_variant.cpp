@@ -32,13 +32,15 @@ bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
   return rest > 0 || rest * rest < product;                                              // the lengths add up
 }
 
-/// The depth, or the distance, that the answer is about; of shapes the most that it may be.
-mpq_class squared_length(const Reply& reply, const Judgement& judgement) {
+/// The depth, or the distance, that the answer is about; of shapes the most that it may be, here less the radii that the subject added, if
+/// that is the smaller one.
+mpq_class squared_length(const Reply& reply, const Judgement& judgement, const mpq_class& radii) {
   const bool far = !reply.overlap && reply.distance;
   if (!judgement.signed_depth) return far ? judgement.distance_squared : judgement.depth_squared;
   const double high = far ? -judgement.signed_depth->low : judgement.signed_depth->high;
   const mpq_class most = std::isfinite(high) && high > 0 ? exact_value(high) : mpq_class(0);
-  return most * most;
+  const mpq_class length = std::min(most, far ? mpq_class(most + radii) : mpq_class(abs(most - radii)));
+  return length * length;
 }
 
 /// Whether all of x differs from all of y / 2^exponent by more than the square root of `allowed`.
@@ -55,7 +57,9 @@ class Comparison {
  public:
   Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
       : original_(original), variant_(variant), made_(made) {
-    if (original.judgement) allow(tolerance, squared_length(*original.reply, *original.judgement));
+    if (!original.judgement) return;
+    const auto length_less = [&](const mpq_class& radii) { return squared_length(*original.reply, *original.judgement, radii); };
+    allow(tolerance, length_less(0), length_less(original.radii));
   }
 
   /// What differs; empty if nothing differs by more than the tolerance.
@@ -74,7 +78,7 @@ class Comparison {
   [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
 
   /// Sets what is allowed: the larger of the tolerance and what rounding may change in both answers.
-  void allow(const Tolerance& tolerance, const mpq_class& depth_squared) {
+  void allow(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& less_radii) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = sizes_of(made_.seen);
     const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
@@ -82,7 +86,7 @@ class Comparison {
     const judging::Slack slack_there = judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
     const auto allowed = [&](mpq_class judging::Slack::*const residual) {
       const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
-      return judging::Allowance(tolerance.relative, depth_squared, std::max(absolute, both)).squared();
+      return judging::Allowance(tolerance.relative, less_radii, std::max(absolute, both)).squared();
     };
     allowed_depth_ = allowed(&judging::Slack::depth);
     allowed_price_ = allowed(&judging::Slack::direction);

@@ -28,9 +28,6 @@ std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& for
   return scaled(exact_value(nearest), -format.exponent);
 }
 
-namespace {
-
-/// Applies use(mpq_class&) to the numbers that are no lengths: turns, matrices, normals.
 void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
   if (words.matrix) {
     for (auto& row : *words.matrix)
@@ -42,6 +39,8 @@ void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&
     for (mpq_class& value : normal->second) use(value);
   for (files::NamedBody& term : words.terms) for_each_slope(term, use);
 }
+
+namespace {
 
 /// The plain name, without a margin of 0.
 void make_plain(files::NamedBody& words) {
@@ -114,6 +113,37 @@ Reply in_unit(Reply reply, long exponent) {
     if (contact.depth) scale(*contact.depth);
   }
   return reply;
+}
+
+void for_each_number(Case& pair, const std::function<void(mpq_class&)>& change) {
+  for (Body* body : {&pair.a, &pair.b}) {
+    if (body->words) {
+      files::NamedBody words = *body->words;
+      for_each_length(words, change);
+      for_each_slope(words, change);
+      *body = files::body_of(std::move(words));
+      continue;
+    }
+    for_each_hull(*body, [&](std::vector<Point>& points) {
+      for (Point& p : points)
+        for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
+    });
+  }
+}
+
+void for_each_number(const Case& pair, const std::function<void(const mpq_class&)>& look) {
+  for (const Body* body : {&pair.a, &pair.b}) {
+    if (body->words) {
+      files::NamedBody words = *body->words;
+      for_each_length(words, look);
+      for_each_slope(words, look);
+      continue;
+    }
+    for_each_hull(*body, [&](const std::vector<Point>& points) {
+      for (const Point& p : points)
+        for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
+    });
+  }
 }
 
 mpq_class largest_coordinate(const Case& pair) {

@@ -39,6 +39,9 @@ std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberForm
 /// Applies use(mpq_class&) to each length of a named body: radii, margins, points, offsets, the place; not to normals and turns.
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
+/// The same of the numbers that are no lengths: turns, matrices, normals.
+void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
+
 /// The number that says where a named body is along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 
@@ -86,6 +89,11 @@ void for_each_coordinate(const Case& pair, Look look) {
     });
   }
 }
+
+/// Applies change(mpq_class&) to every coordinate as above, and to the slopes of bodies that have words. Throws std::invalid_argument where
+/// what comes out is no body.
+void for_each_number(Case& pair, const std::function<void(mpq_class&)>& change);
+void for_each_number(const Case& pair, const std::function<void(const mpq_class&)>& look);
 
 /// The case with all lengths times 2^exponent. A shape must have words.
 Case in_unit(Case pair, long exponent);

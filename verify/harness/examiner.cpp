@@ -36,6 +36,13 @@ std::string excerpt(std::string_view line) {
   return '\'' + kernels::printable(line, shown_bytes) + '\'';
 }
 
+/// An integer that differs at each question to a process, and whose last six digits tell nothing before the case was read: what comes
+/// unasked, as a second copy of a reply, is no answer to the next case.
+std::string ticket_of(std::uint64_t number, const std::string& digest) {
+  constexpr std::uint64_t most = 1'000'000;
+  return fmt::format("{}{:06}", number, std::stoull(digest, nullptr, 16) % most);
+}
+
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 }  // namespace
@@ -104,7 +111,7 @@ void Examiner::start() {
     throw SubjectError(std::string("the subject cannot be started: ") + error.what());
   }
   ++starts_;
-  tickets_ = 0;
+  asked_ = 0;
   answered_.reset();
   const double patience = std::max(settings_.time_out, settings_.hello_time_out);
   process_->send(hello_message());
@@ -134,16 +141,43 @@ void Examiner::start() {
 Outcome Examiner::examine(const Case& pair) { return examine(pair, exponent_to_fit(pair, settings_.fit)); }
 
 Outcome Examiner::examine(const Case& pair, long exponent) {
-  std::string why;
-  const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
-  if (!seen) return declined(pair, why);
-  if (const std::string obstacle = obstacle_to(*seen, info_); !obstacle.empty()) return declined(pair, obstacle);
+  Outcome otherwise;
+  const std::optional<Case> seen = put(pair, exponent, otherwise);
+  if (!seen) return otherwise;
   const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
   if (is_asked_in_pairs(*seen, info_)) return examine_pairs(*seen, exponent, info_, judging(), ask_pair);
   std::optional<SubjectAnswer> answer;
   Outcome outcome = ask(*seen, exponent, answer);
   if (answer) judge_answer(outcome, *seen, *answer, info_, judging());
   return outcome;
+}
+
+std::optional<Case> Examiner::put(const Case& pair, long exponent, Outcome& otherwise) const {
+  std::string why;
+  std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
+  if (!seen) otherwise = declined(pair, why);
+  else if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty()) otherwise = declined(*seen, obstacle);
+  else return seen;
+  return std::nullopt;
+}
+
+std::vector<std::string> Examiner::input_for(const Case& pair) {
+  const long exponent = exponent_to_fit(pair, settings_.fit);
+  Outcome otherwise;
+  const std::optional<Case> seen = put(pair, exponent, otherwise);
+  if (!seen) throw InputError(pair.id, 0, "it cannot be put to the subject: " + otherwise.detail);
+  std::vector<std::string> lines{hello_message()};
+  const auto note = [&](const Case& one, std::optional<SubjectAnswer>& answer) {
+    Outcome outcome = outcome_for(one, exponent);
+    lines.push_back(run_message(ticket_of(lines.size(), outcome.digest), in_unit(one, exponent), info_.format.points, info_.wants_faces));
+    answer = SubjectAnswer{"", Unsupported{"only noted"}};
+    return outcome;
+  };
+  std::optional<SubjectAnswer> answer;
+  if (is_asked_in_pairs(*seen, info_)) examine_pairs(*seen, exponent, info_, judging(), note);
+  else note(*seen, answer);
+  lines.push_back(stop_message());
+  return lines;
 }
 
 Judging Examiner::judging() { return {settings_.tolerance, settings_.second, settings_.stop, &workspace_}; }
@@ -205,7 +239,8 @@ void Examiner::tell(const Fault& fault, const char* when) {
 
 /// Returns nullopt if the case was answered.
 std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer) {
-  const std::string message = run_message(std::to_string(++tickets_), in_unit(seen, outcome.fit), info_.format.points, info_.wants_faces);
+  ticket_ = ticket_of(++asked_, outcome.digest);
+  const std::string message = run_message(ticket_, in_unit(seen, outcome.fit), info_.format.points, info_.wants_faces);
   const Clock::time_point begin = Clock::now();
   process_->send(message);
   std::string line;
@@ -226,7 +261,7 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
 }
 
 std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, std::optional<SubjectAnswer>& understood) {
-  const std::string what = "wrote " + excerpt(line), ticket = std::to_string(tickets_);
+  const std::string what = "wrote " + excerpt(line);
   std::optional<SubjectAnswer> answer;
   try {
     answer = read_reply(line, info_.format);
@@ -235,10 +270,10 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
     const std::string reason = error.what();
     return fault(Verdict::garbage, what, reason.find(excerpt(line)) == reason.npos ? reason + "; the line: " + excerpt(line) : reason);
   }
-  if (answer->ticket != ticket)
+  if (answer->ticket != ticket_)
     return fault(
         Verdict::garbage, what,
-        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket, kernels::shown(answer->ticket), excerpt(line)));
+        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket_, kernels::shown(answer->ticket), excerpt(line)));
   answered_ = seen.id;
   unread_ = 0;
   understood = std::move(answer);

@@ -62,6 +62,10 @@ class Examiner {
   /// The same, with all lengths times 2^exponent, whatever the settings say.
   Outcome examine(const Case& pair, long exponent);
 
+  /// What a process reads that is asked about this case alone: the lines of hello, of each run, and of stop, without their ends. Asks
+  /// nothing. Throws InputError, with the reason, for a case that is not put to the subject.
+  [[nodiscard]] std::vector<std::string> input_for(const Case& pair);
+
   /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that follows gets a fresh process.
   void finish();
 
@@ -79,6 +83,8 @@ class Examiner {
   void start();
   Process::Got read_message(std::string& line, Process::Clock::time_point deadline);
   void start_again();
+  /// The case as it is put to the subject; nullopt, and the outcome, if it is not.
+  std::optional<Case> put(const Case& pair, long exponent, Outcome& otherwise) const;
   [[nodiscard]] Judging judging();
   Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer);
   std::optional<Fault> ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer);
@@ -96,9 +102,10 @@ class Examiner {
   std::string passed_over_;
   Workspace workspace_;
   std::unique_ptr<Process> process_;
-  std::optional<std::string> answered_;     // the last case that this process answered
-  std::uint64_t starts_ = 0, tickets_ = 0;  // tickets: of this process
-  int unread_ = 0;                          // number of processes in a row that ended before they read anything
+  std::optional<std::string> answered_;   // the last case that this process answered
+  std::string ticket_;                    // of the run at hand
+  std::uint64_t starts_ = 0, asked_ = 0;  // asked: runs that this process was sent
+  int unread_ = 0;                        // number of processes in a row that ended before they read anything
 };
 
 }  // namespace fathom::harness

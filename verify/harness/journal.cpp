@@ -65,10 +65,14 @@ Journal::~Journal() {
   if (file_ >= 0) ::close(file_);
 }
 
-Journal Journal::create(const std::string& path, const std::string& header) {
-  if (exists_and_holds_something(path))
-    throw InputError(path, 0, "it exists; --resume goes on with a report that is there, or name another file");
+Journal Journal::create(const std::string& path, const std::string& header, bool overwrite) {
+  const bool is_there = exists_and_holds_something(path);
+  if (is_there && !overwrite)
+    throw InputError(path, 0, "it exists; --resume goes on with a report that is there, --overwrite replaces it, or name another file");
+  if (is_there && !files::read_file(path).starts_with(R"({"schema":"fathom/verdict/1","type":"header")"))
+    throw InputError(path, 1, "expected a report, which alone --overwrite replaces, found another file");
   Journal journal(path);
+  if (is_there && ::ftruncate(journal.file_, 0) != 0) throw InputError(path, 0, std::string("cannot be replaced: ") + std::strerror(errno));
   journal.add(header);
   return journal;
 }

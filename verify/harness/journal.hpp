@@ -50,8 +50,9 @@ struct JournalError : std::runtime_error {
 /// InputError if another process has it open.
 class Journal {
  public:
-  /// Starts a new one. Throws InputError if the file exists and is not empty, or cannot be made.
-  static Journal create(const std::string& path, const std::string& header);
+  /// Starts a new one; with `overwrite` in the place of a journal that is there. Throws InputError if the file cannot be made, or is not
+  /// empty and none to be replaced.
+  static Journal create(const std::string& path, const std::string& header, bool overwrite = false);
   /// Goes on with an existing journal, or starts one: calls `known` for each outcome in it and `unattributed` for what no case was to
   /// blame for, then cuts off a summary and an incomplete last line. Throws InputError, naming the line, if its header is that of another
   /// run or a line cannot be read.

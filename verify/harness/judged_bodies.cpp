@@ -18,8 +18,7 @@
 namespace fathom::harness {
 namespace {
 
-Body grown(const Body& body, const SubjectInfo& info, long exponent) {
-  const mpq_class radius = scaled(rounding_radius(body, info), -exponent);
+Body grown(const Body& body, const mpq_class& radius) {
   if (radius == 0) return body;
   Body result;
   result.shape = with_margin(files::shape_of(body), radius);
@@ -49,11 +48,16 @@ mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
   return 0;
 }
 
+std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent) {
+  return {scaled(rounding_radius(seen.a, info), -exponent), scaled(rounding_radius(seen.b, info), -exponent)};
+}
+
 bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
 
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
   if (info.rounding.empty() || seen.a.pieces) return seen;
-  return {seen.id, grown(seen.a, info, exponent), grown(seen.b, info, exponent)};
+  const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
+  return {seen.id, grown(seen.a, of_a), grown(seen.b, of_b)};
 }
 
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {

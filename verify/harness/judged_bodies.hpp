@@ -3,6 +3,8 @@
 //                                                                                         [verify/PROTOCOL.md; verify/judge/VERDICTS.md]
 #pragma once
 
+#include <utility>
+
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/protocol.hpp"
 
@@ -14,6 +16,9 @@ Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Returns the radius by which the subject rounds such a body, in the subject's unit.
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info);
+
+/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it sees times 2^exponent.
+std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
 bool rounds_pieces(const SubjectInfo& info);

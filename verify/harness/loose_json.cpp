@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/loose_json.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <limits>
 
@@ -57,6 +58,23 @@ bool looks_like_a_number(std::string_view word) {
   return !size.empty() && (is_digit(size[0]) || size[0] == '.' || is_nan(size) || is_infinite(size));
 }
 
+/// The number with an exponent that is read exactly. A larger one makes any number that is not as long itself infinite, or 0, and so does
+/// the largest that is read.
+std::string with_exponent_in_reach(std::string_view text) {
+  constexpr std::size_t longest = 90'000;  // characters: fewer digits, and fewer bits, than the exponents' limits
+  const std::string_view size = without_sign(text);
+  const bool hex = size.size() > 1 && same_word(size.substr(0, 2), "0x");
+  const std::size_t letter = text.find_first_of(hex ? "pP" : "eE");
+  if (letter == text.npos || text.size() > longest) return std::string(text);
+  const std::size_t digits = letter + 1 + (letter + 1 < text.size() && (text[letter + 1] == '-' || text[letter + 1] == '+') ? 1 : 0);
+  if (digits == text.size() || !std::all_of(text.begin() + static_cast<std::ptrdiff_t>(digits), text.end(), is_digit))
+    return std::string(text);
+  const std::string_view exponent = text.substr(std::min(text.find_first_not_of('0', digits), text.size()));
+  const std::string largest = std::to_string(hex ? largest_binary_exponent : largest_decimal_exponent);
+  const bool in_reach = exponent.size() < largest.size() || (exponent.size() == largest.size() && exponent <= largest);
+  return std::string(text.substr(0, digits)) + (in_reach ? std::string(text.substr(digits)) : largest);
+}
+
 }  // namespace
 
 WithoutNumbers without_numbers(std::string_view text) {
@@ -83,7 +101,7 @@ std::optional<double> read_number(std::string_view text, Precision precision) {
   if (is_nan(word)) return std::numeric_limits<double>::quiet_NaN();
   if (is_infinite(word)) return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
   if (text.find('/') != text.npos) return std::nullopt;
-  const ParsedNumber number = parse_number(text, Decimals::exact);
+  const ParsedNumber number = parse_number(with_exponent_in_reach(text), Decimals::exact);
   if (!number.value) return std::nullopt;
   if (precision == Precision::binary32) return round_binary32(*number.value, Rounding::rn);
   return round_binary64(*number.value, Rounding::rn);

@@ -19,8 +19,8 @@ struct WithoutNumbers {
 /// Takes out every bare word that starts like a number, or is a spelling of NaN or infinity.
 WithoutNumbers without_numbers(std::string_view text);
 
-/// Reads a decimal or C99 hex float, rounded once to the precision, or a spelling of NaN or infinity with or without a sign, in upper or
-/// lower case ("-nan", "NAN", "nan(0x8000)", "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
+/// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling of NaN or infinity with or without a
+/// sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)", "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
 std::optional<double> read_number(std::string_view text, Precision precision);
 
 /// The digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt if it is not an integer.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/message_json.hpp"
 
+#include <array>
+#include <set>
+
 #include "verify/harness/loose_json.hpp"
 #include "verify/harness/protocol.hpp"
 
@@ -36,10 +39,15 @@ std::string shown_json(const Json& value) { return '\'' + kernels::printable(dum
 
 /// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
 /// length.
-Json json_on(std::string_view line) {
+Json json_on(std::string_view line, std::string* repeated) {
   constexpr int deepest = 8;
   const WithoutNumbers rest = without_numbers(line);
+  std::array<std::set<std::string>, deepest + 2> names;  // of the object at each depth
   const auto keep = [&](int depth, Json::parse_event_t event, Json& value) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start && level + 1 < names.size()) names[level + 1].clear();
+    if (repeated && event == Json::parse_event_t::key && level < names.size())
+      if (auto name = value.get<std::string>(); !names[level].insert(name).second && repeated->empty()) *repeated = std::move(name);
     if (event == Json::parse_event_t::value && value.is_number_unsigned())
       value = number_as_written(rest.numbers.at(value.get<std::size_t>()));
     return depth <= deepest;
@@ -50,8 +58,10 @@ Json json_on(std::string_view line) {
 Json object_on(std::string_view line) {
   if (line.find('\0') != std::string_view::npos)
     refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
-  Json object = json_on(line);
+  std::string repeated;
+  Json object = json_on(line, &repeated);
   if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
+  if (!repeated.empty()) refuse("each field once", kernels::shown(repeated) + " twice");
   return object;
 }
 

@@ -30,9 +30,9 @@ std::string dumped(const nlohmann::json& value);
 std::string shown_json(const nlohmann::json& value);
 
 /// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
-/// length.
-nlohmann::json json_on(std::string_view line);
-/// The same, which must be an object.
+/// length. `repeated`, if given, becomes the first name that an object has twice: readers differ in which of the two they take.
+nlohmann::json json_on(std::string_view line, std::string* repeated = nullptr);
+/// The same, which must be an object, each with its fields once.
 nlohmann::json object_on(std::string_view line);
 
 /// The field, or null. A field that is null is no way to leave it out: it is what many a program writes for NaN.

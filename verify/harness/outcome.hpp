@@ -57,10 +57,12 @@ struct Outcome {
   std::string digest;        ///< of the points as the subject saw them: 16 hexadecimal digits
   bool solid = false;        ///< whether both bodies have a volume
   bool metre_sized = false;  ///< whether they have a size that engines are tuned for; see size_class.hpp
+  bool dwarfed = false;      ///< whether `radii` is larger than they are; see size_class.hpp
   Verdict verdict = Verdict::garbage;
   std::string detail;          ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line, a misspelt field
   std::optional<Reply> reply;  ///< if one was understood: in the subject's unit; see in_unit
   long fit = 0;                ///< the subject saw all lengths times 2^fit
+  mpq_class radii = 0;         ///< by which the subject rounds the two bodies itself, in sum, in the unit of the case; 0 if not judged
   std::optional<Judgement> judgement;  ///< if the reply was judged
   std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
   std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs

@@ -119,6 +119,7 @@ std::string outcome_line(const Outcome& outcome) {
   json["seconds"] = number(outcome.seconds);
   if (outcome.microseconds) json["microseconds"] = number(*outcome.microseconds);
   if (outcome.fit != 0) json["fit"] = outcome.fit;
+  if (outcome.radii != 0) json["radii"] = exact_text(outcome.radii);
   if (outcome.reply) json["reply"] = reply_json(in_unit(*outcome.reply, -outcome.fit));
   if (outcome.judgement) json["judgement"] = judgement_json(*outcome.judgement);
   if (outcome.hulls) {

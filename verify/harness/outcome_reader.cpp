@@ -137,6 +137,7 @@ Outcome outcome(const Json& json) {
   outcome.detail = json.value("detail", std::string());
   outcome.seconds = number(json.at("seconds"));
   outcome.fit = json.value("fit", 0L);
+  if (json.contains("radii")) outcome.radii = exact(json.at("radii"));
   if (json.contains("reply")) outcome.reply = in_unit(reply(json.at("reply")), outcome.fit);
   if (json.contains("judgement")) outcome.judgement = judgement(json.at("judgement"));
   if (json.contains("microseconds")) outcome.microseconds = number(json.at("microseconds"));

@@ -12,7 +12,10 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/numbers.hpp"
+#include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
+#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 
 namespace fathom::harness {
@@ -94,9 +97,17 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
 
 std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) { return fmt::format("{}[{},{}]", id, a, b); }
 
-std::string obstacle_to(const Case& seen, const SubjectInfo& info) {
-  return has_union(seen) && rounds_pieces(info) ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known"
-                                                : "";
+std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent) {
+  constexpr unsigned long fewest_numbers = 1000;  // of the format, over the length of the bodies
+  if (has_union(seen))
+    return rounds_pieces(info) ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known" : "";
+  const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
+  const mpq_class radii = of_a + of_b;
+  if (radii == 0) return "";
+  const mpq_class extent = sizes_of(seen).extent, step = judging::ulp_at_root(radii * radii, in_unit(info.format, exponent));
+  if (extent == 0 || fewest_numbers * step <= extent) return "";
+  return fmt::format("the subject rounds bodies by radii of {:.3g}, beside which numbers of {} do not tell bodies as long as {:.3g}",
+                     round_binary64(radii), name(info.format.answers), round_binary64(extent));
 }
 
 bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info) { return has_union(seen) && !info.shapes.contains(pieces_word); }

@@ -23,8 +23,9 @@ std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b);
 /// Whether the text is the id of a pair of pieces of this case.
 bool is_pair_of(std::string_view text, const Case& pair);
 
-/// Why a case cannot be put to the subject: it is one of unions, and the subject rounds bodies. Empty if it can be.
-std::string obstacle_to(const Case& seen, const SubjectInfo& info);
+/// Why a case cannot be put to the subject, which sees lengths times 2^exponent: it is one of unions, and the subject rounds bodies; or it
+/// rounds them by a radius beside which its answers cannot tell bodies of this size, whatever they are. Empty if it can be.
+std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent);
 /// Whether the subject is asked about the case by its pairs of pieces.
 bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info);
 

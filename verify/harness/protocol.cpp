@@ -73,6 +73,12 @@ std::string run_message(const std::string& ticket, const Case& seen, Precision p
   return text + '}';
 }
 
+std::string body_message(const Body& body, Precision precision, bool with_faces) {
+  std::string text;
+  add_body(text, body, precision, with_faces);
+  return text;
+}
+
 std::string stop_message() { return R"({"type":"stop"})"; }
 
 }  // namespace fathom::harness

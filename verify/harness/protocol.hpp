@@ -31,6 +31,8 @@ Faces faces_of(const std::vector<Point>& points);
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
+/// A body of a run.
+std::string body_message(const Body& body, Precision precision, bool with_faces);
 
 /// What a subject says of itself. Throws ProtocolError.
 SubjectInfo read_hello(std::string_view line);

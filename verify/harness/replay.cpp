@@ -73,7 +73,7 @@ Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging)
   std::string why;
   const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
   if (!seen) return declined(pair, why);
-  if (const std::string obstacle = obstacle_to(*seen, info_); !obstacle.empty()) return declined(pair, obstacle);
+  if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty()) return declined(*seen, obstacle);
   const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
   if (is_asked_in_pairs(*seen, info_) && !answers_.contains(seen->id)) return examine_pairs(*seen, exponent, info_, judging, ask_pair);
   std::optional<SubjectAnswer> answer;

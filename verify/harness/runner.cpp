@@ -64,7 +64,10 @@ class Run {
     const long exponent = exponent_to_fit(pair, plan_.fit);
     const NumberFormat format = in_unit(plan_.format, exponent);
     const std::optional<Case> seen = as_seen(pair, format, plan_.shapes, &why);
-    if (!seen) return tell(pair, pair, declined(pair, why), false);
+    if (!seen) {
+      outcome_of(pair, pair, "", [&] { return declined(pair, why); });
+      return;
+    }
     bool fresh = exponent == 0;  // in another unit a report may hold fewer digits of an answer
     const auto ask = [&] {
       fresh = true;
@@ -95,6 +98,7 @@ class Run {
   void tell(const Case& original, const Case& seen, Outcome outcome, bool known) {
     outcome.solid = is_solid(original);
     outcome.metre_sized = is_metre_sized(original);
+    outcome.dwarfed = is_dwarfed_by(outcome.radii, original);
     const std::lock_guard lock(results_);
     plan_.found(original, seen, outcome, known);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -211,12 +212,15 @@ Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo&
   return judgement;
 }
 
-Judgement judged_shapes(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
+/// `radii`: those that the subject added, which `seen` has.
+Judgement judged_shapes(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
+                        const NumberFormat& format, const Judging& judging) {
   StopWhen stopping(judging.stop);
   SignedDepthOptions options;
   options.cores.monitor = &stopping;
   options.cores.workspace = judging.workspace;
-  const ShapeTruth truth = truth_about(files::shape_of(seen.a), files::shape_of(seen.b), options);
+  ShapeTruth truth = truth_about(files::shape_of(seen.a), files::shape_of(seen.b), options);
+  std::tie(truth.added_a, truth.added_b) = radii;
   if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
   return judge(truth, reply, info.conventions, format, judging.tolerance);
 }
@@ -258,10 +262,12 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   outcome.reply = std::get<Reply>(answer.said);
   outcome.microseconds = answer.microseconds;
   const NumberFormat format = in_unit(info.format, outcome.fit);
+  const auto radii = rounding_radii(seen, info, outcome.fit);
+  if (!has_union(seen)) outcome.radii = radii.first + radii.second;
   const auto judged = [&](const Case& asked) {
     if (has_union(asked)) return judged_unions(asked, *outcome.reply, info, format, judging);
     const Case bodies = judged_bodies(asked, info, outcome.fit);
-    return bodies.a.shape || bodies.b.shape ? judged_shapes(bodies, *outcome.reply, info, format, judging)
+    return bodies.a.shape || bodies.b.shape ? judged_shapes(bodies, radii, *outcome.reply, info, format, judging)
                                             : judged_points(bodies, *outcome.reply, info, format, judging);
   };
   outcome.judgement = judged(seen);

@@ -5,6 +5,7 @@
 
 #include "fathom/shape.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"
 
@@ -29,6 +30,8 @@ bool is_solid(const Case& pair) {
   const auto is_flat = [](const Body& body) { return !body.pieces && fathom::is_flat(files::shape_of(body)); };  // pieces have interiors
   return !is_flat(pair.a) && !is_flat(pair.b);
 }
+
+bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }
 
 bool is_metre_sized(const Case& pair) { return has_usual_size(pair.a) && has_usual_size(pair.b); }
 

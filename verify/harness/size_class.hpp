@@ -13,4 +13,7 @@ bool is_solid(const Case& pair);
 /// by 2^-40 of itself at most. A half-space has any size.
 bool is_metre_sized(const Case& pair);
 
+/// Whether the length is above that of the longest side of the bodies' boxes.
+bool is_dwarfed_by(const mpq_class& length, const Case& pair);
+
 }  // namespace fathom::harness

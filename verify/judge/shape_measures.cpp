@@ -49,6 +49,13 @@ std::string text(const RationalInterval& x) {
   return fmt::format("between {} and {}", range.low, range.high);
 }
 
+RationalInterval magnitude(const RationalInterval& x) { return greater(positive_part(x), positive_part(-x)); }
+
+Shape without(Shape shape, const mpq_class& radius) {
+  shape.radius -= radius;
+  return shape;
+}
+
 bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
 
 Point point_of(const Vector& u) { return {u.x, u.y, u.z}; }
@@ -60,7 +67,13 @@ Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
 class ShapeMeasures final : public Measures {
  public:
   ShapeMeasures(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits)
-      : truth_(truth), format_(format), tolerance_(tolerance), bits_(bits), sizes_(sizes_of(truth.a, truth.b, bits)) {
+      : truth_(truth),
+        format_(format),
+        tolerance_(tolerance),
+        bits_(bits),
+        added_(truth.added_a + truth.added_b),
+        sizes_(sizes_of(truth.a, truth.b, bits)) {
+    asked_ = added_ == 0 ? sizes_ : sizes_of(without(truth.a, truth.added_a), without(truth.b, truth.added_b), bits);
     const SignedDepth* signed_depth = &truth.depth;
     if (bits != usual_bits && truth.depth.bounds()) signed_depth = &closer_.emplace(of(truth.a));
     status_ = signed_depth->status();
@@ -116,10 +129,12 @@ class ShapeMeasures final : public Measures {
   }
 
   Accuracy accuracy(const mpq_class& d) override {
-    if (is_correctly_rounded(d)) return Accuracy::correctly_rounded;
-    if (is_within(d, known(4 * ulp_at_root(length_.low * length_.low, format_)))) return Accuracy::ulps_4;
+    const RationalInterval length = without_radii(length_);
+    const mpq_class ulp = ulp_at_root(length.low * length.low, format_);
+    if (is_correctly_rounded(d) && (added_ == 0 || is_within(d, known(ulp / 2)))) return Accuracy::correctly_rounded;
+    if (is_within(d, known(4 * ulp))) return Accuracy::ulps_4;
     if (is_within(d, known(16 * rounding_unit()))) return Accuracy::u_r_16;
-    return is_within(d, length_ / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
+    return is_within(d, length / 1'000'000) ? Accuracy::millionth : Accuracy::tolerance;
   }
 
   [[nodiscard]] bool open() const override { return open_; }
@@ -175,11 +190,17 @@ class ShapeMeasures final : public Measures {
 
  private:
   // ---- allowances ----
+  /// The length in question less the radii that the subject added, if that is the smaller one: what an error is compared with.
+  [[nodiscard]] RationalInterval without_radii(const RationalInterval& length) const {
+    return added_ == 0 ? length : lesser(length, magnitude(value_ - known(added_)));
+  }
+
   /// The larger of the tolerance about a true length, and `fixed`.
-  [[nodiscard]] RationalInterval allowed(const mpq_class& fixed, const RationalInterval& length) const {
+  [[nodiscard]] RationalInterval allowed(const mpq_class& fixed, const RationalInterval& true_length) const {
     for (const mpq_class* part : {&tolerance_.relative, &tolerance_.absolute}) kernels::require_lowest_terms(*part);
     const mpq_class relative = std::max(mpq_class(0), tolerance_.relative),
-                    absolute = std::max({mpq_class(0), mpq_class(tolerance_.absolute * sizes_.extent), fixed});
+                    absolute = std::max({mpq_class(0), mpq_class(tolerance_.absolute * asked_.extent), fixed});
+    const RationalInterval length = without_radii(true_length);
     return greater({relative * length.low, relative * length.high}, known(absolute));
   }
 
@@ -191,7 +212,7 @@ class ShapeMeasures final : public Measures {
       sizes.farthest += length.high;
       sizes.reach += length.high;
     }
-    farthest_ = sizes.farthest;
+    farthest_ = asked_.farthest + (has_halfspace() ? without_radii(length).high : mpq_class(0));
     const Slack slack = rounding_slack(sizes, length.high * length.high, format_, tolerance_.ulps);
     of_length_ = allowed(slack.depth, length);
     of_direction_ = allowed(slack.direction, length);
@@ -279,10 +300,9 @@ class ShapeMeasures final : public Measures {
     const RationalInterval error = known(d) - length_;
     const mpq_class u_r = rounding_unit();
     result.error = least(error);
-    if (sgn(length_.low) > 0) {
-      result.error_ulps = least(error / ulp_at_root(length_.high * length_.high, format_));
-      result.error_relative = least(quotient(error, length_));
-    }
+    if (sgn(length_.low) > 0) result.error_ulps = least(error / ulp_at_root(length_.high * length_.high, format_));
+    const RationalInterval length = without_radii(length_);
+    if (sgn(length.low) > 0) result.error_relative = least(quotient(error, length));
     if (sgn(u_r) > 0) result.error_u_r = least(error / u_r);
   }
 
@@ -314,8 +334,9 @@ class ShapeMeasures final : public Measures {
   std::optional<SignedDepth> closer_;
   std::optional<Status> status_;
   RationalInterval value_, depth_, length_;  // the signed depth, its positive part, the length in question
-  Sizes sizes_;
-  mpq_class farthest_;                                                                // a half-space's witness point included
+  mpq_class added_;                          // the radii of the subject's own, in sum
+  Sizes sizes_, asked_;                      // asked_: without these radii
+  mpq_class farthest_;                       // of the asked bodies, a half-space's witness point included
   RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
   std::optional<RationalInterval> measured_price_, away_a_, away_b_, contact_a_, contact_b_;
   std::optional<double> left_;

@@ -84,9 +84,9 @@ std::string html_header(const SubjectInfo& subject, const Tally& tally, const To
                                ? ""
                                : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
                                              all[Verdict::pass], all[Verdict::touching_by_convention]);
-  return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}</header>\n", markup(title(subject)),
-                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(cut_short),
-                     warning(coverage_warning(all.judged)), bar, both, settings_list(subject, tally, tolerance, from));
+  return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}{}</header>\n", markup(title(subject)),
+                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(dwarfed_text(all)),
+                     warning(cut_short), warning(coverage_warning(all.judged)), bar, both, settings_list(subject, tally, tolerance, from));
 }
 
 }  // namespace fathom::harness

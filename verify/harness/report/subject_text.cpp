@@ -45,6 +45,12 @@ std::vector<std::string> rounding_text(const SubjectInfo& subject) {
   return result;
 }
 
+std::string dwarfed_text(const TallyRow& all) {
+  return all.dwarfed == 0
+             ? ""
+             : fmt::format("its own radii are larger than the bodies in {} of {}", all.dwarfed, count_text(all.total, "case", "cases"));
+}
+
 std::string tolerance_text(const Tolerance& tolerance) {
   std::string result =
       fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative), exact_text(tolerance.absolute));
@@ -97,6 +103,8 @@ std::string totals_text(std::size_t total, std::size_t passes, std::size_t failu
 
 std::vector<std::string> accuracy_entries(const TallyRow& row) {
   std::vector<std::string> result;
+  if (row[Verdict::touching_by_convention] > 0)
+    result.push_back(fmt::format("{} pass + {} touching-by-convention", row[Verdict::pass], row[Verdict::touching_by_convention]));
   for (std::size_t i = 0; i < accuracy_count; ++i)
     if (row.accuracies[i] > 0) result.push_back(fmt::format("{}: {}", name(static_cast<Accuracy>(i)), row.accuracies[i]));
   return result;

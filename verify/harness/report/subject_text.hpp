@@ -23,6 +23,8 @@ const char* moving_body(const Conventions& conventions);
 std::vector<std::string> settings_text(const SubjectInfo& subject);
 /// "0.01 of every body"; "0.01 of vertices", one for each word.
 std::vector<std::string> rounding_text(const SubjectInfo& subject);
+/// "its own radii are larger than the bodies in 63 of 63 cases"; empty if they never are.
+std::string dwarfed_text(const TallyRow& all);
 /// "relative 1/1000, absolute 1/1000000 of the extent, 4 ulp; the largest counts; policy within=5%"; a policy as declared is left out.
 std::string tolerance_text(const Tolerance& tolerance);
 /// "every case by a power of two: its longest side is less than 64, and at least half of that".

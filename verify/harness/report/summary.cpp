@@ -85,8 +85,8 @@ void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& gro
   add_block(lines, block);
 }
 
-void add_table(Lines& lines, const Tally& tally, std::size_t widest) {
-  std::vector<Tally::Line> rows = tally.lines();
+void add_table(Lines& lines, const Tally& tally, std::size_t widest, bool all_rows) {
+  std::vector<Tally::Line> rows = all_rows ? tally.lines(std::string::npos) : tally.failing_lines();
   rows.push_back({"all", tally.all()});
   for (const Tally::Line& part : shown_parts(tally)) rows.push_back(part);
   const auto column = [&](Lines head, const auto& cell) {
@@ -115,21 +115,44 @@ void add_table(Lines& lines, const Tally& tally, std::size_t widest) {
   add_blocks(lines, labels, groups, widest);
 }
 
-/// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own is cut.
-void add_entries(Lines& lines, std::size_t widest, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
-  std::string line = fmt::format("{:<{}}", label, indent);
-  bool any = false;
-  for (const std::string& entry : entries) {
-    const std::string text = ascii(entry, widest - indent - 1);
-    if (any && line.size() + 2 + text.size() + 1 > widest) {
-      lines.push_back(line + ";");
-      line.assign(indent, ' ');
-      any = false;
-    }
-    line += (any ? "; " : "") + text;
-    any = true;
+/// The text behind the label, broken at spaces; a word that is too long for a line is broken where the line ends.
+void add_words(Lines& lines, std::size_t widest, std::string line, std::string_view text, std::size_t indent) {
+  const std::size_t room = widest - indent;
+  while (text.size() > room) {
+    const std::size_t space = text.rfind(' ', room);
+    const std::size_t end = space == text.npos || space == 0 ? room : space;
+    lines.push_back(line.append(text.substr(0, end)));
+    line.assign(indent, ' ');
+    text.remove_prefix(std::min(text.find_first_not_of(' ', end), text.size()));
   }
-  if (!entries.empty()) lines.push_back(line);
+  lines.push_back(line.append(text));
+}
+
+/// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own, at spaces.
+void add_entries(Lines& lines, std::size_t widest, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
+  const std::string margin(indent, ' ');
+  std::string line = fmt::format("{:<{}}", label, indent), text;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string entry = ascii(entries[i]) + (i + 1 < entries.size() ? ";" : "");
+    if (!text.empty() && indent + text.size() + 1 + entry.size() > widest) {
+      add_words(lines, widest, line, text, indent);
+      line = margin;
+      text.clear();
+    }
+    text += (text.empty() ? "" : " ") + entry;
+  }
+  if (!entries.empty()) add_words(lines, widest, line, text, indent);
+}
+
+/// What the words of the table mean that are no everyday ones.
+Lines legend(const TallyRow& all) {
+  Lines result;
+  if (!all.relative.empty()) result.emplace_back("relative: the error of a depth or distance, over its true value");
+  if (!all.u_r.empty())
+    result.emplace_back("uR: u, the unit roundoff of the subject's precision, times R, the largest coordinate of a case");
+  if (!all.dearer.empty()) result.emplace_back("price: the depth along the answered direction");
+  if (!result.empty()) result.emplace_back("more in docs/glossary.md");
+  return result;
 }
 
 /// "too-deep          a::7; a::2; 12 more" for each verdict.
@@ -150,15 +173,18 @@ void add_failures(Lines& lines, std::span<const Outcome> outcomes, std::size_t w
 
 }  // namespace
 
-std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where, std::size_t columns) const {
+std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where, std::size_t columns,
+                           bool all_rows) const {
   const std::size_t widest = std::max(columns, narrowest);
-  Lines lines{ascii(title(subject), widest)};
+  Lines lines;
+  const std::string dwarfed = dwarfed_text(tally_.all());
+  add_words(lines, widest, "", ascii(title(subject) + (dwarfed.empty() ? "" : "; " + dwarfed)), 0);
   add_entries(lines, widest, "conventions", {conventions_text(subject.conventions)});
   add_entries(lines, widest, "settings", settings_text(subject));
   add_entries(lines, widest, "rounding", rounding_text(subject));
   if (fit) add_entries(lines, widest, "fit", {fit_text(*fit)});
   lines.emplace_back();
-  add_table(lines, tally_, widest);
+  add_table(lines, tally_, widest, all_rows);
   lines.emplace_back();
   add_failures(lines, outcomes, widest);
   if (failures() > 0) add_entries(lines, widest, "see", where);
@@ -171,6 +197,7 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   Lines things;
   for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
   add_entries(lines, widest, "unattributed", things);
+  add_entries(lines, widest, "words", legend(tally_.all()));
   lines.push_back(totals_text(total(), passes(), failures(), unattributed()));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "verify/harness/report/markup.hpp"
@@ -42,6 +43,7 @@ double Errors::median() const {
 void TallyRow::add(const Outcome& outcome) {
   ++total;
   ++verdicts[static_cast<std::size_t>(outcome.verdict)];
+  dwarfed += outcome.dwarfed ? 1 : 0;
   judged.add(outcome);
   if (!outcome.judgement) return;
   const Judgement& judgement = *outcome.judgement;
@@ -61,6 +63,7 @@ void TallyRow::add(const TallyRow& other) {
   u_r.add(other.u_r);
   dearer.add(other.dearer);
   longer += other.longer;
+  dwarfed += other.dwarfed;
 }
 
 std::size_t TallyRow::failures() const {
@@ -82,16 +85,42 @@ void Tally::add(const Outcome& outcome) {
   (outcome.variant.empty() ? families_[family_of(outcome.id)] : variants_["~" + outcome.variant]).add(outcome);
 }
 
-std::vector<Tally::Line> Tally::lines(std::size_t most) const {
+/// All families, the worst first.
+std::vector<Tally::Line> Tally::ordered() const {
   std::vector<Line> result;
-  std::size_t more = 0;
-  TallyRow rest;
-  for (const auto& [name, row] : families_) {
-    if (result.size() < most) result.push_back({name.empty() ? "(no family)" : ascii(name, longest_label), row});
-    else ++more, rest.add(row);
+  for (const auto& [name, row] : families_) result.push_back({name.empty() ? "(no family)" : ascii(name, longest_label), row});
+  std::ranges::stable_sort(result, std::greater(), [](const Line& line) { return line.row.failures(); });
+  return result;
+}
+
+void Tally::add_variants(std::vector<Line>& to) const {
+  for (const auto& [name, row] : variants_) to.push_back({ascii(name, longest_label), row});
+}
+
+std::vector<Tally::Line> Tally::lines(std::size_t most) const {
+  std::vector<Line> result = ordered();
+  if (result.size() > most) {
+    Line rest{fmt::format("({} more)", result.size() - most), {}};
+    for (std::size_t i = most; i < result.size(); ++i) rest.row.add(result[i].row);
+    result.resize(most);
+    result.push_back(std::move(rest));
   }
-  if (more > 0) result.push_back({fmt::format("({} more)", more), rest});
-  for (const auto& [name, row] : variants_) result.push_back({ascii(name, longest_label), row});
+  add_variants(result);
+  return result;
+}
+
+std::vector<Tally::Line> Tally::failing_lines() const {
+  std::vector<Line> result, passing, declined;
+  for (Line& line : ordered()) (line.row.failures() > 0 ? result : line.row.passes() > 0 ? passing : declined).push_back(std::move(line));
+  const auto add_in_one = [&](const std::vector<Line>& lines, const std::string& label) {
+    Line all{label, {}};
+    for (const Line& line : lines) all.row.add(line.row);
+    if (lines.size() == 1) all.label = lines.front().label;
+    if (!lines.empty()) result.push_back(std::move(all));
+  };
+  add_in_one(passing, fmt::format("{} families pass", passing.size()));
+  add_in_one(declined, fmt::format("({} not judged)", declined.size()));
+  add_variants(result);
   return result;
 }
 

@@ -39,8 +39,9 @@ struct TallyRow {
   std::size_t total = 0;
   Coverage judged;
   Errors relative, u_r;
-  Errors dearer;           ///< prices of directions, above the depth and relative to it
-  std::size_t longer = 0;  ///< passes by the policy, whose translation is not the shortest
+  Errors dearer;            ///< prices of directions, above the depth and relative to it
+  std::size_t dwarfed = 0;  ///< bodies that are smaller than the radii by which the subject rounds them
+  std::size_t longer = 0;   ///< passes by the policy, whose translation is not the shortest
 
   void add(const Outcome& outcome);
   void add(const TallyRow& other);
@@ -62,14 +63,20 @@ class Tally {
     std::string label;  ///< of outcomes without a family: "(no family)"; printable ASCII, at most 32 characters
     TallyRow row;
   };
-  /// Sorted by name. Past `most` families the rest share one line, "(3 more)". Without the row of all.
+  /// Families that fail first, those with the most failures before others, then by name. Past `most` families the rest share one line,
+  /// "(3 more)". Without the row of all.
   [[nodiscard]] std::vector<Line> lines(std::size_t most = 100) const;
+  /// The same, but families without a failure share one line, "64 families pass", or "(3 not judged)" if all was declined.
+  [[nodiscard]] std::vector<Line> failing_lines() const;
   /// Of all outcomes, symmetries included: "solid", "metre_sized", and "solid_and_metre_sized".
   [[nodiscard]] const std::vector<Line>& parts() const { return parts_; }
   /// The verdicts that occur, passes first, then in order of rank.
   [[nodiscard]] std::vector<Verdict> verdicts() const;
 
  private:
+  [[nodiscard]] std::vector<Line> ordered() const;
+  void add_variants(std::vector<Line>& to) const;
+
   TallyRow all_;
   Times times_;
   HullCount hulls_;

@@ -22,4 +22,8 @@ void round_together(Search& search);
 /// bits, half as much.
 void simplify_values(Search& search);
 
+/// Of cases with bodies by name, in the place of all others: margins, terms and vertices dropped, turns and places taken back, lengths to
+/// small integers, and then number by number.
+void simplify_shapes(Search& search);
+
 }  // namespace fathom::harness

@@ -11,6 +11,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/proof.hpp"
+#include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::size_t usual_tries = 4000, slow_tries = 100;
 
 std::string key_of(const Case& pair) {
+  if (has_words(pair)) return digest_of(pair);
   std::string key = fmt::format("{};", pair.a.points.size());
   for_each_coordinate(pair, [&](const mpq_class& value) { key += value.get_str(62) + ';'; });
   return key;
@@ -25,11 +27,12 @@ std::string key_of(const Case& pair) {
 
 bool fits(const Case& pair, Precision precision) {
   bool all = true;
-  for_each_coordinate(pair, [&](const mpq_class& value) { all = all && representable(value, precision); });
+  for_each_number(pair, [&](const mpq_class& value) { all = all && representable(value, precision); });
   return all;
 }
 
 bool is_solid(const Body& body) {
+  if (body.shape) return !is_flat(*body.shape);
   return body.points.size() > 3 && polytope::affine_rank(polytope::place(body.points, body.points).a.points()) == 3;
 }
 
@@ -75,7 +78,8 @@ bool Search::begin(Case pair) {
 }
 
 bool Search::offer(Case candidate) {
-  if (over_ || candidate.a.points.empty() || candidate.b.points.empty() || size_of(candidate) >= size_) return false;
+  const auto is_none = [](const Body& body) { return !body.shape && body.points.empty(); };
+  if (over_ || is_none(candidate.a) || is_none(candidate.b) || size_of(candidate) >= size_) return false;
   if (!fits(candidate, precision_) || !examined_.insert(key_of(candidate)).second) return false;
   if ((solid_a_ && !is_solid(candidate.a)) || (solid_b_ && !is_solid(candidate.b))) return false;
   over_ = result_.tried >= tries_ || (stop_ && stop_());

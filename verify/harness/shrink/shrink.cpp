@@ -5,13 +5,16 @@
 #include <utility>
 
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/passes.hpp"
 
 namespace fathom::harness {
 
 Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better,
               const std::function<bool()>& stop, const ShrinkSettings& settings) {
-  if (pair.a.points.empty() || pair.b.points.empty()) throw std::invalid_argument("shrink: a body without points");
+  const bool of_shapes = has_words(pair);
+  for (const Body* body : {&pair.a, &pair.b})
+    if (!body->words && body->points.empty()) throw std::invalid_argument("shrink: a body without points or words");
   Case seen = pair;
   for_each_coordinate(seen, [&](mpq_class& value) {
     const std::optional<mpq_class> near = rounded(value, settings.precision);
@@ -23,7 +26,9 @@ Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine, const s
   // Every kept step makes the size smaller: the loop ends.
   for (std::size_t before = search.result().kept + 1; before != search.result().kept && !search.over();) {
     before = search.result().kept;
-    for (const auto pass : {drop_points, move_to_origin, rescale, round_together, simplify_values}) pass(search);
+    if (of_shapes) simplify_shapes(search);
+    else
+      for (const auto pass : {drop_points, move_to_origin, rescale, round_together, simplify_values}) pass(search);
   }
   return search.result();
 }

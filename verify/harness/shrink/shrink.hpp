@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a case that a subject fails, and the verdict.
-// Output  a smaller case with the same verdict: fewer points first, then fewer bits in their coordinates.               [docs/certify.md]
+// Output  a smaller case with the same verdict: fewer points and parts first, then fewer bits in their numbers.         [docs/certify.md]
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace fathom::harness {
 
 struct Shrunk {
-  Case pair;                ///< the smallest case so far; every coordinate is a number of the subject's precision
+  Case pair;                ///< the smallest case so far; every number is one of the subject's precision
   Outcome outcome;          ///< what the subject made of it
   std::string certificate;  ///< proof of the truth about it: the text that checkers read, and the checker has accepted
   std::size_t tried = 0;    ///< cases put to the subject, the first one included
@@ -29,10 +29,11 @@ struct ShrinkSettings {
   bool certify = true;  ///< certify the truth about each kept case; if not, `certificate` stays empty
 };
 
-/// Delta debugging, in passes until none helps: inner points and chunks of points dropped, bodies moved to the origin, scaled by powers of
-/// two, rounded to ever fewer bits, down to small integers, coordinates made 0, equal or smaller. A step is kept only if the subject gives
-/// the same verdict again, and the case is smaller: so it ends. The truth about each kept case is certified anew and its certificate
-/// checked; std::logic_error if the checker refuses it, or it contradicts the outcome's truth.
+/// Of points, delta debugging, in passes until none helps: inner points and chunks of points dropped, bodies moved to the origin, scaled
+/// by powers of two, rounded to ever fewer bits, down to small integers, coordinates made 0, equal or smaller. Of bodies by name: margins,
+/// terms and vertices dropped, turns undone, numbers made simpler. A step is kept only if the subject gives the same verdict again, and
+/// the case is smaller: so it ends. The truth about each kept case is certified anew and its certificate checked; std::logic_error if the
+/// checker refuses it, or it contradicts the outcome's truth.
 /// `pair` is rounded to the precision first. `on_better`, if set, is called at the start, if the verdict came again, and for each kept
 /// step. `stop`, if set, is asked before each try; true ends the search with the best so far.
 Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better = {},

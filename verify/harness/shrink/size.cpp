@@ -13,6 +13,14 @@ constexpr std::size_t small_bits = 10;
 
 std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
 
+std::size_t parts_of(const files::NamedBody& words) {
+  std::size_t parts = words.fields.vertices.size() + words.fields.numbers.size() + (words.matrix ? 1 : 0);
+  for (const files::NamedBody& term : words.terms) parts += 1 + parts_of(term);
+  return parts;
+}
+
+std::size_t parts_of(const Body& body) { return body.words ? parts_of(*body.words) : body.points.size(); }
+
 }  // namespace
 
 std::size_t cost(const mpq_class& value) {
@@ -23,8 +31,8 @@ std::size_t cost(const mpq_class& value) {
 }
 
 Size size_of(const Case& pair) {
-  Size size{pair.a.points.size() + pair.b.points.size(), 0, 0};
-  for_each_coordinate(pair, [&](const mpq_class& value) {
+  Size size{parts_of(pair.a) + parts_of(pair.b), 0, 0};
+  for_each_number(pair, [&](const mpq_class& value) {
     size.bits += cost(value);
     size.signs += value < 0 ? 1 : 0;
   });

@@ -11,7 +11,7 @@
 
 namespace fathom::harness {
 
-/// Fewer points come first, then cheaper coordinates, then fewer signs.
+/// Fewer points come first, and of bodies by name fewer vertices, fields, terms and matrices; then cheaper numbers, then fewer signs.
 struct Size {
   std::size_t points = 0, bits = 0, signs = 0;
   friend auto operator<=>(const Size&, const Size&) = default;

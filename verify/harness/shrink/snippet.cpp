@@ -12,10 +12,12 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
 #include "verify/harness/variants.hpp"
 
@@ -80,22 +82,35 @@ std::string claim_text(const Outcome& outcome) {
   return text;
 }
 
+/// Of shapes.
+std::string truth_text(const Judgement& judgement) {
+  const Between& depth = *judgement.signed_depth;
+  const std::string_view word = judgement.status ? name(*judgement.status) : "undecided";
+  return depth.low == depth.high ? fmt::format("{}, the signed depth is {}", word, depth.low)
+                                 : fmt::format("{}, the signed depth is between {} and {}", word, depth.low, depth.high);
+}
+
 /// The truth that the outcome was judged by; of a variant that about the case.
 std::string truth_text(const Case& pair, const Outcome& outcome) {
-  if (outcome.judgement && outcome.judgement->signed_depth) {
-    const Between& depth = *outcome.judgement->signed_depth;
-    return fmt::format("of the bodies as the subject rounds them: the signed depth is between {} and {}", depth.low, depth.high);
+  if (outcome.radii != 0) return "of the bodies as the subject rounds them: " + truth_text(*outcome.judgement);
+  if (pair.a.shape || pair.b.shape) {
+    const bool same = outcome.judgement && outcome.variant.empty() && outcome.fit == 0;
+    return truth_text(same ? *outcome.judgement : judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), Reply{}));
   }
   Status status = Status::disjoint;
-  mpq_class squared;
+  mpq_class squared, apart;
   if (outcome.judgement && outcome.variant.empty()) {
     status = *outcome.judgement->status;  // of polytopes
     squared = scaled(outcome.judgement->depth_squared, 2 * outcome.fit);
+    apart = scaled(outcome.judgement->distance_squared, 2 * outcome.fit);
   } else {
     const Truth truth = truth_about(pair.a.points, pair.b.points);
     status = truth.depth.status();
     squared = truth.depth.squared();
+    if (truth.depth.distance()) apart = truth.depth.distance()->squared;
   }
+  if (status == Status::disjoint)
+    return fmt::format("{}, distance^2 = {} exactly, distance = {}", name(status), exact_text(apart), root_binary64(apart, Rounding::rn));
   return fmt::format("{}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared), root_binary64(squared, Rounding::rn));
 }
 
@@ -109,7 +124,9 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
   line(fmt::format("{}: {} {} ({}{})", pair.id, info.name, info.version, precision_text(info.format), settings));
   line("truth:   " + truth_text(pair, outcome));
   line("claim:   " + claim_text(outcome) + behind);
-  line(fmt::format("verdict: {}{}{}", name(outcome.verdict), sentence.empty() ? "" : ": ", sentence));
+  const std::string verdict(name(outcome.verdict));
+  const bool said = sentence.empty() || sentence.starts_with(verdict);
+  line("verdict: " + (sentence.empty() ? verdict : said ? sentence : verdict + ": " + sentence));
   if (outcome.fit != 0) line(fmt::format("unit:    as the subject saw it, 2^{} of the case's; the verdict is in the case's", -outcome.fit));
   line("compile: " + command);
   return text;
@@ -177,24 +194,31 @@ constexpr std::string_view rounded_truth = R"(  const auto rounded = [](const st
   };
 )";
 
-/// For a library without a program here.
+/// For a library without a program here, and for bodies by name.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
-  std::string text = heading(info, pair, outcome, "link fathom::judge and GoogleTest's main");
+  std::string text =
+      "// To ask your own engine, put your call where the recorded answer stands in the test below; or give certify --harness.\n";
+  text += heading(info, pair, outcome, "link fathom::judge and GoogleTest's main");
   text +=
       "#include <gtest/gtest.h>\n\n#include <cmath>\n#include <vector>\n\n#include <fathom/judge.hpp>\n#include "
       "<fathom/numbers.hpp>\n#include <fathom/shape.hpp>\n\n";
   text += "TEST(Depth, IsRight) {\n";
+  const bool shapes = has_words(pair);
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
-    text += fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
+    text += shapes ? fmt::format("  const fathom::Shape {} = {};\n", name, as_shape_code(*body))
+                   : fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   text += reply_text(outcome) + conventions_text(info.conventions);
   const std::string of_answers =
       info.format.points == info.format.answers ? "" : fmt::format(", fathom::Precision::{}}}", name(info.format.answers));
   const mpq_class radius_a = rounding_radius(pair.a, info), radius_b = rounding_radius(pair.b, info);
-  std::string bodies = "a, b";
+  std::string bodies = shapes ? "fathom::truth_about(a, b)" : "a, b";
   if (radius_a != 0 || radius_b != 0) {
-    text += rounded_truth;
-    bodies = fmt::format("fathom::truth_about(rounded(a, mpq_class(\"{}\")), rounded(b, mpq_class(\"{}\")))", exact_text(radius_a),
-                         exact_text(radius_b));
+    if (!shapes) text += rounded_truth;
+    const std::string of_a = exact_text(radius_a), of_b = exact_text(radius_b), function = shapes ? "fathom::with_margin" : "rounded";
+    text += fmt::format("  const mpq_class radius_a(\"{}\"), radius_b(\"{}\");\n", of_a, of_b);
+    text += fmt::format("  fathom::ShapeTruth truth = fathom::truth_about({0}(a, radius_a), {0}(b, radius_b));\n", function);
+    text += "  truth.added_a = radius_a;\n  truth.added_b = radius_b;\n";
+    bodies = "truth";
   }
   text += fmt::format("  const fathom::Judgement judgement = fathom::judge({}, reply, conventions, {}fathom::Precision::{}{});\n", bodies,
                       of_answers.empty() ? "" : "{", name(info.format.points), of_answers);
@@ -203,8 +227,17 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
 
 }  // namespace
 
+std::string filled_harness(std::string text, const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
+  const Case there = in_unit(pair, outcome.fit);
+  for (const auto& [name, body] : {std::pair{"A", &there.a}, {"B", &there.b}})
+    for (const auto& [mark, value] : {std::pair{fmt::format("@{}@", name), body_code(*body)},
+                                      {fmt::format("@{}_JSON@", name), body_message(*body, info.format.points, info.wants_faces)}})
+      for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
+  return text;
+}
+
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
-  const std::optional<Program> program = program_for(info);
+  const std::optional<Program> program = has_words(pair) ? std::nullopt : program_for(info);
   const Case there = in_unit(pair, outcome.fit);
   return program ? program_text(info, there, outcome, *program) : test_text(info, there, outcome);
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "reference/files/body_json.hpp"
+#include "reference/files/source.hpp"
 #include "reference/files/whole_file.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
@@ -43,14 +44,25 @@ std::string write_case(const std::string& directory, const std::string& stem, co
   return path;
 }
 
-std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info) {
+HarnessTemplate read_harness(const std::string& path) {
+  HarnessTemplate own{files::read_file(path), std::filesystem::path(path).extension().string()};
+  for (const std::string body : {"A", "B"})
+    if (own.text.find("@" + body + "@") == own.text.npos && own.text.find("@" + body + "_JSON@") == own.text.npos)
+      throw InputError(path, 0, "expected @" + body + "@ or @" + body + "_JSON@ where the body goes, found neither");
+  return own;
+}
+
+std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info,
+                                      const std::optional<HarnessTemplate>& own) {
   make_folder(directory);
   const Outcome& outcome = shrunk.outcome;
   std::string stem(name(outcome.verdict));
   if (!outcome.variant.empty()) stem += '~' + outcome.variant;
   const std::string comment = fmt::format("{} of {} {}", stem, info.name, info.version);
   const std::filesystem::path base = std::filesystem::path(directory) / stem;
-  const std::pair<const char*, std::string> files[] = {{".cert", shrunk.certificate}, {".cpp", snippet(info, shrunk.pair, outcome)}};
+  const std::pair<std::string, std::string> files[] = {{".cert", shrunk.certificate},
+                                                       own ? std::pair(own->ending, filled_harness(own->text, info, shrunk.pair, outcome))
+                                                           : std::pair(".cpp", snippet(info, shrunk.pair, outcome))};
   std::vector<std::string> paths = {write_case(directory, stem, shrunk.pair, comment)};
   for (const auto& [ending, text] : files) {
     paths.push_back(base.string() + ending);
