@@ -164,8 +164,12 @@ inline constexpr ExitMeaning usual_exits[] = {fine_exit, usage_exit, fault_exit,
 inline constexpr ExitMeaning all_exits[] = {
     fine_exit, {1, "a verdict failed, a certificate was refused"}, usage_exit, fault_exit, {4, "incomplete"}, interrupted_exit};
 inline constexpr ExitMeaning certify_exits[] = {
-    fine_exit,  {1, "a verdict failed, or the run differs from the list of known failures"}, usage_exit,
-    fault_exit, {4, "incomplete: the subject could not be started, or cases have no reply"}, interrupted_exit};
+    fine_exit,
+    {1, "a verdict failed, or the run differs from the list of known failures"},
+    usage_exit,
+    fault_exit,
+    {4, "incomplete: the subject could not be started, declined all cases, or cases have no reply"},
+    interrupted_exit};
 inline constexpr ExitMeaning check_exits[] = {
     {0, "all were accepted, and there was one"},
     {1, "some were refused"},
