@@ -234,7 +234,6 @@ class ShapeMeasures final : public Measures {
   }
 
   // ---- the truth ----
-
   [[nodiscard]] bool has_halfspace() const { return is_halfspace(truth_.a) || is_halfspace(truth_.b); }
 
   [[nodiscard]] SignedDepth of(const Shape& a) const {
@@ -293,7 +292,6 @@ class ShapeMeasures final : public Measures {
   }
 
   // ---- the claimed length ----
-
   [[nodiscard]] mpq_class rounding_unit() const { return unit_roundoff(format_.points) * farthest_; }
 
   void measure_length(const mpq_class& d, Judgement& result) const {

@@ -90,9 +90,9 @@ TEST(Summary, ClassesOfPasses) {
     passed.judgement->accuracy = accuracy;
     summary.add(passed);
   }
-  EXPECT_NE(summary.table({}).find(
-                "\npasses       correctly rounded: 2; 1e-6: 1\njudged       overlap in 0 of 3 cases\nwords        relative: "),
-            std::string::npos);
+  EXPECT_NE(
+      summary.table({}).find("\npasses       correctly rounded: 2; 1e-6: 1\njudged       overlap in 0 of 3 cases\nwords        relative: "),
+      std::string::npos);
 }
 
 Outcome answered(bool overlap, bool depth, bool direction, bool witness_b) {
@@ -175,8 +175,7 @@ TEST(Summary, WhatIsNoCasesFault) {
   summary.add(judged("a::1", Verdict::pass, 0, 0));
   for (const char* detail : {"wrote 'x'", "killed", "wrote 'x'"}) summary.add(Unattributed{"a::1", detail});
   EXPECT_EQ(summary.unattributed(), 3u);
-  EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\nwords "), std::string::npos)
-      << summary.table({});
+  EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\nwords "), std::string::npos) << summary.table({});
 }
 
 TEST(Summary, OfNothing) {
