@@ -1,21 +1,161 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# try_in_chroot.sh DEBS [--keep TARBALL]    installs the packages of the folder DEBS in a bare Debian, and uses each of them.
+# try_in_chroot.sh DEBS                        installs the packages of the folder DEBS in a bare Debian, and uses each of them.
+# try_in_chroot.sh DEBS --keep TARBALL         writes such a system, without fathom: `podman import` makes a base of it for packaging/Containerfile.
+# try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte;
+#                                              the sources of all else are parsed by the compiler of SUITE.
+# try_in_chroot.sh --check [SUITE] [ARGUMENTS] the same of the whole program and of the data of L0, and every test, by ./check ARGUMENTS.
+# try_in_chroot.sh --arm64 [SUITE]             cross-builds fathom, fathom-check and the library for C for arm64; under qemu they answer, prove
+#                                              and make the data of L0 as this machine's do.
 #
-# The bare system is of the same release as this one, and made from its apt sources, by mmdebstrap; that needs root, and some minutes.
-# --keep just writes such a system, without fathom, as a tarball: `podman import` takes it as a base image for packaging/Containerfile.
+# SUITE is the name of a release, bookworm or trixie, this machine's unless given. The bare system is made by mmdebstrap from the archives of
+# this machine's apt; that needs root, and some minutes. No step may take longer than its limit; whatever ends the script, nothing is left.
 set -euo pipefail
 root=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
-[[ $# -ge 1 && -d $1 ]] || { sed -n 's/^# \(try_in_chroot.sh .*\)/usage: \1/p' "${BASH_SOURCE[0]}" >&2; exit 2; }
-debs=$(cd "$1" && pwd)
-suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
-mapfile -t sources < <(find /etc/apt/sources.list /etc/apt/sources.list.d -type f \( -name '*.list' -o -name '*.sources' \) 2>/dev/null | sort)
+usage() {
+  sed -n 's/^# \(try_in_chroot.sh .*\)/usage: \1/p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+}
+[[ $# -ge 1 ]] || usage
+own=$(. /etc/os-release && echo "$VERSION_CODENAME")
+mode=$1 suite=$own debs=''
+case $mode in
+  --depth | --check | --arm64)
+    shift
+    if [[ ${1-} =~ ^[a-z]+$ ]]; then
+      suite=$1
+      shift
+    fi
+    ;;
+  *)
+    [[ -d $mode ]] || usage
+    debs=$(cd "$mode" && pwd)
+    ;;
+esac
+mapfile -t archives < <(apt-get indextargets --no-release-info --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+  sort -u | sed -nE "s/ $own(-updates|-security)? / $suite\1 /p")
+mapfile -t proxies < <(env | grep -iE '^[a-z]+_proxy=' || true)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
 chmod 755 "$work"
 
+say() { printf '== %s\n' "$*"; }
+limited() { timeout --foreground --kill-after=10 "$@"; }
+
+# bare TARGET OPTIONS...: a folder or tarball with the smallest system. Options are mmdebstrap's, or further archives.
+bare() {
+  local target=$1
+  shift
+  limited 20m mmdebstrap --quiet --variant=minbase "$@" "$suite" "$target" "${archives[@]}"
+}
+
+# inside FOLDER COMMAND...: runs it there, where /proc is mounted: fathom finds its adapters by it. What it started ends with it.
+inside() {
+  local target=$work/$1
+  shift
+  limited "${limit:-30m}" unshare --kill-child --pid --mount --root="$target" --mount-proc \
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "${proxies[@]}" "$@"
+}
+
 if [[ ${2-} == --keep ]]; then
-  mmdebstrap --variant=minbase "$suite" "$3" "${sources[@]}"
+  bare "$3"
+  exit
+fi
+
+# bare_with_sources FOLDER OPTIONS...: the same with our sources in /fathom, and the network as it is here.
+bare_with_sources() {
+  local target=$work/$1
+  shift
+  bare "$target" "$@"
+  cp -L /etc/resolv.conf /etc/hosts "$target/etc"
+  apt-config dump | grep -E '^Acquire::(https?|Retries)' >"$target/etc/apt/apt.conf.d/99as-there" || true
+  mkdir "$target/fathom" "$target/data"
+  tar -C "$root" --exclude-vcs --exclude=./build -c . | tar -C "$target/fathom" --no-same-owner -x
+}
+
+# The catalogues, the real cases and L0 as one stream of cases; and what this machine's fathom answers, with every proof.
+ask_here() {
+  local target=$work/$1/data catalogue
+  for catalogue in '' --shapes --unions; do "$root/fathom" cases $catalogue --catalogue; done >"$target/cases.jsonl"
+  zstd -dcq "$root"/tests/data/golden/golden-L0-*.jsonl.zst | cat "$root/tests/data/real_cases.jsonl" - >>"$target/cases.jsonl"
+  "$root/fathom" depth --json --embed-certificate - <"$target/cases.jsonl" >"$target/here.jsonl" 2>/dev/null
+}
+
+# same_answers FOLDER PROGRAM...
+same_answers() {
+  local folder=$1 data=$work/$1/data
+  shift
+  inside "$folder" "$@" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/there.jsonl" 2>/dev/null
+  cmp "$data/here.jsonl" "$data/there.jsonl"
+  say "the same bytes: $(wc -l <"$data/there.jsonl") answers with their proofs"
+}
+
+# same_l0 FOLDER PROGRAM...: makes L0 there. Contents are compared: what zstd makes of them changes with its version.
+same_l0() {
+  local folder=$1 name
+  shift
+  inside "$folder" "$@" golden generate --level L0 --seed 1 --out /data/L0
+  for name in "$root"/tests/data/golden/*.zst; do
+    cmp <(zstd -dcq "$name") <(zstd -dcq "$work/$folder/data/L0/${name##*/}")
+  done
+  say "the same bytes: L0"
+}
+
+# Each file of the preset release is parsed; Ninja does not ask whether an object was made.
+parse_all() {
+  printf '#!/bin/sh\nexec "$@" -fsyntax-only\n' >"$work/$1/data/parse"
+  chmod +x "$work/$1/data/parse"
+  inside "$1" bash -euc 'root=/fathom me=parse && . /fathom/cmake/launcher.sh && start_log && install_packages depth build && cd /fathom
+    cmake --preset release -B /data/parsed -DFATHOM_TESTS=OFF -DCMAKE_CXX_COMPILER_LAUNCHER=/data/parse >>"$log"
+    ninja -C /data/parsed -t targets all | sed -n "s/^\(.*\.o\): CXX_COMPILER.*/\1/p" >/data/objects
+    xargs ninja -C /data/parsed -k 0 -j "$(jobs)" --quiet </data/objects && wc -l </data/objects'
+}
+
+if [[ -z $debs ]]; then
+  say "$suite: a bare system with the sources"
+  if [[ $mode == --arm64 ]]; then
+    # Of what the launcher asks for, the libraries are those of arm64, but for such as are of all architectures.
+    libraries=$(root=$root me=arm64 && . "$root/cmake/launcher.sh" && packages depth build | grep -E '^(lib|nlohmann)')
+    bare_with_sources arm64 --architectures=amd64,arm64 --include=crossbuild-essential-arm64,cmake,ninja-build,qemu-user
+    limit=3h
+    inside arm64 bash -euc 'export DEBIAN_FRONTEND=noninteractive
+      apt-get -q update
+      for name; do
+        if apt-cache show "$name" | grep -qx "Architecture: all"; then echo "$name"; else echo "$name:arm64"; fi
+      done >/data/packages
+      xargs apt-get -qq install -y --no-install-recommends </data/packages >/data/log
+      cmake --preset release -S /fathom -B /data/arm64 -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux \
+        -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ >>/data/log
+      cmake --build /data/arm64 --target fathom fathom-check fathom_c -j 2' - $libraries
+    ask_here arm64
+    same_answers arm64 qemu-aarch64 /data/arm64/fathom
+    say "fathom-check: the proofs of L0"
+    zstd -dcq "$root"/tests/data/golden/golden-L0-*.cert.zst >"$work/arm64/data/L0.cert"
+    inside arm64 qemu-aarch64 /data/arm64/verify/check/fathom-check /data/L0.cert | tail -n 1
+    say "the library for C: its examples"
+    inside arm64 bash -euc 'for source in /fathom/examples/c_*.c; do
+        aarch64-linux-gnu-gcc -std=c99 -I /fathom/include "$source" -o /data/example -L /data/arm64 -lfathom-c -Wl,-rpath,/data/arm64
+        (cd /fathom/examples && cmake -D "PROGRAM=qemu-aarch64;/data/example" -D SOURCE="$source" -P run.cmake)
+      done'
+    same_l0 arm64 qemu-aarch64 /data/arm64/fathom
+  else
+    bare_with_sources native
+    say "$suite: the launcher builds depth"
+    inside native /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
+    ask_here native
+    same_answers native /fathom/fathom
+    if [[ $mode == --depth ]]; then
+      say "$suite: all sources are parsed"
+      parse_all native
+    else
+      limit=6h
+      inside native /fathom/fathom --version
+      same_l0 native /fathom/fathom
+      inside native /fathom/check "$@"
+    fi
+  fi
+  say "all of it works"
   exit
 fi
 
@@ -29,17 +169,8 @@ rm -f "$work"/archive/*-dbgsym_*.deb
 install() {
   local target=$work/$1
   shift
-  mmdebstrap --variant=minbase --include="$(IFS=,; echo "$*")" "$suite" "$target" "${sources[@]}" "deb [trusted=yes] copy:$work/archive ./"
+  archives+=("deb [trusted=yes] copy:$work/archive ./") bare "$target" --include="$(IFS=,; echo "$*")"
 }
-
-# inside FOLDER COMMAND...: runs it there, where /proc is mounted: fathom finds its adapters by it.
-inside() {
-  local target=$work/$1
-  shift
-  unshare --fork --pid --mount --root="$target" --mount-proc "$@"
-}
-
-say() { printf '== %s\n' "$*"; }
 
 say "fathom: a depth, and its certificate"
 install program fathom libccd2

@@ -38,6 +38,12 @@ class CiExample(unittest.TestCase):
     def run_command(self, command):
         return subprocess.run(["bash", "-c", command], cwd=self.root, capture_output=True, text=True, timeout=600)
 
+    def test_what_builds_is_pinned(self):
+        text = WORKFLOW.read_text()
+        self.assertIn('fetch --depth 1 "$FATHOM_REPOSITORY" "${FATHOM_COMMIT:?', text)
+        self.assertIn("key: 'fathom-${{ vars.FATHOM_COMMIT }}'", text)  # what a cache holds is never replaced under the same key
+        self.assertNotIn("git clone", text)
+
     def test_commands(self):
         writes_list, run = commands()
         version, *makes_cases, certify = run

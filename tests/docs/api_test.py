@@ -43,6 +43,17 @@ class Page(html.parser.HTMLParser):
         self.links |= {value for value in (values.get("href"), values.get("src")) if value}
 
 
+class WithoutDoxygen(unittest.TestCase):
+    def test_the_target_says_what_to_install(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "CMakeLists.txt").write_text(
+                f'cmake_minimum_required(VERSION 3.25)\nproject(pages NONE)\nadd_subdirectory("{API}" api)\n')
+            subprocess.run(["cmake", "-G", "Ninja", "-DFATHOM_DOXYGEN=OFF", "-S", folder, "-B", f"{folder}/build"], check=True, capture_output=True)
+            run = subprocess.run(["cmake", "--build", f"{folder}/build", "--target", "api"], capture_output=True, text=True)
+        self.assertNotEqual(0, run.returncode)
+        self.assertIn("(Debian: doxygen, python3)", run.stdout)
+
+
 class ApiPages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
