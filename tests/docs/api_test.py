@@ -48,7 +48,8 @@ class WithoutDoxygen(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "CMakeLists.txt").write_text(
                 f'cmake_minimum_required(VERSION 3.25)\nproject(pages NONE)\nadd_subdirectory("{API}" api)\n')
-            subprocess.run(["cmake", "-G", "Ninja", "-DFATHOM_DOXYGEN=OFF", "-S", folder, "-B", f"{folder}/build"], check=True, capture_output=True)
+            configure = ["cmake", "-G", "Ninja", "-DFATHOM_DOXYGEN=OFF", "-S", folder, "-B", f"{folder}/build"]
+            subprocess.run(configure, check=True, capture_output=True)
             run = subprocess.run(["cmake", "--build", f"{folder}/build", "--target", "api"], capture_output=True, text=True)
         self.assertNotEqual(0, run.returncode)
         self.assertIn("(Debian: doxygen, python3)", run.stdout)
