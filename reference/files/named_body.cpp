@@ -3,8 +3,6 @@
 
 #include <memory>
 
-#include "reference/files/pose.hpp"
-
 namespace fathom::files {
 namespace {
 
@@ -54,6 +52,12 @@ NamedBody posed(NamedBody body, const Quaternion& turn, const Point& place) {
     body.turn = product(turn, body.turn);
     body.place = placed(body.place, motion);
   }
+  return body;
+}
+
+NamedBody posed(NamedBody body, const GivenPose& pose) {
+  if (!pose.matrix) return posed(std::move(body), pose.turn, pose.place);
+  body.matrix = product(*pose.matrix, pose_of(body));
   return body;
 }
 

@@ -10,6 +10,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/shape.hpp"
+#include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
@@ -33,6 +34,9 @@ NamedBody rounded(NamedBody body, const mpq_class& margin);
 
 /// The body after a further turn about O and translation.
 NamedBody posed(NamedBody body, const Quaternion& turn, const Point& place);
+
+/// The same of a further pose of any kind.
+NamedBody posed(NamedBody body, const GivenPose& pose);
 
 /// The pose that the body has.
 Pose pose_of(const NamedBody& body);

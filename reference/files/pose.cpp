@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/named_body.hpp"
 
 namespace fathom::files {
 namespace {
@@ -65,6 +66,13 @@ std::string note_on(const Rows& m) {
   return found + ", not a rotation: the body is " + (is_near_1(abs(det)) ? "sheared" : "scaled or sheared") + " by it";
 }
 
+Rows linear_part(const Pose& pose) {
+  Rows result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) result[i][j] = pose[i][j];
+  return result;
+}
+
 /// The twelve numbers, three rows of four, taken as four columns of three.
 Rows by_columns(const Pose& pose) {
   Rows result;
@@ -89,10 +97,7 @@ Pose exact_pose(const GivenPose& given) { return given.matrix ? *given.matrix : 
 
 std::string pose_note(const GivenPose& given, bool has_radius) {
   if (!given.matrix) return "";
-  Rows rows;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) rows[i][j] = (*given.matrix)[i][j];
-  std::string note = note_on(rows);
+  std::string note = note_on(linear_part(*given.matrix));
   if (!note.empty() && has_radius)
     note += "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
   if (given.transposed) {
@@ -105,7 +110,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
 
 void place(Body& body, const GivenPose& given) {
   const Pose pose = exact_pose(given);
-  body.words = nullptr;
+  const bool flattened = given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
+  if (body.words) body.words = flattened ? nullptr : std::make_shared<const NamedBody>(posed(*body.words, given));
   if (body.shape) {
     body.shape = moved(*body.shape, pose);
     return;

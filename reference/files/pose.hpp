@@ -42,7 +42,7 @@ Pose exact_pose(const GivenPose& given);
 /// `has_radius`: of a body with a radius, which no pose maps.
 std::string pose_note(const GivenPose& given, bool has_radius);
 
-/// Places the body, exactly. Throws std::invalid_argument as moved does.
+/// Places the body, exactly, and its words with it. Throws std::invalid_argument as moved does.
 void place(Body& body, const GivenPose& given);
 
 /// The words for a rotation and a translation, and what they are called in short.
