@@ -17,6 +17,7 @@
 #include "kernels/point_products.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
+#include "verify/check/unreadable.hpp"
 
 namespace fathom::c {
 namespace {
@@ -183,7 +184,13 @@ struct Proof {
 
 std::string certificate_of(const fathom_answer& answer, const std::string& id, const fathom_options& options) {
   CallersMonitor monitor(options);
-  return told(answer, Proof{*answer.a, *answer.b, id, &monitor});
+  std::string text = told(answer, Proof{*answer.a, *answer.b, id, &monitor});
+  try {
+    fathom_check::require_readable(text);
+  } catch (const fathom_check::Unreadable& refusal) {
+    throw Absence(refusal.what());
+  }
+  return text;
 }
 
 }  // namespace

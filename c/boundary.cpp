@@ -12,6 +12,8 @@ namespace {
 /// Of a fixed size, so that a message needs no memory.
 thread_local std::array<char, 1024> message{};
 
+constexpr std::size_t most = std::size_t{1} << 31;  // of anything that is counted
+
 }  // namespace
 
 void set_message(std::string_view text) noexcept {
@@ -37,9 +39,12 @@ void require_convex(const Body& body, const std::string& name) {
 }
 
 void require_count(std::size_t count, const char* what) {
-  constexpr std::size_t most = std::size_t{1} << 31;
   if (count < 1 || count > most)
     throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
+}
+
+void require_at_most(std::size_t count, const char* what) {
+  if (count > most) throw std::invalid_argument(std::string("expected at most 2^31 ") + what + ", found " + std::to_string(count));
 }
 
 fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(body))}; }

@@ -47,6 +47,7 @@ int fathom_check_certificate(const char* certificate, size_t length, const fatho
   return guarded([&] {
     require(certificate, "certificate");
     require(outcome, "outcome");
+    require_at_most(length, "bytes of a certificate");
     if ((a == nullptr) != (b == nullptr)) throw std::invalid_argument("expected both bodies or none, found one");
     const std::string_view text(certificate, length);
     const fathom_check::Verdict verdict = a ? verify_about(text, *a, *b) : fathom_check::verify(text);

@@ -65,6 +65,7 @@ void require_claim(const fathom_claim& claim) {
          "the tolerance in ulps is not a whole number from 0 to 1e9");
   demand(claim.policy >= FATHOM_POLICY_DECLARED && claim.policy <= FATHOM_POLICY_WITHIN, "there is no such policy");
   demand(is_tolerance(claim.policy_most), "what the policy allows is negative or not finite");
+  require_at_most(claim.contact_count, "contacts of a claim");
   demand(claim.contact_count == 0 || claim.contact_positions != nullptr, "contacts without their positions");
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/io/certificate_file.hpp"
+#include "cli/io/certificate_limits.hpp"
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
@@ -35,7 +36,9 @@ class Proofs {
   void write(const PublishedClaim& claim, const JudgedClaim& judged) {
     if (!folder_ || judged.finding() != Finding::wrong) return;
     const Shape a = files::shape_of(claim.bodies.a), b = files::shape_of(claim.bodies.b);
-    CertificateFile(folder_->file(claim.bodies.id)).write(certificate_text(a, b, judged.truth, claim.bodies.id, ShapeFormat::richest));
+    const std::string certificate = certificate_text(a, b, judged.truth, claim.bodies.id, ShapeFormat::richest);
+    require_readable(claim.bodies.id, certificate);
+    CertificateFile(folder_->file(claim.bodies.id)).write(certificate);
   }
 
  private:

@@ -8,13 +8,13 @@
 
 namespace fathom::cli {
 
-void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits) {
-  const std::string why = fathom_check::unreadable(certificate, limits);
-  if (why.empty()) return;
-  throw OutputError(
-      fmt::format("{}: no certificate is written, since all checkers would refuse to read it: {}. Narrower numbers make it shorter, as "
-                  "--exact-decimals does for short decimals, and so do fewer points or pieces; without a certificate the depth is printed",
-                  id, why));
+void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits) try {
+  fathom_check::require_readable(certificate, limits);
+} catch (const fathom_check::Unreadable& refusal) {
+  throw OutputError(fmt::format(
+      "{}: {}. Narrower numbers make it shorter, as --exact-decimals does for short decimals, and so do fewer points or pieces; "
+      "without a certificate the depth is printed",
+      id, refusal.what()));
 }
 
 }  // namespace fathom::cli

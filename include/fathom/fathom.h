@@ -198,7 +198,8 @@ FATHOM_API int fathom_answer_exact(const fathom_answer* answer, int quantity, ch
 FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, char** text);
 
 /** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other checkers. `id` and `options` may be NULL;
- * of the options it reads `stop`. */
+ * of the options it reads `stop`. FATHOM_ABSENT of a text beyond the limits of FORMAT.md, as with numbers of more than 100,000 digits,
+ * which every checker would refuse to read. */
 FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options, char** text);
 
 /* ---- certificates ---- */
@@ -210,9 +211,9 @@ enum {
   FATHOM_MALFORMED = 2 /**< no certificate */
 };
 
-/** Checks whether a text of `length` bytes is a proof, by a checker that shares nothing with what makes certificates. What acceptance
- * proves is written in FORMAT.md. With both bodies, hulls of points or unions of them, it is refused too unless it is about the same
- * points in the same order; without them, NULL, it is taken on its own. `line` gets what the checker prints, "s VERIFIED penetrating
+/** Checks whether a text of `length` bytes, at most 2^31, is a proof, by a checker that shares nothing with what makes certificates. What
+ * acceptance proves is written in FORMAT.md. With both bodies, hulls of points or unions of them, it is refused too unless it is about the
+ * same points in the same order; without them, NULL, it is taken on its own. `line` gets what the checker prints, "s VERIFIED penetrating
  * depth_squared=9/25 certificate", or the line and the reason; it may be NULL. FATHOM_OK says that the text was checked, not that it is
  * a proof. */
 FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
@@ -291,7 +292,7 @@ typedef struct fathom_claim {
   double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the price may be (1 + policy_most) depths; not negative */
   int has_distance;   /**< 0: of bodies that are said to be apart. Direction and witness points then are those of the distance */
   double distance;    /**< at least 0 */
-  size_t contact_count;            /**< 0: the contacts of a manifold, read beside a depth */
+  size_t contact_count;            /**< 0; at most 2^31: the contacts of a manifold, read beside a depth */
   const double* contact_positions; /**< x, y, z of each: points of both bodies. They are read during the call */
   const double* contact_depths;    /**< of each, or NULL; the largest is the depth of the answer */
 } fathom_claim;

@@ -132,6 +132,43 @@ TEST(CBadInput, NullAndForeignOptions) {
   fathom_options_init(nullptr);
 }
 
+TEST(CBadInput, AbsurdCounts) {
+  const BodyHandle a = body_of(cube_at(0));
+  const double position[3] = {};
+  for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 24 + 1, (std::size_t{1} << 31) + 1}) {
+    fathom_claim claim;
+    fathom_claim_init(&claim);
+    claim.contact_count = count;
+    claim.contact_positions = position;
+    fathom_judgement judgement;
+    fathom_judgement_init(&judgement);
+    EXPECT_EQ(fathom_judge(a.get(), a.get(), &claim, &judgement, nullptr), FATHOM_BAD_INPUT);
+    EXPECT_NE(std::string(fathom_last_error()).find("at most 2^31 contacts of a claim, found"), std::string::npos) << fathom_last_error();
+    int outcome = 7;
+    EXPECT_EQ(fathom_check_certificate("x", count, nullptr, nullptr, &outcome, nullptr), FATHOM_BAD_INPUT);
+    EXPECT_NE(std::string(fathom_last_error()).find("at most 2^31 bytes of a certificate, found"), std::string::npos)
+        << fathom_last_error();
+    EXPECT_EQ(outcome, 7);
+  }
+}
+
+// Law: what is handed out is a proof. Every checker refuses to read numbers of more than 100,000 digits.
+TEST(CBadInput, ProofsThatNobodyWouldRead) {
+  const char* const wide[12] = {"1e60000", "0", "0", "0", "1", "0", "0", "0", "1", "-1", "-1", "-1"};
+  fathom_body* body = nullptr;
+  ASSERT_EQ(fathom_body_from_numbers(wide, 4, &body), FATHOM_OK);
+  const BodyHandle a(body), b = body_of({0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0});
+  ASSERT_EQ(fathom_body_from_pieces(&body, 1, &body), FATHOM_OK);
+  const BodyHandle pieces(body);
+  for (const BodyHandle* const other : {&a, &pieces}) {
+    const AnswerHandle answer = answer_about(*other, b);
+    auto* text = reinterpret_cast<char*>(1);
+    EXPECT_EQ(fathom_answer_certificate(answer.get(), "wide", nullptr, &text), FATHOM_ABSENT);
+    EXPECT_EQ(text, nullptr);
+    EXPECT_NE(std::string(fathom_last_error()).find("a number of more digits than the limit, 100000"), std::string::npos);
+  }
+}
+
 TEST(CBadInput, LongMessagesAreCut) {
   expect_refused([](fathom_body** body) { return fathom_body_from_mesh(std::string(5000, 'x').c_str(), 0, body); }, "xxx");
   EXPECT_EQ(std::string(fathom_last_error()).size(), 1023U);

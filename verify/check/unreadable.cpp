@@ -20,4 +20,9 @@ std::string unreadable(std::string_view text, const Limits& limits) {
   }
 }
 
+void require_readable(std::string_view certificate, const Limits& limits) {
+  const std::string why = unreadable(certificate, limits);
+  if (!why.empty()) throw Unreadable("no certificate is written, since all checkers would refuse to read it: " + why);
+}
+
 }  // namespace fathom_check
