@@ -19,16 +19,37 @@ lists of convex pieces.
 
 Bad input raises ValueError, and what is no number or no body TypeError. Ctrl-C ends any call.
 """
-from fathom._answers import Depth, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
+import importlib
+
+
+def _refuse_subinterpreters() -> None:
+    """numpy and pybind11 serve the main interpreter alone: in another one their import would wait for ever."""
+    for name in ("_interpreters", "_xxsubinterpreters"):
+        try:
+            interpreters = importlib.import_module(name)
+        except ImportError:
+            continue
+        if interpreters.get_current() != interpreters.get_main():
+            raise ImportError("fathom serves the main interpreter alone, and this is a subinterpreter")
+        return
+
+
+_refuse_subinterpreters()
+try:
+    importlib.import_module("fathom._fathom")
+except ImportError as fault:
+    raise ImportError("fathom._fathom cannot be loaded: is it built for this Python? docs/python.md says how") from fault
+
+from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
 from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh,
                             sphere, tapered_capsule)
 from fathom._fathom import version as __version__
-from fathom._files import Case, Record, cases, golden
+from fathom._files import Case, Record, cases, family, golden
 from fathom._questions import Approx, Judgement, Metric, Ray, Study, approx, judge, metric, ray, study
 from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, read_pieces, union, union_depth
 
-__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum",
+__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum",
            "PieceContact", "Pose", "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "Width",
            "approx", "box", "capsule", "cases", "check", "cone", "convexity", "cylinder", "depth", "depths", "distance", "ellipsoid",
-           "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "read_pieces", "sphere", "study",
+           "family", "frustum", "golden", "halfspace", "judge", "metric", "pose", "ray", "read_mesh", "read_pieces", "sphere", "study",
            "tapered_capsule", "union", "union_depth", "width", "__version__"]

@@ -2,11 +2,15 @@
 """Depths and distances, their certificates, and the checker."""
 from __future__ import annotations
 
+import copyreg
 import math
 import operator
+import types
 import warnings
 from fractions import Fraction
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Callable, Iterable, NamedTuple, Sequence
+
+import numpy as np
 
 from fathom import _fathom
 from fathom._types import BodyLike, FloatArray, PoseLike
@@ -30,6 +34,23 @@ def _simplified(rational: Fraction, root: Fraction) -> Root:
     if above * above != abs(root.numerator) or below * below != root.denominator:
         return Root(rational, root)
     return Root(rational + Fraction(above, below) * (1 if root > 0 else -1), Fraction(0))
+
+
+class _Kept(types.SimpleNamespace):
+    """What an answer told, without the answer: this is what pickle keeps."""
+
+    def certificate(self, id: str) -> str:
+        """Asks again."""
+        return getattr(_fathom, self.ask)(*self.question).certificate(id)  # type: ignore[no-any-return]
+
+
+def keep(answer: type, ask: str) -> None:
+    """Makes the answers of a class of C++ fit for pickle: all that they tell is kept, and the function so called answers again."""
+    fields = [name for name, member in vars(answer).items() if isinstance(member, property)]
+    copyreg.pickle(answer, lambda found: (_Kept, (), {"ask": ask, **{name: getattr(found, name) for name in fields}}))
+
+
+keep(_fathom.Answer, "depth")
 
 
 class Optimum:
@@ -94,12 +115,17 @@ class Exact:
     @property
     def translation(self) -> Any:
         """Three Fractions; of shapes (n, alpha, beta), which means alpha n + beta n/|n|; None if only bounds are known."""
-        return self._answer.translation(exact=True)
+        return self._answer.exact_translation
 
     @property
     def witness(self) -> Any:
         """A point of A and one of B, as Fractions; of shapes (p, n, r) each, which means p + r n/|n|; or None."""
-        return self._answer.witness(exact=True)
+        return self._answer.exact_witness
+
+    def __repr__(self) -> str:
+        if self.signed_depth is None:
+            return f"Exact(bounds={self.bounds})"
+        return f"Exact(signed_depth={self.signed_depth}, translation={self.translation})"
 
 
 class _Answer:
@@ -167,12 +193,12 @@ class Depth(_Answer):
     @property
     def translation(self) -> FloatArray | None:
         """The shortest translation of A after which the bodies touch: zero if they touch already. None if only bounds are known."""
-        return self._answer.translation(exact=False)
+        return self._answer.translation
 
     @property
     def witness(self) -> tuple[FloatArray, FloatArray] | None:
         """A point of A and one of B that differ by the translation: b - a = translation. None if only bounds are known."""
-        return self._answer.witness(exact=False)
+        return self._answer.witness
 
     @property
     def optima(self) -> list[Optimum]:
@@ -278,17 +304,102 @@ def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseL
     return _told(_fathom.depth(a, b, pose_a, pose_b, *_question("automatic", None, bits)))
 
 
-def depths(pairs: Iterable[tuple[BodyLike, BodyLike]], *, threads: int | None = None, method: str = "automatic",
-           optima: int | None = None, bits: int = DEFAULT_BITS) -> list[Depth]:
-    """Answers many pairs, on all cores or on so many threads. The first pair that is wrong, by its place, raises ValueError.
+class Depths(list["Depth | Exception"]):
+    """The answers about many pairs, in their order, as a list; and their numbers as arrays, with a place for each pair.
+
+    The numbers are those of `Depth`. They are NaN where bounds leave a number open, and for a pair that was wrong, in whose place the list
+    has the exception.
+
+    >>> import fathom, numpy as np
+    >>> cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    >>> hits = fathom.depths([(cube, cube + [0.75, 0, 0]), (cube, cube * np.nan), (cube, cube + [0, 0, 3])], errors="return")
+    >>> hits.status, hits.signed_depth
+    (array(['penetrating', 'failed', 'disjoint'], dtype='<U11'), array([ 0.25,   nan, -2.  ]))
+    >>> hits.direction
+    array([[-1.,  0.,  0.],
+           [nan, nan, nan],
+           [ 0.,  0., -1.]])
+    """
+
+    __slots__ = ()
+
+    @property
+    def status(self) -> Any:
+        """Texts: that of the answer, or "failed"."""
+        return np.array([hit.status if isinstance(hit, Depth) else "failed" for hit in self], dtype="U11")
+
+    @property
+    def signed_depth(self) -> FloatArray:
+        """depth > 0, 0.0 for bodies that touch, -distance < 0."""
+        return self._numbers("signed_depth")
+
+    @property
+    def depth(self) -> FloatArray:
+        """0.0 unless the bodies penetrate."""
+        return self._numbers("depth")
+
+    @property
+    def distance(self) -> FloatArray:
+        """0.0 unless the bodies are disjoint."""
+        return self._numbers("distance")
+
+    @property
+    def low(self) -> FloatArray:
+        """The largest floats that are at most the signed depth, or its lower bound."""
+        return self._numbers("low")
+
+    @property
+    def high(self) -> FloatArray:
+        """The least floats that are at least the signed depth, or its upper bound."""
+        return self._numbers("high")
+
+    @property
+    def direction(self) -> FloatArray:
+        """Unit vectors, of shape (n, 3)."""
+        none = np.full(3, np.nan)
+        return np.array([hit.direction if isinstance(hit, Depth) else none for hit in self]).reshape(-1, 3)
+
+    def _numbers(self, name: str) -> FloatArray:
+        return np.array([getattr(hit, name, None) for hit in self], dtype=float)  # None is NaN
+
+
+def depths(pairs: Iterable[tuple[BodyLike, BodyLike]] | BodyLike, b: BodyLike | None = None, *,
+           poses_a: Sequence[PoseLike] | FloatArray | None = None, poses_b: Sequence[PoseLike] | FloatArray | None = None,
+           threads: int | None = None, method: str = "automatic", optima: int | None = None, bits: int = DEFAULT_BITS,
+           errors: str = "raise", progress: Callable[[int, int], Any] | None = None) -> Depths:
+    """Answers many pairs: `depths(pairs)`; or two bodies in many places: `depths(a, b, poses_b=poses)`.
+
+    pairs             pairs of bodies
+    poses_a, poses_b  poses of a and of b, an array of shape (n, 4, 4) or (n, 3, 4) or any sequence: where both are given, as many of both
+    threads           how many, or all cores; fewer where the system gives no more
+    method, optima, bits  as for `depth`
+    errors            "raise": the first pair that is wrong, by its place, raises ValueError or TypeError. "return": a wrong pair has its
+                      exception in the list, and the others are answered
+    progress          called now and then, twenty times a second at most, with how many pairs are answered and how many there are; at last
+                      with both equal. What it raises ends the call
 
     >>> import fathom, numpy as np
     >>> cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     >>> [hit.depth for hit in fathom.depths((cube, cube + [0, 0, 1 - s]) for s in (0.5, 0.25, 0.125))]
     [0.5, 0.25, 0.125]
+    >>> poses = np.tile(np.eye(4), (3, 1, 1))
+    >>> poses[:, 0, 3] = 0.5, 1, 1.5
+    >>> fathom.depths(cube, cube, poses_b=poses).signed_depth
+    array([ 0.5,  0. , -0.5])
     """
+    if b is None and (poses_a is not None or poses_b is not None):
+        raise TypeError("expected poses with two bodies, as depths(a, b, poses_b=poses), found them with pairs")
+    if errors not in ("raise", "return"):
+        raise ValueError(f"errors: expected 'raise' or 'return', found {errors!r}")
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress: expected a function, found {progress!r}")
     asked = _question(method, optima, bits)
-    return [_told(answer) for answer in _fathom.depths(pairs, *asked, 0 if threads is None else _integer("threads", threads, MOST_THREADS))]
+    threads = 0 if threads is None else _integer("threads", threads, MOST_THREADS)
+    found = _fathom.depths(pairs, b, poses_a, poses_b, *asked, threads, errors == "return", progress)
+    result = Depths()
+    for hit in found:
+        result.append(hit if isinstance(hit, Exception) else _told(hit))
+    return result
 
 
 class Width(_Answer):

@@ -2,8 +2,10 @@
 """Bodies that are more than an array of points, and poses. Numbers may be floats, ints, Fractions, Decimals or texts, all exact."""
 from __future__ import annotations
 
+import copyreg
+import math
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from fathom import _fathom
 from fathom._fathom import Body, Pose
@@ -11,6 +13,14 @@ from fathom._types import BodyLike, Number, Triple
 
 __all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "cylinder", "ellipsoid", "frustum", "halfspace", "pose",
            "read_mesh", "sphere", "tapered_capsule"]
+
+
+def _body_of_state(*state: Any) -> Body:
+    return _fathom.body_of_state(*state)  # pickle finds no function of C++ by its name
+
+
+copyreg.pickle(Body, lambda body: (_body_of_state, body.state))
+copyreg.pickle(Pose, lambda pose: (Pose, (pose.rows,)))
 
 
 def sphere(radius: Number) -> Body:
@@ -88,13 +98,25 @@ def read_mesh(path: str, decimals: str = "binary64") -> Body:
     return _fathom.read_mesh(str(path), decimals)
 
 
+def _readable(number: Fraction | None) -> str:
+    """As a float, which is short."""
+    try:
+        return str(None if number is None else float(number))
+    except OverflowError:
+        return str(math.inf)
+
+
 class Convexity(NamedTuple):
-    """How a mesh differs from the convex hull that stands for it."""
+    """How a mesh differs from the convex hull that stands for it. The numbers are exact, and printed as floats."""
 
     convex: bool
     volume_ratio: Fraction | None  #: the hull's volume over the mesh's, > 1; None if the mesh is convex, or not closed
     deepest: int | None  #: the point deepest inside the hull; None if the mesh is convex, or it would take too long to find
     squared_depth: Fraction | None  #: of that point; 0: all points are on the hull
+
+    def __repr__(self) -> str:
+        return (f"Convexity(convex={self.convex}, volume_ratio={_readable(self.volume_ratio)}, deepest={self.deepest}, "
+                f"squared_depth={_readable(self.squared_depth)})")
 
 
 def convexity(body: BodyLike) -> Convexity | None:
@@ -105,7 +127,9 @@ def convexity(body: BodyLike) -> Convexity | None:
     ...     vertices = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (1, 1, 1)]
     ...     faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)]
     >>> fathom.convexity(Dented)
-    Convexity(convex=False, volume_ratio=Fraction(4, 3), deepest=4, squared_depth=Fraction(1, 3))
+    Convexity(convex=False, volume_ratio=1.3333333333333333, deepest=4, squared_depth=0.3333333333333333)
+    >>> fathom.convexity(Dented).volume_ratio
+    Fraction(4, 3)
     """
     found = _fathom.convexity(body)
     return None if found is None else Convexity(*found)

@@ -140,7 +140,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     distance   of bodies that are said to be apart: witness then is a pair of nearest points, and along direction they go farther apart
     contacts   pairs of a point of both bodies and the depth there, or None; the largest is the depth
     touching   what it says of bodies that touch: "overlap", "separate", "either"
-    sign       of its depths: "positive" or "negative"
+    sign       of its depths: "positive" or "negative"; `conventions.depth` in the protocol
     moves      which body the direction moves: "a" or "b"
     unit       whether it promises directions of length 1
     claims     "minimum", or "separating": no more than that its translation separates, at the price of its direction

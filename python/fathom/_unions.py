@@ -7,8 +7,12 @@ from fractions import Fraction
 from typing import Any, Callable, Iterable, NamedTuple
 
 from fathom import _fathom
+from fathom._answers import keep
 from fathom._fathom import Body
 from fathom._types import BodyLike, FloatArray, FractionTriple, PoseLike, UnionLike
+
+
+keep(_fathom.UnionAnswer, "union_depth")
 
 
 def union(pieces: Iterable[BodyLike]) -> Body:
@@ -184,6 +188,8 @@ class UnionDepth:
     def certificate(self, id: str = "") -> str:
         """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). Raises ValueError unless
         the search is complete."""
+        if not self.complete:
+            raise ValueError("there is no certificate of a search that was stopped")
         return self._answer.certificate(id)
 
     def __repr__(self) -> str:

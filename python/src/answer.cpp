@@ -3,21 +3,19 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
 #include "kernels/counts.hpp"
-#include "python/src/batch.hpp"
 #include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "verify/check/check.hpp"
+#include "verify/check/unreadable.hpp"
 
 namespace fathom::python {
 namespace {
@@ -113,7 +111,7 @@ py::list optima(const PairAnswer& answer) {
   const std::vector<AlongNormal> translations = answer.of_shapes().translations();
   for (std::size_t i = 0; i < translations.size(); ++i) {
     const AlongNormal& t = translations[i];
-    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : nullptr;
+    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes().contact();
     list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(rounded::coordinates(t))),
                         py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
   }
@@ -127,8 +125,12 @@ std::size_t optima_count(const PairAnswer& answer) {
 
 std::string certificate(const PairAnswer& answer, const std::string& id) {
   return watched([&](Monitor& monitor) {
-    if (const Depth* const depth = answer.depth()) return certificate_text(answer.a, answer.b, *depth, id, &monitor);
-    return certificate_text(files::shape_of(answer.a), files::shape_of(answer.b), answer.of_shapes(), id, ShapeFormat::shortest, &monitor);
+    const Depth* const depth = answer.depth();
+    std::string text = depth ? certificate_text(answer.a, answer.b, *depth, id, &monitor)
+                             : certificate_text(files::shape_of(answer.a), files::shape_of(answer.b), answer.of_shapes(), id,
+                                                ShapeFormat::shortest, &monitor);
+    fathom_check::require_readable(text);
+    return text;
   });
 }
 
@@ -167,6 +169,36 @@ std::vector<std::string> notes(const PairAnswer& answer) {
   return result;
 }
 
+py::dict checked(const std::string& text) {
+  const fathom_check::Verdict verdict = [&] {
+    const py::gil_scoped_release unlocked;
+    return fathom_check::verify(text);
+  }();
+  using py::literals::operator""_a;
+  return py::dict("accepted"_a = verdict.accepted(), "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed,
+                  "line_number"_a = verdict.line, "reason"_a = verdict.reason, "status"_a = verdict.status,
+                  "verdict"_a = fathom_check::verdict_line(verdict, ""));
+}
+
+/// Depth or SignedDepth, as the bodies are.
+std::variant<Depth, SignedDepth> found_of(const Body& a, const Body& b, const Question& question, Monitor& monitor) {
+  thread_local Workspace workspace;
+  Options options = question.options;
+  options.monitor = &monitor;
+  if (a.shape || b.shape) return signed_depth(files::shape_of(a), files::shape_of(b), {.cores = options, .bits = question.bits});
+  options.workspace = &workspace;
+  return penetration_depth(a, b, options);
+}
+
+/// What makes the answer again: arguments of `depth`.
+py::tuple question_of(const PairAnswer& answer) {
+  const Options& options = answer.question.options;
+  return py::make_tuple(answer.a, answer.b, py::none(), py::none(), std::string(name(options.method)), options.optima,
+                        answer.question.bits);
+}
+
+}  // namespace
+
 Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits) {
   Question result;
   result.bits = bits;
@@ -179,31 +211,12 @@ Question question(const std::string& method, const std::optional<std::size_t>& o
   throw py::value_error("expected method 'automatic', 'exact', 'naive' or 'certificate', found '" + method + "'");
 }
 
-py::dict checked(const std::string& text) {
-  const fathom_check::Verdict verdict = [&] {
-    const py::gil_scoped_release unlocked;
-    return fathom_check::verify(text);
-  }();
-  using py::literals::operator""_a;
-  return py::dict("accepted"_a = verdict.accepted(), "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed,
-                  "line_number"_a = verdict.line, "reason"_a = verdict.reason, "status"_a = verdict.status,
-                  "verdict"_a = fathom_check::verdict_line(verdict, ""));
-}
-
-}  // namespace
-
-PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor) {
-  thread_local Workspace workspace;
-  Options options = question.options;
-  options.monitor = &monitor;
-  std::string dents = shapes::dents_text({shapes::hull_fact(a), shapes::hull_fact(b)});
-  if (!a.shape && !b.shape) {
-    options.workspace = &workspace;
-    Depth depth = penetration_depth(a, b, options);
-    return {std::move(a), std::move(b), std::move(depth), {}, std::move(dents)};
-  }
-  SignedDepth found = signed_depth(files::shape_of(a), files::shape_of(b), {.cores = options, .bits = question.bits});
-  return {std::move(a), std::move(b), std::move(found), {}, std::move(dents)};
+PairAnswer answer(Asked asked, const Question& question, Monitor& monitor) {
+  std::vector<std::string> notes;
+  std::string dents = shapes::dents_text({hull_fact(asked.a), hull_fact(asked.b)});
+  Body a = posed(std::move(asked.a), asked.pose_a, "a", &notes), b = posed(std::move(asked.b), asked.pose_b, "b", &notes);
+  std::variant<Depth, SignedDepth> found = found_of(a, b, question, monitor);
+  return {std::move(a), std::move(b), question, std::move(found), std::move(notes), std::move(dents)};
 }
 
 py::dict predicates(const PredicateCounts& counts) {
@@ -245,8 +258,10 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("bounds", bounds_in_python)
       .def_property_readonly("direction", [](const PairAnswer& found) { return unit(direction(found)); })
       .def_property_readonly("normal", [](const PairAnswer& found) { return integers(direction(found)); })
-      .def("translation", translation, arg("exact"))
-      .def("witness", witness_in_python, arg("exact"))
+      .def_property_readonly("translation", [](const PairAnswer& found) { return translation(found, false); })
+      .def_property_readonly("exact_translation", [](const PairAnswer& found) { return translation(found, true); })
+      .def_property_readonly("witness", [](const PairAnswer& found) { return witness_in_python(found, false); })
+      .def_property_readonly("exact_witness", [](const PairAnswer& found) { return witness_in_python(found, true); })
       .def_property_readonly("optima", optima)
       .def_property_readonly("optima_count", optima_count)
       .def_property_readonly("method", method)
@@ -255,39 +270,22 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("counters", counters_in_python)
       .def_property_readonly("notes", notes)
       .def_readonly("dents", &PairAnswer::dents)
+      .def_property_readonly("question", question_of)
       .def("certificate", certificate, arg("id"));
   module.def(
       "depth",
       [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, const std::string& method,
          const std::optional<std::size_t>& optima, unsigned bits) {
-        std::vector<std::string> notes;
-        Body body_a = body_from(a, pose_a, "a", &notes), body_b = body_from(b, pose_b, "b", &notes);
-        const Question asked = question(method, optima, bits);
-        PairAnswer found = watched([&](Monitor& monitor) { return answer(std::move(body_a), std::move(body_b), asked, monitor); });
-        found.notes = std::move(notes);
-        return found;
+        Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b"), pose_from(pose_a, "a"), pose_from(pose_b, "b")};
+        const Question how = question(method, optima, bits);
+        return watched([&](Monitor& monitor) { return answer(std::move(asked), how, monitor); });
       },
       arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("method"), arg("optima"), arg("bits"));
-  module.def(
-      "depths",
-      [](const py::iterable& pairs, const std::string& method, const std::optional<std::size_t>& optima, unsigned bits, unsigned threads) {
-        std::vector<std::pair<Body, Body>> bodies;
-        for (const py::handle pair : pairs) {
-          const std::string place = "pair " + std::to_string(bodies.size()) + ": ";
-          if (!PySequence_Check(pair.ptr()) || py::len(pair) != 2) throw py::value_error(place + "expected two bodies");
-          const auto two = py::reinterpret_borrow<py::sequence>(pair);
-          bodies.emplace_back(body_from(two[0], py::none(), (place + "a").c_str()), body_from(two[1], py::none(), (place + "b").c_str()));
-        }
-        const Question asked = question(method, optima, bits);
-        if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1U);
-        return watched([&](Monitor& monitor) { return answer_all(std::move(bodies), asked, threads, monitor); });
-      },
-      arg("pairs"), arg("method"), arg("optima"), arg("bits"), arg("threads"));
   module.def(
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
         const Body one = body_from(body, pose, "body");
-        return watched([&](Monitor& monitor) { return answer(one, one, {.options = {}, .bits = bits}, monitor); });
+        return watched([&](Monitor& monitor) { return answer({one, one}, {.options = {}, .bits = bits}, monitor); });
       },
       arg("body"), arg("pose"), arg("bits"));
   module.def("check", checked, arg("text"));

@@ -2,6 +2,7 @@
 // The answer about two bodies, polytopes or shapes, in the words of Python. Numbers are computed when they are asked for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,8 +12,20 @@
 
 namespace fathom::python {
 
-struct PairAnswer {
+struct Question {
+  Options options;
+  unsigned bits = SignedDepthOptions{}.bits;  ///< of bounds, for shapes
+};
+
+/// Two bodies, and where they are.
+struct Asked {
   Body a, b;
+  std::optional<files::GivenPose> pose_a = std::nullopt, pose_b = std::nullopt;
+};
+
+struct PairAnswer {
+  Body a, b;  ///< where they are
+  Question question;
   std::variant<Depth, SignedDepth> found;
   std::vector<std::string> notes = {};  ///< on the poses
   std::string dents = {};               ///< what is said of meshes that are not convex; else empty
@@ -22,15 +35,13 @@ struct PairAnswer {
   [[nodiscard]] const SignedDepth& of_shapes() const { return std::get<SignedDepth>(found); }
 };
 
-struct Question {
-  Options options;
-  unsigned bits = 0;  ///< of bounds, for shapes
-};
+/// Of arguments that Python has checked. Throws py::value_error for a method that there is not.
+Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits);
 
 /// May be called without Python's lock.
-PairAnswer answer(Body a, Body b, const Question& question, Monitor& monitor);
+PairAnswer answer(Asked asked, const Question& question, Monitor& monitor);
 
-/// Answer, depth, depths, width, check.
+/// Answer, depth, width, check.
 void bind_answers(py::module_& module);
 
 /// What the predicates were asked, by name.
@@ -43,3 +54,6 @@ py::object witness(const std::optional<Witness>& witness, bool exact);
 py::array_t<double> unit(const Vector& n);
 
 }  // namespace fathom::python
+
+template <>
+struct pybind11::detail::type_caster<fathom::python::PairAnswer> : fathom::python::MadeCaster<fathom::python::PairAnswer> {};

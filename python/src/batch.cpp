@@ -1,54 +1,216 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/src/batch.hpp"
 
-#include <atomic>
+#include <pybind11/stl.h>
+
+#include <algorithm>
 #include <chrono>
-#include <exception>
-#include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "python/src/watching.hpp"
 
 namespace fathom::python {
+namespace {
 
-std::vector<PairAnswer> answer_all(std::vector<std::pair<Body, Body>> pairs, const Question& question, unsigned threads, Monitor& monitor) {
-  std::vector<std::optional<PairAnswer>> answers(pairs.size());
-  std::atomic<std::size_t> next = 0, running = threads;
+/// What the threads of a batch share. They take pairs in order, so that all before the first fault are finished.
+class Batch {
+ public:
+  Batch(std::vector<MaybeAsked> pairs, const Question& question, Faults faults, std::atomic<std::size_t>& done)
+      : pairs_(std::move(pairs)), question_(question), faults_(faults), done_(done), outcomes_(pairs_.size()), end_(pairs_.size()) {}
+
   std::atomic<bool> stop = false;
-  std::mutex fault_lock;
-  std::size_t first_fault = pairs.size();
-  std::exception_ptr fault;
-  const auto work = [&] {
-    FlagMonitor flag(stop);
-    for (std::size_t i = next++; i < pairs.size() && !stop; i = next++) {
+
+  /// Answers pairs until there are no more.
+  void work(Monitor* signals) {
+    for (std::size_t i = next_++; i < end_ && !stop; i = next_++) {
+      PlaceMonitor monitor(*this, i, signals);
       try {
-        answers[i] = answer(std::move(pairs[i].first), std::move(pairs[i].second), question, flag);
+        outcomes_[i] = answered(i, monitor);
+      } catch (const Interrupted&) {
+        continue;  // it is behind a fault, or all is to stop
       } catch (...) {
-        const std::lock_guard lock(fault_lock);
-        if (!stop || i < first_fault) {
-          fault = std::current_exception();
-          first_fault = i;
-        }
-        stop = true;
+        outcomes_[i] = std::current_exception();
+        if (faults_ == Faults::thrown) end_before(i);
       }
+      ++done_;
     }
-    --running;
+  }
+
+  std::vector<MaybeAnswer> outcomes() {
+    if (end_ < outcomes_.size()) std::rethrow_exception(std::get<std::exception_ptr>(outcomes_[end_]));
+    return std::move(outcomes_);
+  }
+
+ private:
+  /// Ends the work on a pair that is not wanted any more.
+  class PlaceMonitor final : public Monitor {
+   public:
+    PlaceMonitor(Batch& batch, std::size_t place, Monitor* signals) : batch_(batch), place_(place), signals_(signals) {}
+    void report(std::string_view, double) override {}
+    [[nodiscard]] bool stopped() override {
+      if (signals_ && signals_->stopped()) batch_.stop = true;
+      return batch_.stop || place_ > batch_.end_;
+    }
+
+   private:
+    Batch& batch_;
+    std::size_t place_;
+    Monitor* signals_;
   };
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < threads; ++i) workers.emplace_back(work);
-  bool interrupted = false;
+
+  PairAnswer answered(std::size_t i, Monitor& monitor) {
+    if (const auto* const wrong = std::get_if<std::exception_ptr>(&pairs_[i])) std::rethrow_exception(*wrong);
+    return named("pair " + std::to_string(i), [&] { return answer(std::get<Asked>(std::move(pairs_[i])), question_, monitor); });
+  }
+
+  void end_before(std::size_t place) {
+    std::size_t end = end_;
+    while (place < end && !end_.compare_exchange_weak(end, place)) {
+    }
+  }
+
+  std::vector<MaybeAsked> pairs_;
+  const Question& question_;
+  Faults faults_;
+  std::atomic<std::size_t>& done_;
+  std::vector<MaybeAnswer> outcomes_;
+  std::atomic<std::size_t> next_ = 0, end_;  // no pair at end_ or behind is wanted
+};
+
+}  // namespace
+
+std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Question& question, unsigned threads, Faults faults,
+                                    std::atomic<std::size_t>& done, Monitor& monitor) {
+  const std::size_t useful = std::min<std::size_t>(threads, pairs.size());
+  Batch batch(std::move(pairs), question, faults, done);
+  std::atomic<unsigned> running = 0;
+  std::vector<std::jthread> workers;
+  workers.reserve(useful);
+  try {
+    while (workers.size() < useful) {
+      ++running;
+      workers.emplace_back([&] {
+        batch.work(nullptr);
+        --running;
+      });
+    }
+  } catch (const std::exception&) {  // the system gives no more threads, or no memory for them
+    --running;
+    if (workers.empty()) batch.work(&monitor);
+  }
   while (running > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (!interrupted && monitor.stopped()) interrupted = stop = true;
+    if (monitor.stopped()) batch.stop = true;
   }
-  for (std::thread& worker : workers) worker.join();
-  if (interrupted) throw Interrupted();
-  if (fault) std::rethrow_exception(fault);
-  std::vector<PairAnswer> result;
-  result.reserve(answers.size());
-  for (std::optional<PairAnswer>& one : answers) result.push_back(*std::move(one));
+  workers.clear();
+  if (batch.stop) throw Interrupted();
+  return batch.outcomes();
+}
+
+namespace {
+
+/// What `make` returns; or, where faults are returned, what it throws. Ctrl-C is no fault.
+template <class Make>
+MaybeAsked asked_or_fault(Faults faults, Make make) {
+  try {
+    return make();
+  } catch (const py::error_already_set& raised) {
+    if (faults == Faults::thrown || !raised.matches(PyExc_Exception)) throw;
+    return std::current_exception();
+  } catch (const std::exception&) {
+    if (faults == Faults::thrown) throw;
+    return std::current_exception();
+  }
+}
+
+std::vector<MaybeAsked> asked_pairs(const py::iterable& pairs, Faults faults) {
+  std::vector<MaybeAsked> result;
+  for (const py::handle pair : pairs) {
+    const std::string place = "pair " + std::to_string(result.size()) + ": ";
+    result.push_back(asked_or_fault(faults, [&] {
+      if (!PySequence_Check(pair.ptr()) || py::len(pair) != 2) throw py::value_error(place + "expected two bodies");
+      const auto two = py::reinterpret_borrow<py::sequence>(pair);
+      return Asked{body_from(two[0], py::none(), (place + "a").c_str()), body_from(two[1], py::none(), (place + "b").c_str())};
+    }));
+  }
   return result;
+}
+
+/// How many poses there are; nullopt of None.
+std::optional<std::size_t> count_of(const py::object& poses, const char* name) {
+  if (poses.is_none()) return std::nullopt;
+  if (!PySequence_Check(poses.ptr()) || py::isinstance<py::str>(poses))
+    throw py::type_error(std::string(name) + ": expected a sequence of poses, found " + shown(poses));
+  return py::len(poses);
+}
+
+/// One pair, by as many poses as there are.
+std::vector<MaybeAsked> asked_poses(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b,
+                                    Faults faults) {
+  const Asked unposed{body_from(a, py::none(), "a"), body_from(b, py::none(), "b")};
+  const std::optional<std::size_t> of_a = count_of(poses_a, "poses_a"), of_b = count_of(poses_b, "poses_b");
+  if (of_a && of_b && *of_a != *of_b)
+    throw py::value_error("expected as many poses of a as of b, found " + std::to_string(*of_a) + " and " + std::to_string(*of_b));
+  std::vector<MaybeAsked> result;
+  for (std::size_t i = 0; i < of_a.value_or(of_b.value_or(1)); ++i) {
+    const std::string place = "pair " + std::to_string(i) + ": ";
+    const auto pose = [&](const py::object& poses, const char* name) {
+      return poses.is_none() ? std::nullopt : pose_from(py::object(poses[py::int_(i)]), (place + name).c_str());
+    };
+    result.push_back(asked_or_fault(faults, [&] { return Asked{unposed.a, unposed.b, pose(poses_a, "a"), pose(poses_b, "b")}; }));
+  }
+  return result;
+}
+
+/// The exception of Python that pybind11 makes of it.
+py::object exception_of(const std::exception_ptr& fault) try {
+  return py::cpp_function([&fault] { std::rethrow_exception(fault); })();
+} catch (const py::error_already_set& raised) {
+  return raised.value();
+}
+
+/// Asks `progress` in the place of whether the work is to end.
+py::object told_by(const py::object& progress, const std::atomic<std::size_t>& done, std::size_t total) {
+  if (progress.is_none()) return py::none();
+  return py::cpp_function([&progress, &done, total] {
+    progress(done.load(), total);
+    return false;
+  });
+}
+
+py::list depths(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b, const Question& how,
+                unsigned threads, Faults faults, const py::object& progress) {
+  std::vector<MaybeAsked> pairs = b.is_none() ? asked_pairs(a, faults) : asked_poses(a, b, poses_a, poses_b, faults);
+  const std::size_t total = pairs.size();
+  std::atomic<std::size_t> done = 0;
+  std::vector<MaybeAnswer> outcomes = watched(
+      [&](Monitor& monitor) { return answer_all(std::move(pairs), how, threads, faults, done, monitor); }, told_by(progress, done, total));
+  if (!progress.is_none()) progress(total, total);
+  py::list result;
+  for (MaybeAnswer& outcome : outcomes) {
+    if (auto* const answer = std::get_if<PairAnswer>(&outcome)) result.append(py::cast(std::move(*answer)));
+    else result.append(exception_of(std::get<std::exception_ptr>(outcome)));
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_batches(py::module_& module) {
+  using py::arg;
+  module.def(
+      "depths",
+      [](const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b, const std::string& method,
+         const std::optional<std::size_t>& optima, unsigned bits, unsigned threads, bool faults_returned, const py::object& progress) {
+        if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1U);
+        return depths(a, b, poses_a, poses_b, question(method, optima, bits), threads, faults_returned ? Faults::returned : Faults::thrown,
+                      progress);
+      },
+      arg("a"), arg("b"), arg("poses_a"), arg("poses_b"), arg("method"), arg("optima"), arg("bits"), arg("threads"), arg("faults_returned"),
+      arg("progress"));
 }
 
 }  // namespace fathom::python

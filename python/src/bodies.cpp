@@ -4,13 +4,15 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "fathom/shape.hpp"
 #include "python/src/points.hpp"
+#include "reference/files/body_json.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_names.hpp"
@@ -21,24 +23,48 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) { throw py::value_error(sentence); }
 
-const Body& convex(const Body& body) {
-  if (body.pieces) refuse("expected a convex body, found a union of pieces: union_depth takes those");
-  return body;
-}
+/// How the mesh that was last asked about differs from its hull. It is the deleter of the faces, which all copies of a body share.
+class RememberedFact {
+ public:
+  std::optional<polytope::MeshConvexity> of(const Body& body) const {
+    const std::lock_guard lock(last_->mutex);
+    const bool convex = last_->fact && last_->fact->tried && !last_->fact->dents;  // so it is wherever it was moved to
+    if (last_->asked && (convex || last_->points == body.points)) return last_->fact;
+    last_->fact = shapes::hull_fact(body);
+    last_->points = body.points;
+    last_->asked = true;
+    return last_->fact;
+  }
+  void operator()(const MeshFaces* faces) const { delete faces; }
+
+ private:
+  struct Last {
+    std::mutex mutex;
+    bool asked = false;
+    GivenPoints points;
+    std::optional<polytope::MeshConvexity> fact;
+  };
+  std::shared_ptr<Last> last_ = std::make_shared<Last>();
+};
 
 Body given_body(py::handle from) {
-  if (py::isinstance<Body>(from)) return convex(from.cast<const Body&>());
+  if (py::isinstance<Body>(from)) {
+    Body& body = from.cast<Body&>();
+    if (body.faces && !std::get_deleter<RememberedFact>(body.faces))
+      body.faces = std::shared_ptr<const MeshFaces>(new MeshFaces(*body.faces), RememberedFact());
+    return convex(body);
+  }
   Body body{given_points(from)};
   body.faces = given_faces(from, body.points.size());
   return body;
 }
 
-files::GivenPose pose_from(py::handle from) {
+files::GivenPose given_pose(py::handle from) {
   if (py::isinstance<files::GivenPose>(from)) return from.cast<files::GivenPose>();
   std::string fault;
   files::GivenPose pose;
   if (py::isinstance<py::str>(from)) {
-    pose = files::parse_pose(from.cast<std::string>(), Decimals::exact, fault);
+    pose = files::parse_pose(text_from(from), Decimals::exact, fault);
   } else {
     std::vector<std::array<mpq_class, 4>> rows;
     const bool listed = PySequence_Check(from.ptr());
@@ -52,13 +78,6 @@ files::GivenPose pose_from(py::handle from) {
   }
   if (!fault.empty()) refuse("pose: " + fault);
   return pose;
-}
-
-Axis axis_from(const std::string& axis) {
-  if (axis == "x") return Axis::x;
-  if (axis == "y") return Axis::y;
-  if (axis == "z") return Axis::z;
-  refuse("expected the axis 'x', 'y' or 'z', found '" + axis + "'");
 }
 
 py::object in_python(const GivenPoints& given) {
@@ -90,60 +109,29 @@ bool has_no_interior(const Body& body) {
   return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
 }
 
-Shape convex_shape(const Body& body) { return files::shape_of(convex(body)); }
+py::object description(const Body& body) { return py::module_::import("json").attr("loads")(files::body_json(body)); }
+
+// ---- what pickle keeps ----
+
+/// The body as a case has it, and the corners and ends of faces.
+py::tuple state_of(const Body& body) {
+  const MeshFaces faces = body.faces ? *body.faces : MeshFaces{};
+  return py::make_tuple(files::body_json(body), body.faces != nullptr, faces.corners, faces.ends);
+}
+
+Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uint32_t> corners, std::vector<std::uint32_t> ends) {
+  CaseItem item = parse_case("{\"a\":" + json + ",\"b\":{\"vertices\":[[0,0,0]]}}", "body");
+  if (!item.ok()) throw item.error();
+  Body body = std::move(std::get<Case>(item.outcome).a);
+  if (has_faces) body.faces = std::make_shared<const MeshFaces>(MeshFaces{std::move(corners), std::move(ends)});
+  return body;
+}
 
 std::string described(const Body& body) {
   if (body.pieces) return "<fathom.Body, a union of " + std::to_string(body.pieces->size()) + " pieces>";
   if (!body.shape) return "<fathom.Body of " + std::to_string(body.points.size()) + " points>";
   if (std::holds_alternative<HalfSpace>(body.shape->core)) return "<fathom.Body, a half-space>";
   return "<fathom.Body, a shape>";
-}
-
-void bind_shapes(py::module_& module) {
-  using py::arg;
-  const auto number = [](const py::object& from) { return number_from(from); };
-  module.def(
-      "sphere", [number](const py::object& radius) { return files::body_of(sphere(number(radius))); }, arg("radius"));
-  module.def(
-      "capsule",
-      [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return files::body_of(capsule(number(radius), number(half_length), axis_from(axis)));
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "tapered_capsule",
-      [number](const py::object& low, const py::object& high, const py::object& half_length, const std::string& axis) {
-        return files::body_of(tapered_capsule(number(low), number(high), number(half_length), axis_from(axis)));
-      },
-      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "box", [](const py::object& half) { return files::body_of(box(point_from(half))); }, arg("half"));
-  module.def(
-      "cylinder",
-      [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return files::body_of(cylinder(number(radius), number(half_length), axis_from(axis)));
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "cone",
-      [number](const py::object& radius, const py::object& half_length, const std::string& axis) {
-        return files::body_of(cone(number(radius), number(half_length), axis_from(axis)));
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "frustum",
-      [number](const py::object& low, const py::object& high, const py::object& half_length, const std::string& axis) {
-        return files::body_of(frustum(number(low), number(high), number(half_length), axis_from(axis)));
-      },
-      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "ellipsoid", [](const py::object& radii) { return files::body_of(ellipsoid(point_from(radii))); }, arg("radii"));
-  module.def(
-      "halfspace",
-      [number](const py::object& normal, const py::object& offset) {
-        return files::body_of(halfspace(point_from(normal), number(offset)));
-      },
-      arg("normal"), arg("offset"));
 }
 
 py::object extent_in_python(const Body& body) {
@@ -155,7 +143,7 @@ py::object extent_in_python(const Body& body) {
 py::object convexity(const Body& body) {
   const std::optional<polytope::MeshConvexity> found = [&] {
     const py::gil_scoped_release unlocked;
-    return shapes::hull_fact(body);
+    return hull_fact(body);
   }();
   if (!found) return py::none();
   if (!found->dents) return py::make_tuple(true, py::none(), py::none(), py::none());
@@ -167,16 +155,34 @@ py::object convexity(const Body& body) {
 
 }  // namespace
 
-Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes) {
-  if (pose.is_none()) return body;
+const Body& convex(const Body& body) {
+  if (body.pieces) refuse("expected a convex body, found a union of pieces: union_depth takes those");
+  return body;
+}
+
+std::optional<files::GivenPose> pose_from(py::handle pose, const char* name) {
+  if (pose.is_none()) return std::nullopt;
+  return named(name, [&] { return given_pose(pose); });
+}
+
+Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes) {
+  if (!pose) return body;
   return named(name, [&] {
-    const files::GivenPose given = pose_from(pose);
     if (notes)
-      if (const std::string note = files::pose_note(given, body.shape && body.shape->radius > 0); !note.empty())
+      if (const std::string note = files::pose_note(*pose, body.shape && body.shape->radius > 0); !note.empty())
         notes->push_back(std::string("pose_") + name + ": " + note);
-    files::place(body, given);
+    files::place(body, *pose);
     return std::move(body);
   });
+}
+
+Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes) {
+  return posed(std::move(body), pose_from(pose, name), name, notes);
+}
+
+std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
+  const auto* const remembered = body.faces ? std::get_deleter<RememberedFact>(body.faces) : nullptr;
+  return remembered ? remembered->of(body) : shapes::hull_fact(body);
 }
 
 Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes) {
@@ -201,7 +207,7 @@ const GivenPoints& points_of(const Body& body, const char* name) {
 
 void bind_bodies(py::module_& module) {
   py::class_<files::GivenPose>(module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
-      .def(py::init(&pose_from), py::arg("rows"))
+      .def(py::init(&given_pose), py::arg("rows"))
       .def_property_readonly("rows",
                              [](const files::GivenPose& given) {
                                py::list rows;
@@ -230,13 +236,15 @@ void bind_bodies(py::module_& module) {
       .def(
           "moved", [](const Body& body, const py::object& pose) { return posed(body, pose, "body"); }, py::arg("pose"))
       .def(
-          "with_margin",
-          [](const Body& body, const py::object& margin) { return files::body_of(with_margin(convex_shape(body), number_from(margin))); },
+          "with_margin", [](const Body& body, const py::object& margin) { return body_with_margin(body, number_from(margin)); },
           py::arg("margin"))
-      .def(
-          "__add__", [](const Body& a, const Body& b) { return files::body_of(minkowski_sum(convex_shape(a), convex_shape(b))); },
-          py::is_operator())
-      .def("__repr__", described);
+      .def("__add__", body_sum, py::is_operator())
+      .def("__repr__", described)
+      .def_property_readonly("description", description,
+                             "The body as a case has it: the name of a shape, its numbers and its pose; the vertices of other bodies, the "
+                             "pieces of a union. Floats are exact, and so are texts as \"1/3\".")
+      .def_property_readonly("state", state_of);
+  module.def("body_of_state", body_of_state, py::arg("json"), py::arg("has_faces"), py::arg("corners"), py::arg("ends"));
   module.def(
       "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
   bind_shapes(module);

@@ -2,14 +2,29 @@
 // Bodies from Python: arrays, lists, meshes, shapes, each perhaps with a pose.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "fathom/body.hpp"
 #include "python/src/numbers.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/polytope/mesh_convexity.hpp"
 
 namespace fathom::python {
+
+/// Loads an object of Python that has its value. Of one that `__new__` made alone pybind11 would read memory that nobody wrote.
+template <class Value>
+struct MadeCaster : py::detail::type_caster_base<Value> {
+  bool load(py::handle from, bool convert) {
+    if (py::isinstance<Value>(from)) {
+      auto* const object = reinterpret_cast<py::detail::instance*>(from.ptr());
+      if (!object->get_value_and_holder(py::detail::get_type_info(typeid(Value))).value_ptr()) return false;
+    }
+    return py::detail::type_caster_base<Value>::load(from, convert);
+  }
+};
 
 /// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays of floats and sequences of numbers that
 /// are binary64 stay in binary64. `faces` beside `vertices` are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws
@@ -19,6 +34,23 @@ Body body_from(py::handle body, py::handle pose, const char* name, std::vector<s
 
 /// The same of a body that is there, of any kind.
 Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
+
+/// The same body. Throws py::value_error if it is a union of pieces.
+const Body& convex(const Body& body);
+
+/// Of convex bodies: all points at most `margin` away; the Minkowski sum. They throw as their makers in fathom/shape.hpp do.
+Body body_with_margin(const Body& body, const mpq_class& margin);
+Body body_sum(const Body& a, const Body& b);
+
+/// The pose of what stands for one; nullopt of None. Throws as body_from does.
+std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
+
+/// The same of a body and a pose that are there. May be called without Python's lock.
+Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes);
+
+/// How the mesh differs from its hull; nullopt if it has no faces, or that was not tried. Found once for a Body of Python, whoever asks.
+/// May be called without Python's lock.
+std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
 /// Its points, if it is a polytope; throws py::value_error else.
 const GivenPoints& points_of(const Body& body, const char* name);
@@ -38,7 +70,13 @@ auto named(const std::string& name, Work work) try {
   throw py::type_error(name + ": " + fault.what());
 }
 
-/// Body, Pose, the makers of shapes, read_mesh.
+/// Body, Pose, read_mesh; sphere and its like.
 void bind_bodies(py::module_& module);
+void bind_shapes(py::module_& module);
 
 }  // namespace fathom::python
+
+template <>
+struct pybind11::detail::type_caster<fathom::Body> : fathom::python::MadeCaster<fathom::Body> {};
+template <>
+struct pybind11::detail::type_caster<fathom::files::GivenPose> : fathom::python::MadeCaster<fathom::files::GivenPose> {};

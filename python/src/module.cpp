@@ -4,6 +4,7 @@
 
 #include "fathom/files.hpp"
 #include "python/src/answer.hpp"
+#include "python/src/batch.hpp"
 #include "python/src/bodies.hpp"
 #include "python/src/questions.hpp"
 #include "python/src/unions.hpp"
@@ -15,11 +16,15 @@ PYBIND11_MODULE(_fathom, module) {
       std::rethrow_exception(thrown);
     } catch (const fathom::InputError& fault) {
       PyErr_SetString(PyExc_ValueError, fault.what());
+    } catch (const pybind11::cast_error& fault) {  // an argument is of another type
+      PyErr_SetString(PyExc_TypeError, fault.what());
     }
   });
   module.attr("version") = FATHOM_VERSION;
   python::bind_bodies(module);
   python::bind_answers(module);
+  python::bind_batches(module);
   python::bind_questions(module);
+  python::bind_files(module);
   python::bind_unions(module);
 }

@@ -16,19 +16,69 @@ mpz_class integer_from(py::handle number) {
   return mpz_class(digits.cast<std::string>(), 0);
 }
 
-std::string shown(py::handle value) {
-  constexpr std::size_t readable = 60;
-  const auto text = py::repr(value).cast<std::string>();
-  return text.size() <= readable ? text : text.substr(0, readable) + "...";
-}
-
 /// Imported once: a Fraction is made for every exact number.
 const py::object& fraction_type() {
   static const py::object& type = *new py::object(py::module_::import("fractions").attr("Fraction"));
   return type;
 }
 
+const py::object& decimal_type() {
+  static const py::object& type = *new py::object(py::module_::import("decimal").attr("Decimal"));
+  return type;
+}
+
+mpq_class number_from_text(py::handle text) {
+  ParsedNumber parsed = parse_number(text_from(text), Decimals::exact);
+  if (!parsed.value) throw py::value_error(parsed.error);
+  return *std::move(parsed.value);
+}
+
+[[noreturn]] void refuse_what_is_no_number(py::handle found) {
+  throw py::type_error("expected a number (float, int, Fraction, Decimal or text), found " + shown(found));
+}
+
+/// The quotient of two ints, which `number` says it is.
+mpq_class quotient(py::handle number, py::handle numerator, py::handle denominator) {
+  if (!PyLong_Check(numerator.ptr()) || !PyLong_Check(denominator.ptr())) refuse_what_is_no_number(number);
+  mpq_class value(integer_from(numerator), integer_from(denominator));
+  if (value.get_den() == 0) throw py::value_error("expected a number, found " + shown(number) + ": the denominator is zero");
+  value.canonicalize();
+  return value;
+}
+
+py::object integer_ratio(py::handle number) try { return number.attr("as_integer_ratio")(); } catch (py::error_already_set& raised) {
+  if (!raised.matches(PyExc_OverflowError) && !raised.matches(PyExc_ValueError)) throw;  // they stand for infinity and NaN
+  throw py::value_error("expected a finite number, found " + shown(number));
+}
+
+/// An attribute that is an integer of some type, as an int.
+py::object int_attribute(py::handle number, const char* name) {
+  auto found = py::reinterpret_steal<py::object>(PyNumber_Index(number.attr(name).ptr()));
+  if (found) return found;
+  PyErr_Clear();
+  refuse_what_is_no_number(number);
+}
+
 }  // namespace
+
+std::string shown(py::handle value) {
+  constexpr std::size_t readable = 60;
+  const auto ascii = py::reinterpret_steal<py::object>(PyObject_ASCII(value.ptr()));
+  if (!ascii) {  // its own __repr__ raised, or it is an int of too many digits
+    PyErr_Clear();
+    return std::string("an object of type ") + Py_TYPE(value.ptr())->tp_name;
+  }
+  const auto text = ascii.cast<std::string>();
+  return text.size() <= readable ? text : text.substr(0, readable) + "...";
+}
+
+std::string text_from(py::handle text) {
+  Py_ssize_t size = 0;
+  const char* const bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+  if (bytes) return {bytes, static_cast<std::size_t>(size)};
+  PyErr_Clear();
+  throw py::value_error("expected a text of whole characters, found " + shown(text));
+}
 
 mpq_class number_from(py::handle number) {
   if (PyFloat_Check(number.ptr())) {
@@ -38,23 +88,28 @@ mpq_class number_from(py::handle number) {
   }
   if (PyBool_Check(number.ptr())) throw py::type_error("expected a number, found " + shown(number));
   if (PyLong_Check(number.ptr())) return integer_from(number);
-  if (PyUnicode_Check(number.ptr())) {
-    ParsedNumber parsed = parse_number(number.cast<std::string>(), Decimals::exact);
-    if (!parsed.value) throw py::value_error(parsed.error);
-    return *std::move(parsed.value);
+  if (PyUnicode_Check(number.ptr())) return number_from_text(number);
+  if (py::isinstance(number, decimal_type())) {  // its exponent may be so large that no memory holds it as an int
+    if (!number.attr("is_finite")().cast<bool>()) throw py::value_error("expected a finite number, found " + shown(number));
+    return number_from_text(py::str(number));
   }
   if (py::hasattr(number, "as_integer_ratio")) {
-    const py::tuple ratio = number.attr("as_integer_ratio")();
-    mpq_class value(integer_from(ratio[0]), integer_from(ratio[1]));
-    value.canonicalize();
-    return value;
+    const py::object ratio = integer_ratio(number);
+    if (!PyTuple_Check(ratio.ptr()) || PyTuple_GET_SIZE(ratio.ptr()) != 2) refuse_what_is_no_number(number);
+    return quotient(number, PyTuple_GET_ITEM(ratio.ptr(), 0), PyTuple_GET_ITEM(ratio.ptr(), 1));
   }
-  if (py::hasattr(number, "numerator") && py::hasattr(number, "denominator")) {  // numpy's integers, numbers.Rational
-    mpq_class value(integer_from(py::int_(number.attr("numerator"))), integer_from(py::int_(number.attr("denominator"))));
-    value.canonicalize();
-    return value;
-  }
-  throw py::type_error("expected a number (float, int, Fraction, Decimal or text), found " + shown(number));
+  if (py::hasattr(number, "numerator") && py::hasattr(number, "denominator"))  // numpy's integers, numbers.Rational
+    return quotient(number, int_attribute(number, "numerator"), int_attribute(number, "denominator"));
+  refuse_what_is_no_number(number);
+}
+
+double float_from(py::handle number, const std::string& name) {
+  const double value = PyFloat_AsDouble(number.ptr());
+  if (value != -1 || !PyErr_Occurred()) return value;
+  const bool too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+  PyErr_Clear();
+  if (too_large) throw py::value_error(name + ": expected a number within binary64, found " + shown(number));
+  throw py::type_error(name + ": expected a number, found " + shown(number));
 }
 
 Point point_from(py::handle point) {

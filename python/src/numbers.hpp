@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include <array>
+#include <string>
 
 #include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
@@ -16,8 +17,18 @@ namespace fathom::python {
 namespace py = pybind11;
 
 /// The exact value of a float, an int, a Fraction, a Decimal, anything with as_integer_ratio; or of a text as parse_number reads it, whose
-/// decimals stand for themselves. Throws py::value_error with what was found, and py::type_error for what is no number.
+/// decimals stand for themselves, as those of a Decimal do. Throws py::value_error with what was found, and py::type_error for what is no
+/// number.
 mpq_class number_from(py::handle number);
+
+/// The float that Python makes of a number, which may be NaN. Throws as number_from does, with `name` before what was expected.
+double float_from(py::handle number, const std::string& name);
+
+/// The text in UTF-8. Throws py::value_error if it holds half a character, as "\ud800".
+std::string text_from(py::handle text);
+
+/// What messages show of a value: ASCII, and not too long.
+std::string shown(py::handle value);
 
 /// Three numbers.
 Point point_from(py::handle point);

@@ -22,6 +22,13 @@ bool fits_binary64(const py::dtype& type) {
   return type.kind() == 'f' ? type.itemsize() <= binary64 : (type.kind() == 'i' || type.kind() == 'u') && type.itemsize() <= exact_integer;
 }
 
+/// A mask says that some numbers are none: which ones are to count, only the caller knows.
+void refuse_masks(py::handle from) {
+  if (!py::hasattr(from, "mask")) return;
+  const py::object any = py::module_::import("numpy").attr("any")(from.attr("mask"));
+  if (any.cast<bool>()) refuse("expected an array without a mask, found one where some numbers are masked: drop or fill them first");
+}
+
 GivenPoints points_from_array(const py::array& array) {
   if (array.ndim() != 2 || array.shape(1) != 3) {
     std::string shape;
@@ -71,8 +78,13 @@ GivenPoints points_from_sequence(const py::iterable& sequence) {
   return given_form(std::move(points));
 }
 
+[[noreturn]] void refuse_type(const std::string& expected, py::handle found) {
+  throw py::type_error("expected " + expected + ", found " + py::repr(py::type::of(found)).cast<std::string>());
+}
+
 /// As many indices in each face, three as trimesh has them, or more.
 MeshFaces faces_from(py::handle from, std::size_t points) {
+  if (py::isinstance<py::array>(from)) refuse_masks(from);
   const auto given = py::array::ensure(from);
   const bool integers = given && (given.dtype().kind() == 'i' || given.dtype().kind() == 'u');
   if (!integers || given.ndim() != 2 || given.shape(1) < 3) {
@@ -100,6 +112,18 @@ bool has_faces(py::handle from) {
   return !faces.is_none() && !(PySequence_Check(faces.ptr()) && py::len(faces) == 0);
 }
 
+/// Of an array, or of a sequence of points.
+GivenPoints plain_points(py::handle from) {
+  if (py::isinstance<py::array>(from)) {
+    refuse_masks(from);
+    const auto array = py::reinterpret_borrow<py::array>(from);
+    if (fits_binary64(array.dtype())) return points_from_array(array);
+  }
+  if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
+    refuse_type("an array of points, an object with `vertices`, or a shape", from);
+  return points_from_sequence(py::reinterpret_borrow<py::iterable>(from));
+}
+
 }  // namespace
 
 GivenPoints given_form(std::vector<Point> points) {
@@ -110,15 +134,11 @@ GivenPoints given_form(std::vector<Point> points) {
 }
 
 GivenPoints given_points(py::handle from) {
-  if (py::isinstance<py::array>(from)) {
-    const auto array = py::reinterpret_borrow<py::array>(from);
-    if (fits_binary64(array.dtype())) return points_from_array(array);
-  }
-  if (py::hasattr(from, "vertices")) return given_points(from.attr("vertices"));
-  if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
-    throw py::type_error("expected an array of points, an object with `vertices`, or a shape, found " +
-                         py::repr(py::type::of(from)).cast<std::string>());
-  return points_from_sequence(py::reinterpret_borrow<py::iterable>(from));
+  if (py::isinstance<py::array>(from) || !py::hasattr(from, "vertices")) return plain_points(from);
+  const py::object vertices = from.attr("vertices");
+  if (!py::isinstance<py::array>(vertices) && py::hasattr(vertices, "vertices"))  // it may go on like that for ever
+    refuse_type("`vertices` to be an array of points", vertices);
+  return plain_points(vertices);
 }
 
 std::shared_ptr<const MeshFaces> given_faces(py::handle from, std::size_t points) {

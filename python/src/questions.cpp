@@ -3,23 +3,17 @@
 
 #include <pybind11/stl.h>
 
-#include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "fathom/approximate.hpp"
-#include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/study.hpp"
 #include "python/src/answer.hpp"
 #include "python/src/bodies.hpp"
 #include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/zstd_file.hpp"
 #include "verify/judge/policy.hpp"
 
 namespace fathom::python {
@@ -103,7 +97,7 @@ py::dict study_of_polytopes(Pair pair, std::size_t listed) {
     coincidences[py::str(std::string(coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
   const py::dict a = size_of(found.a), b = size_of(found.b), asked = predicates(found.predicates);
-  return studied({std::move(pair.a), std::move(pair.b), std::move(found.depth)}, coincidences, asked, a, b);
+  return studied({std::move(pair.a), std::move(pair.b), {}, std::move(found.depth)}, coincidences, asked, a, b);
 }
 
 py::dict feature(const ShapeFeature& found) {
@@ -129,7 +123,7 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
     coincidences[py::str(std::string(shape_coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
   const py::dict a = size_of(found.a), b = size_of(found.b);
-  return studied({std::move(pair.a), std::move(pair.b), std::move(found.depth)}, coincidences, {}, a, b);
+  return studied({std::move(pair.a), std::move(pair.b), {}, std::move(found.depth)}, coincidences, {}, a, b);
 }
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
@@ -156,49 +150,76 @@ struct Claimed {
   Tolerance tolerance;
 };
 
+/// An argument of `judge`, by its name.
+template <class Value>
+Value argument(const py::dict& claim, const char* name, const char* expected) try {
+  return claim[name].cast<Value>();
+} catch (const py::cast_error&) {
+  throw py::type_error(std::string(name) + ": expected " + expected + ", found " + shown(claim[name]));
+}
+
+std::string text_argument(const py::dict& claim, const char* name) { return argument<std::string>(claim, name, "a text"); }
+bool bool_argument(const py::dict& claim, const char* name) { return argument<bool>(claim, name, "True or False"); }
+
+std::optional<double> number_or_none(py::handle from, const char* name) {
+  return from.is_none() ? std::nullopt : std::optional(float_from(from, name));
+}
+
+Triple triple(py::handle from, const char* name) {
+  if (!PySequence_Check(from.ptr()) || py::isinstance<py::str>(from) || py::len(from) != 3)
+    throw py::value_error(std::string(name) + ": expected three numbers, found " + shown(from));
+  const auto values = py::reinterpret_borrow<py::sequence>(from);
+  return {float_from(values[0], name), float_from(values[1], name), float_from(values[2], name)};
+}
+
+/// The items, of which there are two.
+py::sequence two_of(py::handle from, const char* expected) {
+  if (!PySequence_Check(from.ptr()) || py::len(from) != 2)
+    throw py::value_error(std::string("expected ") + expected + ", found " + shown(from));
+  return py::reinterpret_borrow<py::sequence>(from);
+}
+
+Reply reply_from(const py::dict& claim) {
+  Reply reply;
+  reply.overlap = bool_argument(claim, "overlap");
+  reply.depth = number_or_none(claim["depth"], "depth");
+  reply.distance = number_or_none(claim["distance"], "distance");
+  for (const py::handle& each : claim["contacts"]) {
+    const py::sequence contact = two_of(each, "each contact to be a position and a depth, or None");
+    reply.contacts.push_back({triple(contact[0], "contacts"), number_or_none(contact[1], "contacts")});
+  }
+  if (!claim["direction"].is_none()) reply.direction = triple(claim["direction"], "direction");
+  if (!claim["witness"].is_none()) {
+    const py::sequence two = two_of(claim["witness"], "a witness of two points");
+    reply.witness_a = triple(two[0], "witness");
+    reply.witness_b = triple(two[1], "witness");
+  }
+  return reply;
+}
+
 Claimed claimed_from(const py::dict& claim) {
   Claimed result;
-  const auto triple = [](const py::handle& from) {
-    const auto values = py::reinterpret_borrow<py::sequence>(from);
-    if (!PySequence_Check(from.ptr()) || py::len(from) != 3) throw py::value_error("expected a direction or a point of three numbers");
-    return Triple{values[0].cast<double>(), values[1].cast<double>(), values[2].cast<double>()};
-  };
-  result.reply.overlap = claim["overlap"].cast<bool>();
-  if (!claim["depth"].is_none()) result.reply.depth = claim["depth"].cast<double>();
-  if (!claim["distance"].is_none()) result.reply.distance = claim["distance"].cast<double>();
-  for (const py::handle& each : claim["contacts"]) {
-    const auto contact = py::reinterpret_borrow<py::sequence>(each);
-    if (!PySequence_Check(each.ptr()) || py::len(each) != 2)
-      throw py::value_error("expected each contact to be a position and a depth, or None");
-    result.reply.contacts.push_back({triple(contact[0]), contact[1].cast<std::optional<double>>()});
-  }
-  if (!claim["direction"].is_none()) result.reply.direction = triple(claim["direction"]);
-  if (!claim["witness"].is_none()) {
-    const auto two = claim["witness"].cast<py::sequence>();
-    if (py::len(two) != 2) throw py::value_error("expected a witness of two points");
-    result.reply.witness_a = triple(two[0]);
-    result.reply.witness_b = triple(two[1]);
-  }
+  result.reply = reply_from(claim);
   using Touching = Conventions::Touching;
   result.conventions.touching =
-      one_of<Touching>("touching", claim["touching"].cast<std::string>(),
+      one_of<Touching>("touching", text_argument(claim, "touching"),
                        {{"overlap", Touching::overlap}, {"separate", Touching::separate}, {"either", Touching::either}});
   result.conventions.depth = one_of<Conventions::Sign>(
-      "sign", claim["sign"].cast<std::string>(), {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
+      "sign", text_argument(claim, "sign"), {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
   result.conventions.moves =
-      one_of<Conventions::Body>("moves", claim["moves"].cast<std::string>(), {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
-  result.conventions.unit = claim["unit"].cast<bool>();
+      one_of<Conventions::Body>("moves", text_argument(claim, "moves"), {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
+  result.conventions.unit = bool_argument(claim, "unit");
   result.conventions.claims =
-      one_of<Conventions::Claims>("claims", claim["claims"].cast<std::string>(),
+      one_of<Conventions::Claims>("claims", text_argument(claim, "claims"),
                                   {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
   const auto precision = [&](const char* of) {
-    return one_of<Precision>(of, claim[of].cast<std::string>(), {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
+    return one_of<Precision>(of, text_argument(claim, of), {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
   };
   result.format = precision("precision");
   if (!claim["answers"].is_none()) result.format.answers = precision("answers");
   result.tolerance.relative = number_from(claim["relative"]);
   result.tolerance.absolute = number_from(claim["absolute"]);
-  const std::string policy = claim["policy"].cast<std::string>();
+  const std::string policy = text_argument(claim, "policy");
   const std::optional<Policy> known = judging::policy_of(policy);
   if (!known) throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy + "'");
   result.tolerance.policy = *known;
@@ -248,39 +269,6 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
                   "sentence"_a = found.sentence);
 }
 
-// ---- files ----
-
-/// A case as its id and bodies.
-py::tuple in_python(Case&& found) { return py::make_tuple(found.id, std::move(found.a), std::move(found.b)); }
-
-/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
-class Cases {
- public:
-  explicit Cases(const std::string& path) : stream_(CaseStream::open(path, std::cin)) {}
-
-  py::tuple next() {
-    std::optional<CaseItem> item = stream_.next();
-    if (!item) throw py::stop_iteration();
-    if (!item->ok()) throw py::value_error(item->error().what());
-    return in_python(std::get<Case>(std::move(item->outcome)));
-  }
-
- private:
-  CaseStream stream_;
-};
-
-py::tuple parsed_case(const std::string& text, const std::string& name, std::size_t line) {
-  CaseItem item = parse_case(text, name, line);
-  if (!item.ok()) throw py::value_error(item.error().what());
-  return in_python(std::get<Case>(std::move(item.outcome)));
-}
-
-py::str next_line(golden::ZstdReader& reader) {
-  const std::optional<std::string_view> line = reader.line();
-  if (!line) throw py::stop_iteration();
-  return py::str(line->data(), line->size());
-}
-
 }  // namespace
 
 void bind_questions(py::module_& module) {
@@ -290,28 +278,6 @@ void bind_questions(py::module_& module) {
   module.def("approx", approx, arg("a"), arg("b"), arg("delta"), arg("pose_a"), arg("pose_b"));
   module.def("study", study_of, arg("a"), arg("b"), arg("listed"), arg("pose_a"), arg("pose_b"));
   module.def("judge", judged, arg("a"), arg("b"), arg("claim"), arg("pose_a"), arg("pose_b"));
-  module.def("parse_case", parsed_case, arg("text"), arg("name"), arg("line"));
-  py::class_<Cases>(module, "Cases")
-      .def(py::init<const std::string&>(), arg("path"))
-      .def("__iter__", [](py::object self) { return self; })
-      .def("__next__", &Cases::next);
-  py::class_<golden::ZstdReader>(module, "ZstdLines")
-      .def(py::init([](const std::string& path) {
-             try {
-               return std::make_unique<golden::ZstdReader>(path);
-             } catch (const golden::FileError& fault) {
-               throw py::value_error(fault.what());
-             }
-           }),
-           arg("path"))
-      .def("__iter__", [](py::object self) { return self; })
-      .def("__next__", [](golden::ZstdReader& reader) {
-        try {
-          return next_line(reader);
-        } catch (const golden::FileError& fault) {
-          throw py::value_error(fault.what());
-        }
-      });
 }
 
 }  // namespace fathom::python

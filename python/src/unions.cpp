@@ -18,17 +18,27 @@
 #include "reference/files/piece_files.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/dents.hpp"
+#include "verify/check/unreadable.hpp"
 
 namespace fathom::python {
 namespace {
-
-using py::literals::operator""_a;
 
 struct UnionAnswer {
   Body a, b;
   UnionDepth found;
   std::vector<std::string> notes = {};
 };
+
+}  // namespace
+}  // namespace fathom::python
+
+template <>
+struct pybind11::detail::type_caster<fathom::python::UnionAnswer> : fathom::python::MadeCaster<fathom::python::UnionAnswer> {};
+
+namespace fathom::python {
+namespace {
+
+using py::literals::operator""_a;
 
 // ---- bodies ----
 
@@ -45,7 +55,7 @@ std::vector<Point> piece_from(py::handle from, const std::string& called, const 
   if (body.shape) throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
   const std::optional<polytope::MeshConvexity> fact = [&] {
     const py::gil_scoped_release unlocked;
-    return shapes::hull_fact(body);
+    return hull_fact(body);
   }();
   if (fact && fact->dents) warn(shapes::dents_of(called, *fact->dents));
   return body.points.exact();
@@ -145,8 +155,11 @@ py::dict counters(const UnionAnswer& answer) {
 }
 
 std::string certificate(const UnionAnswer& answer, const std::string& id) {
-  if (!answer.found.complete) throw py::value_error("there is no certificate of a search that was stopped");
-  return watched([&](Monitor& monitor) { return certificate_text(*answer.a.pieces, *answer.b.pieces, answer.found, id, &monitor); });
+  return watched([&](Monitor& monitor) {
+    std::string text = certificate_text(*answer.a.pieces, *answer.b.pieces, answer.found, id, &monitor);
+    fathom_check::require_readable(text);
+    return text;
+  });
 }
 
 }  // namespace
@@ -170,6 +183,11 @@ void bind_unions(py::module_& module) {
       .def_property_readonly("bounds", bounds)
       .def_property_readonly("counters", counters)
       .def_readonly("notes", &UnionAnswer::notes)
+      .def_property_readonly("question",
+                             [](const UnionAnswer& answer) {  // arguments of union_depth, which make the answer again
+                               return py::make_tuple(answer.a, answer.b, py::none(), py::none(), answer.found.bounds.has_value(),
+                                                     py::none());
+                             })
       .def("certificate", certificate, arg("id"));
   module.def("union_depth", answer_about, arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("bounds"), arg("stop"));
   module.def(

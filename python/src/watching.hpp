@@ -71,8 +71,7 @@ auto watched(Work work, py::object stop = py::none()) {
   } catch (const Interrupted&) {
     if (PyErr_Occurred()) throw py::error_already_set();
     if (asked) throw std::runtime_error("stopped before anything was known");
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
+    throw;
   }
 }
 

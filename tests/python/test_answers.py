@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers: against values known by construction, against each other, and against the program."""
+import copy
 import decimal
 import json
 import math
 import os
+import pickle
 import subprocess
 from fractions import Fraction
 
@@ -140,17 +142,6 @@ def test_the_program_says_the_same():
     assert found > 100
 
 
-def test_batches():
-    rng = np.random.default_rng(2)
-    pairs = [tuple(rng.normal(size=(2, 20, 3))) for _ in range(300)]
-    alone = [fathom.depth(a, b) for a, b in pairs]
-    for threads in (None, 1, 3):
-        together = fathom.depths(iter(pairs), threads=threads)
-        assert [hit.exact.signed_depth for hit in together] == [hit.exact.signed_depth for hit in alone]
-        assert [hit.exact.translation for hit in together] == [hit.exact.translation for hit in alone]
-    assert fathom.depths([]) == []
-
-
 def test_other_questions():
     box, other = fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved(fathom.pose(translation=(1, 0, 0)))
     ray = fathom.ray(box, other, (-2, 0, 0))
@@ -198,54 +189,52 @@ def test_notes():
     assert turned.exact.distance_squared == 4**2 + 5**2 + 6**2
 
 
-class Tent:  # as trimesh has it: a tetrahedron with one face pushed in
-    vertices = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]], float)
-    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]])
-
-
-def test_meshes_that_are_not_convex():
-    with pytest.warns(fathom.NotConvexWarning, match="A is not convex: the hull holds 1.33 times its volume"):
-        hit = fathom.depth(Tent, CUBE)
-    assert hit.notes and hit.status == "penetrating"
-    with pytest.warns(fathom.NotConvexWarning, match="B is not convex"):
-        fathom.depths([(CUBE, Tent)])
-    flat = Tent()
-    flat.vertices = Tent.vertices[[0, 1, 2, 3, 0]]
-    flat.faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    assert fathom.convexity(flat) == (True, None, None, None) and fathom.convexity(CUBE) is None
-    for faces in (np.array(flat.faces, np.uint64), np.array(flat.faces, np.int8)):
-        flat.faces = faces
-        assert fathom.convexity(flat).convex
-    for faces in (None, [], np.zeros((0, 3), int)):
-        flat.faces = faces
-        assert fathom.convexity(flat) is None
-    quads = Tent()
-    quads.vertices, quads.faces = CUBE, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    assert fathom.convexity(quads) == (True, None, None, None)
-    for faces in ("x", [(0.0, 1.0, 2.0)], [(0, 1), (1, 2)], [(0, 1), (1, 2, 3)]):
-        flat.faces = faces
-        with pytest.raises(ValueError, match="a: expected faces as an array of integers, n x 3"):
-            fathom.depth(flat, CUBE)
-    flat.faces = [(0, 1, 5)]
-    with pytest.raises(ValueError, match="a: face 0: expected an index below 5, found 5"):
-        fathom.depth(flat, CUBE)
-
-
 def test_contacts_and_counters():
     apart = fathom.depth(CUBE, CUBE + [2, 2, 2])
     assert apart.contact == {"kind": "vertex-vertex", "a": (7,), "b": (0,)}
     rounded = fathom.depth(fathom.box((1, 1, 1)).with_margin(1), fathom.sphere(1), pose_b="xyz=0,0,5/2")
     assert rounded.contact["kind"] == "facet-vertex"
     assert fathom.depth(fathom.cylinder(1, 1), CUBE).contact is None
+    for far in ("0,0,0", "0,0,1/2", "0,0,2", "0,0,5/2"):  # cores that overlap, touch and are apart
+        hit = fathom.depth(fathom.box((1, 1, 1)).with_margin(1), fathom.sphere(1), pose_b=f"xyz={far}")
+        assert hit.contact and hit.optima[0].contact == hit.contact
     exact = fathom.depth(CUBE, CUBE + [0.5, 0.25, 0], method="exact")
     assert exact.counters["vertices_a"] == 8 and "closest lines" in exact.counters["stages"]
     assert exact.counters["predicates"]["x_order"]["calls"] > 0
     assert fathom.depth(fathom.cylinder(1, 1), CUBE).counters["support_calls"] > 0
 
 
-def test_extents():
-    assert fathom.cylinder(1, 2).extent.tolist() == [2, 2, 4] and fathom.halfspace((0, 0, 1), 0).extent is None
-    assert fathom.Body(CUBE).extent.tolist() == [1, 1, 1]
+ANSWERS = [
+    fathom.depth(CUBE, CUBE, optima=2), fathom.depth(CUBE, CUBE + [1, 0, 0]), fathom.depth(CUBE, [("7/3", 0, 0)], method="exact"),
+    fathom.depth(fathom.sphere("1/3"), fathom.capsule(1, 2).moved("xyz=1,1,0")), fathom.depth(fathom.cylinder(1, 1), CUBE, bits=20),
+    fathom.depth(CUBE, CUBE, pose_a=np.diag([2, 2, 2, 1])), fathom.width(CUBE), fathom.width(fathom.cone(1, 1)),
+    fathom.study(fathom.sphere(1), fathom.cylinder(1, 2)).depth, fathom.union_depth([CUBE, CUBE + 1], [CUBE + 0.5]),
+    fathom.union_depth([CUBE], [CUBE + 3]), fathom.depth(CUBE, CUBE + 0.25).exact,
+]
+
+
+def told(thing):
+    """All that an answer tells but for its certificate, as a text; numbers in full."""
+    fields = [name for name in dir(type(thing)) if not name.startswith("_") and name not in ("certificate", "exact")]
+    parts = [f"{name}={getattr(thing, name)!r}" for name in fields] + [repr(thing)]
+    if isinstance(thing, fathom.Depth):
+        parts += [told(thing.exact), str([(o.normal, o.exact, o.contact) for o in thing.optima])]
+    return "\n".join(parts)
+
+
+@pytest.mark.parametrize("answer", ANSWERS, ids=repr)
+def test_answers_can_be_pickled(answer):
+    for again in (pickle.loads(pickle.dumps(answer)), copy.deepcopy(answer), pickle.loads(pickle.dumps(copy.copy(answer)))):
+        assert told(again) == told(answer)
+        if hasattr(answer, "certificate"):
+            assert again.certificate("name") == answer.certificate("name")
+            assert fathom.check(again.certificate("name")).accepted
+
+
+def test_exact_answers_show_their_numbers():
+    shown = repr(fathom.depth(CUBE, CUBE + [0.5, 0, 0]).exact)
+    assert shown.startswith("Exact(signed_depth=Root(rational=Fraction(1, 2), root=Fraction(0, 1)), ")
+    assert repr(fathom.depth(fathom.ellipsoid((1, 2, 3)), CUBE).exact).startswith("Exact(bounds=(Fraction(")
 
 
 def golden_data(folder, level):

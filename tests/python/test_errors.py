@@ -6,6 +6,10 @@ import subprocess
 import sys
 import threading
 import time
+import types
+from decimal import Decimal
+from fractions import Fraction
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
@@ -15,6 +19,7 @@ from fathom import _fathom
 
 CUBE = fathom.box((1, 1, 1))
 NAN, INF = float("nan"), float("inf")
+WIDE, BELOW = [("1e60000", 0, 0), (0, 1, 0), (0, 0, 1), (-1, -1, -1)], [(0, 0, 0), (1, 1, 1), (1, 0, 0), (0, 1, 0)]
 
 
 @pytest.mark.parametrize("body, sentence", [
@@ -30,6 +35,20 @@ NAN, INF = float("nan"), float("inf")
     ([(0, 0, "1/0")], "a: point 0: expected a number, found '1/0': the denominator is zero"),
     ([(0, 0, "x")], "a: point 0: expected a number, found 'x'"),
     ([1, 2, 3], "a: point 0: expected three numbers, found 1"),
+    ([(0, 0, Decimal("inf"))], "a: point 0: expected a finite number, found Decimal('Infinity')"),
+    ([(0, 0, Decimal("nan"))], "a: point 0: expected a finite number, found Decimal('NaN')"),
+    ([(0, 0, Decimal("1E+999999999"))], "a: point 0: expected a number, found '1E+999999999'"),
+    ([(0, 0, Decimal("-1E-999999999"))], "a: point 0: expected a number, found '-1E-999999999'"),
+    ([(0, 0, np.float32("inf"))], "a: point 0: expected a finite number, found inf"),
+    (np.array([[0, 0, INF]], np.longdouble), "a: point 0: expected a finite number, found "),
+    (np.array([[0, 0, NAN]], np.longdouble), "a: point 0: expected a finite number, found "),
+    ([(0, 0, "\ud800")], "a: point 0: expected a text of whole characters, found '\\ud800'"),
+    ([(0, 0, "\u00e9" * 100)], "a: point 0: expected a number, found"),
+    (np.ma.array([[0, 0, 0], [0, 0, 9.0]], mask=[[0, 0, 0], [0, 0, 1]]), "a: expected an array without a mask"),
+    (np.ma.array([[0, 0, 0], [0, 0, 9]], mask=[[0, 0, 0], [0, 0, 1]]), "a: expected an array without a mask"),
+    (np.ma.array(np.zeros((2, 3), object), mask=True), "a: expected an array without a mask"),
+    (types.SimpleNamespace(vertices=np.ma.array(np.zeros((2, 3)), mask=True)), "a: expected an array without a mask"),
+    (types.SimpleNamespace(vertices=np.eye(3), faces=np.ma.array([[0, 1, 2]], mask=[[0, 0, 1]])), "a: expected an array without a mask"),
 ])
 def test_bodies(body, sentence):
     with pytest.raises(ValueError) as fault:
@@ -37,10 +56,87 @@ def test_bodies(body, sentence):
     assert sentence in str(fault.value)
 
 
+class Ratio:
+    """Says that it is this number."""
+
+    def __init__(self, ratio):
+        self.ratio = ratio
+
+    def as_integer_ratio(self):
+        return self.ratio
+
+
+class Rational:
+    """Says so in other words."""
+
+    def __init__(self, numerator, denominator):
+        self.numerator, self.denominator = numerator, denominator
+
+
+class ItsOwnVertices:
+    @property
+    def vertices(self):
+        return self
+
+
+class Unspeakable:
+    def __repr__(self):
+        raise RuntimeError("no words")
+
+
+def chain(links):
+    mesh = np.zeros((1, 3))
+    for _ in range(links):
+        mesh = types.SimpleNamespace(vertices=mesh)
+    return mesh
+
+
 @pytest.mark.parametrize("body", ["cube.off", 7, None, [(0, 0, True)], [(0, 0, None)], np.zeros((2, 3), complex)])
 def test_types(body):
     with pytest.raises((TypeError, ValueError)):
         fathom.depth(CUBE, body)
+
+
+@pytest.mark.parametrize("body", [
+    MagicMock(), ItsOwnVertices(), chain(2), chain(5000), types.SimpleNamespace(vertices=None), [(0, 0, Ratio("x"))],
+    [(0, 0, Ratio((1, 2, 3)))], [(0, 0, Ratio((1.0, 2)))], [(0, 0, MagicMock())], [(0, 0, Rational(1.0, 2))],
+    [(0, 0, Rational(1, "x"))], [(0, 0, np.ma.masked)],
+    [(0, 0, Unspeakable())],
+], ids=lambda body: type(body).__name__)
+def test_objects_that_are_no_bodies(body):
+    for call in (lambda: fathom.depth(CUBE, body), lambda: fathom.depths([(body, CUBE)]), lambda: fathom.union_depth(body, CUBE),
+                 lambda: fathom.Body(body)):
+        with pytest.raises(TypeError):
+            call()
+
+
+@pytest.mark.parametrize("number", [Ratio((1, 0)), Rational(1, 0), Rational(np.int64(1), np.int64(0))])
+def test_numbers_over_zero(number):
+    for call in (lambda: fathom.depth(CUBE, [(0, 0, number)]), lambda: fathom.sphere(number), lambda: fathom.pose((1, 0, 0, number))):
+        with pytest.raises(ValueError, match="the denominator is zero"):
+            call()
+    assert fathom.distance([(0, 0, 0)], [(0, Ratio((-3, -6)), Rational(np.int64(2), -4))]).exact.distance_squared == Fraction(1, 2)
+
+
+def test_a_mask_without_masked_numbers_is_none():
+    corners = np.ma.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    for body in (corners, corners.astype(float), np.ma.array(corners, mask=np.zeros((8, 3)))):
+        assert fathom.depth(body, CUBE).depth == 2
+
+
+@pytest.mark.parametrize("made", [_fathom.Body, _fathom.Pose, _fathom.Answer, _fathom.UnionAnswer, _fathom.Cases, _fathom.ZstdLines])
+def test_objects_without_a_value(made):
+    """type.__new__ makes them."""
+    empty = made.__new__(made)
+    for name in [name for name, member in vars(made).items() if isinstance(member, property)]:
+        with pytest.raises(TypeError):
+            getattr(empty, name)
+    if made is _fathom.Body:
+        assert pytest.raises(TypeError, fathom.depth, empty, CUBE) and pytest.raises(TypeError, lambda: empty + CUBE)
+    if made in (_fathom.Cases, _fathom.ZstdLines):
+        assert pytest.raises(TypeError, next, empty)
+    if made is _fathom.Pose:
+        assert pytest.raises(TypeError, fathom.depth, CUBE, CUBE, pose_a=empty)
 
 
 @pytest.mark.parametrize("call, sentence", [
@@ -68,6 +164,15 @@ def test_types(body):
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, touching="maybe"), "expected touching to be one of"),
     (lambda: fathom.read_mesh("tests/data/none.off"), "none.off"),
     (lambda: fathom.read_mesh("tests/data/cube.off", decimals="some"), "expected decimals"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, direction=(1, 0)), "direction: expected three numbers, found (1, 0)"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, depth=10**400), "depth: expected a number within binary64"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, witness=(1, 2, 3)), "expected a witness of two points, found (1, 2, 3)"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, contacts=[1]), "expected each contact to be a position and a depth"),
+    (lambda: fathom.depth(CUBE, CUBE, pose_a="xyz=\ud800"), "a: expected a text of whole characters"),
+    (lambda: fathom.depth(CUBE, CUBE, pose_a=np.full((3, 4), np.float32("inf"))), "a: expected a finite number"),
+    (lambda: fathom.family("capsule"), "nearest: capsules"),
+    (lambda: fathom.depth(WIDE, BELOW).certificate(), "all checkers would refuse to read it"),
+    (lambda: fathom.union_depth(WIDE, BELOW).certificate(), "all checkers would refuse to read it"),
     (lambda: list(fathom.cases("tests/data/cube.off")), "cube.off"),
     (lambda: list(fathom.golden("tests/data")), "expected files .jsonl.zst, found none"),
     (lambda: list(fathom.golden("tests/data/cube.off")), "cube.off"),
@@ -78,19 +183,70 @@ def test_arguments(call, sentence):
     assert sentence in str(fault.value)
 
 
+@pytest.mark.parametrize("call, sentence", [
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, depth="1"), "depth: expected a number, found '1'"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, direction="abc"), "direction: expected three numbers, found 'abc'"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, direction=("a", "b", "c")), "direction: expected a number, found 'a'"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, contacts=[((0, 0, 0), "1")]), "contacts: expected a number, found '1'"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap="yes"), "overlap: expected True or False, found 'yes'"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, policy=1), "policy: expected a text, found 1"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, touching="\ud800"), "touching: expected a text, found '\\ud800'"),
+    (lambda: fathom.depth(CUBE, CUBE, method=1), "incompatible function arguments"),
+    (lambda: fathom.depth(CUBE, CUBE, pose_a=np.ma.array(np.eye(4), mask=True)), "expected a number"),
+])
+def test_types_of_arguments(call, sentence):
+    with pytest.raises((TypeError, ValueError)) as fault:
+        call()
+    assert sentence in str(fault.value)
+
+
+def read_on(items):
+    """What is read, and what is said of the rest."""
+    found, faults = [], []
+    while True:
+        try:
+            found.append(next(items).id)
+        except StopIteration:
+            return found, faults
+        except ValueError as fault:
+            faults.append(str(fault))
+
+
 def test_a_bad_case_does_not_end_the_file(tmp_path):
     good = '{"id": "%s", "a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[1, 0, 0]]}}\n'
     path = tmp_path / "cases.jsonl"
-    path.write_text(good % "one" + '{"id": "two"}\n' + good % "three")
-    found, faults, cases = [], [], _fathom.Cases(str(path))
-    while True:
-        try:
-            found.append(next(cases)[0])
-        except StopIteration:
-            break
-        except ValueError as fault:
-            faults.append(str(fault))
-    assert found == ["one", "three"] and len(faults) == 1 and "cases.jsonl:2" in faults[0]
+    path.write_text(good % "one" + '{"id": "two"}\n' + good % "three" + "{\n" + good % "four")
+    found, faults = read_on(fathom.cases(path))
+    assert found == ["one", "three", "four"] and [fault.split(": ")[0] for fault in faults] == [f"{path}:2", f"{path}:4"]
+
+
+def test_a_bad_record_does_not_end_the_data(tmp_path):
+    case = '{"id": "%s", "a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[1, 0, 0]]}%s}\n'
+    record = case % ("%s", ', "expected": {"status": "disjoint"}')
+    for name, text in (("1", record % "one" + case % ("two", "") + record % "three"), ("3", record % "four")):
+        subprocess.run(["zstd", "-q", "-o", tmp_path / f"{name}.jsonl.zst"], input=text.encode(), check=True)
+    (tmp_path / "2.jsonl.zst").write_bytes((tmp_path / "1.jsonl.zst").read_bytes()[:-9])
+    found, faults = read_on(fathom.golden(tmp_path))
+    assert found == ["one", "three", "four"] and [fault.split(": ")[0] for fault in faults] == [f"{tmp_path}/1.jsonl.zst:2",
+                                                                                                 f"{tmp_path}/2.jsonl.zst"]
+
+
+def test_subinterpreters():
+    """numpy and pybind11 would wait for ever."""
+    program = """
+try:
+    import _interpreters as interpreters
+except ImportError:
+    import _xxsubinterpreters as interpreters
+interpreters.run_string(interpreters.create(), '''
+try:
+    import fathom
+except ImportError as fault:
+    print(fault, flush=True)
+''')
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert run.stdout == "fathom serves the main interpreter alone, and this is a subinterpreter\n", run.stderr
 
 
 LONG = """
