@@ -25,20 +25,21 @@
 
 namespace fathom {
 
-/// What a certificate proves. depth: depth^2 = low = high > 0. bounds: the bodies penetrate, and low <= depth^2 <= high.
-enum class ClaimKind { depth, bounds, touching, disjoint };
+/// What a certificate proves. depth: depth^2 = low = high > 0. bounds: the bodies penetrate, and low <= depth^2 <= high. apart: the bodies
+/// are disjoint, and distance^2 = low = high > 0.
+enum class ClaimKind { depth, bounds, touching, apart };
 
 /// Self-contained: it holds the points. With h(n) = max_b <n,b> - min_a <n,a> and P = B (+) (-A):
 struct Certificate {
   std::string id;                            ///< of the case; may be empty
   std::vector<Point> a, b;                   ///< all points of the bodies
-  ClaimKind claim = ClaimKind::disjoint;     ///< what is proved
-  mpq_class low, high;                       ///< depth and bounds
+  ClaimKind claim = ClaimKind::depth;        ///< what is proved
+  mpq_class low, high;                       ///< of the claim; 0 if touching
   std::vector<Vector> directions;            ///< depth: optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
-                                             ///< touching: one with h(n) = 0. disjoint: one with h(n) < 0.
+                                             ///< touching: one with h(n) = 0. apart: one with h(n)^2 = low <n,n>, h(n) < 0.
   bool complete = true;                      ///< depth: the directions are all optimal ones
   InnerPolytope inner;                       ///< depth and bounds: inside P, and holds the ball of squared radius low around O
-  std::vector<Weight> weights_a, weights_b;  ///< touching: convex weights of one common point of A and B
+  std::vector<Weight> weights_a, weights_b;  ///< touching: convex weights of one common point of A and B. apart: of nearest points
 };
 
 /// Returns the certificate of an answer, whatever method found it. There always is one: it takes long only if many facets of P are nearly
@@ -50,7 +51,7 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
 Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
                                     const std::optional<Vector>& hint = std::nullopt, Monitor* monitor = nullptr);
 
-/// The text that checkers read: format 1, verify/check/FORMAT.md.
+/// The text that checkers read: format 1, or 2 if the bodies are apart, verify/check/FORMAT.md.
 std::string certificate_text(const Certificate& certificate);
 
 /// The text of make_certificate(a, b, answer), with this id. If the answer holds its proof, that is written as it stands: the points are
@@ -101,11 +102,11 @@ ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDe
 /// The text that checkers read: format 2.
 std::string certificate_text(const ShapeCertificate& certificate);
 
-/// Which format the text of two point sets without radii is in, which both can express. Shapes that format 1 cannot express are in
-/// format 2.
+/// Which format the text of two point sets without radii is in that touch: both can express them. Depths of point sets are in format 1,
+/// and all that it cannot express, distances among it, in format 2.
 enum class ShapeFormat {
-  shortest,  ///< format 1: it says that bodies are disjoint, not how far; and of bodies that touch one direction
-  richest    ///< format 2: the distance, and all directions
+  shortest,  ///< format 1: one direction
+  richest    ///< format 2: all directions
 };
 
 /// The text of make_certificate(a, b, answer), with this id.

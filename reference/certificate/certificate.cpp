@@ -7,7 +7,9 @@
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/ratio.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
+#include "reference/polytope/distance.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
@@ -63,8 +65,16 @@ Certificate proof_of_touch(std::span<const Point> a, std::span<const Point> b, c
 
 Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b, const Distance& answer) {
   if (is_zero(answer.direction) || support_sign(a, b, answer.direction) >= 0) contradiction("the direction does not separate the bodies");
-  Certificate certificate = of_bodies(a, b, ClaimKind::disjoint);
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
+  if (nearest.normal != answer.direction) contradiction("another direction");
+  const mpz_class unit = pair.denominator * pair.denominator * dot(nearest.normal, nearest.normal);
+  if (kernels::ratio(nearest.height * nearest.height, unit) != answer.squared) contradiction("another distance");
+  Certificate certificate = of_bodies(a, b, ClaimKind::apart);
+  certificate.low = certificate.high = answer.squared;
   certificate.directions = {answer.direction};
+  certificate.weights_a = std::move(nearest.a);
+  certificate.weights_b = std::move(nearest.b);
   return certificate;
 }
 

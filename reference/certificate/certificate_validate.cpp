@@ -24,10 +24,11 @@ class Check {
       if (report_.expect(!is_zero(n), "the zero direction")) direction(n);
     if (c_.claim == ClaimKind::depth) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive depth");
     if (c_.claim == ClaimKind::bounds) report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
+    if (c_.claim == ClaimKind::apart) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive distance");
     if (c_.claim == ClaimKind::depth || c_.claim == ClaimKind::bounds) inner_polytope();
     if (c_.claim == ClaimKind::depth) all_optima();
     else report_.expect(c_.directions.size() == 1, "more than one direction");
-    if (c_.claim == ClaimKind::touching) common_point();
+    if (c_.claim == ClaimKind::touching || c_.claim == ClaimKind::apart) nearest_points();
     return report_;
   }
 
@@ -45,7 +46,7 @@ class Check {
       case ClaimKind::depth: report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth"); break;
       case ClaimKind::bounds: report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound"); break;
       case ClaimKind::touching: report_.expect(h == 0, "the plane through O does not support P"); break;
-      case ClaimKind::disjoint: report_.expect(h < 0, "the direction does not separate"); break;
+      case ClaimKind::apart: report_.expect(h < 0 && h * h == c_.low * square, "the direction does not show the distance"); break;
     }
   }
 
@@ -125,9 +126,10 @@ class Check {
     return sum;
   }
 
-  void common_point() {
-    const Point in_a = combined(c_.a, c_.weights_a), in_b = combined(c_.b, c_.weights_b);
-    report_.expect(in_a == in_b, "the weighted points differ");
+  // Touching: one common point.
+  void nearest_points() {
+    const Point z = minus(combined(c_.b, c_.weights_b), combined(c_.a, c_.weights_a));
+    report_.expect(product(z, z) == c_.low, "the weighted points are not as near as is said");
   }
 
   const Certificate& c_;

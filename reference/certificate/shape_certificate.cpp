@@ -5,11 +5,7 @@
 
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/vector.hpp"
 #include "reference/certificate/cone_proof.hpp"
-#include "reference/polytope/distance.hpp"
-#include "reference/polytope/placed_pair.hpp"
 #include "reference/rounded/half_space.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -31,27 +27,14 @@ void set_points(Shape& shape, const std::vector<Point>& points) {
   if (std::get<std::vector<Term>>(shape.core).size() > 1) shape.core = hull(points).core;
 }
 
-void prove_distance(std::span<const Point> a, std::span<const Point> b, const Distance& answer, ShapeCertificate& certificate) {
-  const polytope::PlacedPair pair = polytope::place(a, b);
-  polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
-  if (nearest.normal != answer.direction) contradiction("another direction");
-  const mpz_class unit = pair.denominator * pair.denominator * dot(nearest.normal, nearest.normal);
-  if (kernels::ratio(nearest.height * nearest.height, unit) != answer.squared) contradiction("another distance");
-  certificate.claim = ShapeClaim::apart;
-  certificate.low = certificate.high = answer.squared;
-  certificate.directions = {answer.direction};
-  certificate.weights_a = std::move(nearest.a);
-  certificate.weights_b = std::move(nearest.b);
-}
-
 void prove(const Depth& cores, const SignedDepth& answer, ShapeCertificate& certificate, Monitor* monitor) {
   const std::vector<Point> a = points_of(certificate.a), b = points_of(certificate.b);
   set_points(certificate.a, a);
   set_points(certificate.b, b);
-  if (cores.distance()) return prove_distance(a, b, *cores.distance(), certificate);
   Certificate of_points = make_certificate(a, b, cores, monitor);
-  certificate.claim = cores.touch() ? ShapeClaim::touching : ShapeClaim::depth;
-  certificate.low = certificate.high = cores.squared();
+  certificate.claim = cores.touch() ? ShapeClaim::touching : cores.distance() ? ShapeClaim::apart : ShapeClaim::depth;
+  certificate.low = of_points.low;
+  certificate.high = of_points.high;
   certificate.directions = std::move(of_points.directions);
   certificate.complete = cores.penetration() != nullptr && of_points.complete;
   certificate.inner = std::move(of_points.inner);

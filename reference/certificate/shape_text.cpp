@@ -149,7 +149,7 @@ std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& 
                              Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const Depth* const cores = std::get_if<Depth>(&answer.core);
-  if (cores != nullptr && certificate::bare(a) && certificate::bare(b) && (format == ShapeFormat::shortest || cores->penetration()))
+  if (cores != nullptr && certificate::bare(a) && certificate::bare(b) && (format == ShapeFormat::shortest || !cores->touch()))
     return certificate_text(certificate::points_of(a), certificate::points_of(b), *cores, id, monitor);
   ShapeCertificate certificate = make_certificate(a, b, answer, monitor);
   certificate.id = id;

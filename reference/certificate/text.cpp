@@ -15,8 +15,8 @@ namespace fathom::certificate {
 namespace {
 
 template <class P>
-void write_head(Writer& out, std::string_view id, std::span<const P> a, std::span<const P> b) {
-  out.word("fathom-certificate 1").end();
+void write_head(Writer& out, std::size_t format, std::string_view id, std::span<const P> a, std::span<const P> b) {
+  out.word("fathom-certificate").word(format).end();
   if (!id.empty()) out.word("id").word(escaped(id)).end();
   write_points(out, "a", a);
   write_points(out, "b", b);
@@ -28,7 +28,7 @@ void write_claim(Writer& out, const Certificate& certificate) {
     case ClaimKind::depth: out.word("depth").word(certificate.low).end(); break;
     case ClaimKind::bounds: out.word("bounds").word(certificate.low).word(certificate.high).end(); break;
     case ClaimKind::touching: out.word("touching").end(); break;
-    case ClaimKind::disjoint: out.word("disjoint").end(); break;
+    case ClaimKind::apart: out.word("apart").word(certificate.low).end(); break;
   }
   const bool complete = certificate.claim == ClaimKind::depth && certificate.complete;
   out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
@@ -52,7 +52,7 @@ template <class P>
 std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<const P> b, const Penetration& answer) {
   const InnerPolytope& inner = *answer.inner;
   Writer out(likely_size(a.size() + b.size(), &inner));
-  write_head(out, id, a, b);
+  write_head(out, 1, id, a, b);
   out.word("claim").word("depth").word(answer.squared()).end();
   out.word("directions").word(answer.optima.size()).word(answer.unlisted == 0 ? "all" : "some").end();
   for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
@@ -101,12 +101,14 @@ namespace fathom {
 
 std::string certificate_text(const Certificate& certificate) {
   const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
-  const bool weights = certificate.claim == ClaimKind::touching;
   certificate::Writer out(certificate::likely_size(certificate.a.size() + certificate.b.size(), inner ? &certificate.inner : nullptr));
-  certificate::write_head(out, certificate.id, std::span<const Point>(certificate.a), std::span<const Point>(certificate.b));
+  // Format 1 cannot say how far bodies are apart; in all that is written here format 2 differs from it by its number alone.
+  const std::size_t format = certificate.claim == ClaimKind::apart ? 2 : 1;
+  certificate::write_head(out, format, certificate.id, std::span<const Point>(certificate.a), std::span<const Point>(certificate.b));
   certificate::write_claim(out, certificate);
-  if (inner) certificate::write_inner(out, certificate.inner);
-  if (weights) {
+  if (inner) {
+    certificate::write_inner(out, certificate.inner);
+  } else {
     certificate::write_weights(out, "weights_a", certificate.weights_a);
     certificate::write_weights(out, "weights_b", certificate.weights_b);
   }

@@ -24,6 +24,7 @@ Certificate certificate_of(const Case& input) {
 }
 
 std::string accepted_line(const Depth& depth) {
+  if (depth.distance()) return "s VERIFIED disjoint signed_depth=-sqrt(" + depth.distance()->squared.get_str() + ")+0 name";
   std::string line = "s VERIFIED " + std::string(name(depth.status())) + " depth_squared=" + depth.squared().get_str();
   if (depth.status() == Status::penetrating) line += " optima=" + std::to_string(depth.optima().size());
   return line + " name";
@@ -80,7 +81,8 @@ TEST(Certificate, OfTouchingAndDisjointBodiesAsText) {
             "fathom-certificate 1\na 2\n0 0 0\n2 2 2\nb 3\n1 1 1\n5 0 0\n9 9 0\nclaim touching\ndirections 1 some\n-1 -1 2\n"
             "weights_a 2\n0 1/2\n1 1/2\nweights_b 1\n0 1\nend 2 3 1 2 1\n");
   EXPECT_EQ(certificate_text(certificate_of({"", {{{0, 0, 0}}}, {{{3, 0, 0}}}})),
-            "fathom-certificate 1\na 1\n0 0 0\nb 1\n3 0 0\nclaim disjoint\ndirections 1 some\n-1 0 0\nend 1 1 1 0 0\n");
+            "fathom-certificate 2\na 1\n0 0 0\nb 1\n3 0 0\nclaim apart 9\ndirections 1 some\n-1 0 0\n"
+            "weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n");
 }
 
 TEST(Certificate, FlatFacesBecomePolygons) {
@@ -147,6 +149,14 @@ TEST(Certificate, ContradictsAWrongAnswer) {
     wrong.outcome = Distance{.squared = 1, .direction = direction, .translation = {}, .witness = {}};
     refused(wrong, b);
   }
+  const Body far = box(5, 6);
+  wrong = testing::exact_depth(a.points, far.points);
+  ASSERT_EQ(wrong.status(), Status::disjoint);
+  std::get<Distance>(wrong.outcome).squared += 1;
+  refused(wrong, far);
+  std::get<Distance>(wrong.outcome).squared -= 1;
+  std::get<Distance>(wrong.outcome).direction.x *= 2;
+  refused(wrong, far);
   wrong = testing::exact_depth(a.points, box(2, 3).points);
   ASSERT_EQ(wrong.status(), Status::touching);
   std::get<Touch>(wrong.outcome).direction = {0, 0, 1};
@@ -178,8 +188,32 @@ TEST(Certificate, NaiveCheckSeesEachKindOfFault) {
       [](Certificate& c) { c.b.front().x -= mpq_class(1, 1000); },
       [](Certificate& c) { c.b.clear(); },
       [](Certificate& c) { c.claim = ClaimKind::touching; },
-      [](Certificate& c) { c.claim = ClaimKind::disjoint; },
+      [](Certificate& c) { c.claim = ClaimKind::apart; },
       [](Certificate& c) { c.claim = ClaimKind::bounds; },
+  };
+  for (std::size_t i = 0; i < std::size(changes); ++i) {
+    Certificate wrong = right;
+    changes[i](wrong);
+    EXPECT_FALSE(validate(wrong).ok()) << "change " << i;
+  }
+}
+
+TEST(Certificate, NaiveCheckSeesEachKindOfFaultInADistance) {
+  const Certificate right = certificate_of({"apart", box(0, 2), box(3, 4)});
+  ASSERT_TRUE(validate(right).ok());
+  ASSERT_EQ(right.low, 3);
+  using Change = void (*)(Certificate&);
+  const Change changes[] = {
+      [](Certificate& c) { c.low = c.high = 4; },
+      [](Certificate& c) { c.high = 4; },
+      [](Certificate& c) { c.directions.front() = -c.directions.front(); },
+      [](Certificate& c) {
+        c.directions.front() = {-1, -1, 0};
+      },
+      [](Certificate& c) { c.weights_a.front().index = 0; },
+      [](Certificate& c) { c.weights_b.clear(); },
+      [](Certificate& c) { c.claim = ClaimKind::touching; },
+      [](Certificate& c) { c.claim = ClaimKind::depth; },
   };
   for (std::size_t i = 0; i < std::size(changes); ++i) {
     Certificate wrong = right;

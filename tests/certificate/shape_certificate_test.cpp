@@ -86,7 +86,7 @@ TEST(ShapeCertificate, IsInFormat1WhereThatCanSayIt) {
   std::vector<Point> corners;
   for (const Atom& atom : std::get<std::vector<Term>>(cube.core)[0].atoms) corners.push_back(atom.center);
   EXPECT_EQ(text(cube, cube, ShapeFormat::richest), certificate_text(corners, corners, penetration_depth(corners, corners), "x"));
-  EXPECT_EQ(claim(cube, aside, ShapeFormat::shortest), "fathom-certificate 1: claim disjoint");
+  EXPECT_EQ(claim(cube, aside, ShapeFormat::shortest), "fathom-certificate 2: claim apart 9");
   EXPECT_EQ(claim(cube, aside, ShapeFormat::richest), "fathom-certificate 2: claim apart 9");
   EXPECT_EQ(claim(cube, beside, ShapeFormat::shortest), "fathom-certificate 1: claim touching");
   EXPECT_EQ(claim(cube, beside, ShapeFormat::richest), "fathom-certificate 2: claim touching");

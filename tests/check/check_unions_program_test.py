@@ -92,6 +92,13 @@ class Unions(program.ProgramTest):
                           {"signed_depth": {"low": None, "high": None}}):
                 self.assertEqual(code(name, **wrong), 1, (name, wrong))
             self.assertEqual(code(name, depth=squared), 2)
+            right = 0 if name == "pieces_apart" else 1
+            self.assertEqual(code(name, apart={"distance": {"squared": "25"}}), right)
+            self.assertEqual(code(name, distance={"squared": "25"}), right)
+            for wrong in ({"squared": "26"}, {"squared": None}):
+                self.assertEqual(code(name, apart={"distance": wrong}), 1)
+            self.assertEqual(code(name, apart=None), 0)
+            self.assertEqual(code(name, apart=25), 2)
         self.assertEqual(code("pieces_touching", status="penetrating"), 1)
 
 

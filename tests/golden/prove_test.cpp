@@ -147,8 +147,10 @@ TEST(Prove, TheDistanceMustBeProvedToo) {
   EXPECT_TRUE(record.certificate.starts_with("fathom-certificate 2\n"));
   EXPECT_NE(record.certificate.find("\nclaim apart "), std::string::npos);
   // The certificate of format 1, with its own sum: it says that they are disjoint.
-  const Case points = base_case(recipe);
-  const std::string weaker = certificate_text(points.a, points.b, penetration_depth(points.a, points.b), points.id);
+  std::string weaker = record.certificate;
+  weaker[weaker.find('2')] = '1';
+  const std::size_t claim = weaker.find("claim apart "), directions = weaker.find("directions "), weights = weaker.find("weights_a ");
+  weaker = weaker.substr(0, claim) + "claim disjoint\n" + weaker.substr(directions, weights - directions) + "end 4 4 1 0 0\n";
   EXPECT_EQ(faults_of(testing::line_with(record.line, weaker), weaker), "the certificate does not prove how far the bodies are apart");
 }
 

@@ -65,6 +65,14 @@ TEST(TwoWays, AProofOfAnotherAnswerIsNone) {
   EXPECT_THROW(accepted_certificate(pair, flat), std::logic_error);
 }
 
+TEST(TwoWays, TheDistanceIsProvedToo) {
+  const Case pair = family_case("random_disjoint", 8, 4);
+  Depth right = penetration_depth(pair.a.points, pair.b.points);
+  EXPECT_NE(accepted_certificate(pair, right).find("\nclaim apart " + right.distance()->squared.get_str() + "\n"), std::string::npos);
+  std::get<Distance>(right.outcome).squared *= 4;
+  EXPECT_THROW(accepted_certificate(pair, right), std::logic_error);
+}
+
 TEST(KeepDifference, MakesItSmallAndWritesIt) {
   const Folder folder;
   const Solver wrong = planted([](const Case& shown, Depth& depth) {

@@ -33,6 +33,16 @@ class Fields {
     return Result::Square{fields->rational("squared")};
   }
 
+  /// Of unions it is in the field "apart", which is null unless they are.
+  [[nodiscard]] std::vector<Result::Square> distances() const {
+    std::vector<Result::Square> result;
+    if (const auto found = square("distance")) result.push_back(*found);
+    const Json* const of_unions = object_->field("apart", line_);
+    if (!of_unions || of_unions->kind == Json::Kind::null) return result;
+    if (const auto found = object("apart")->square("distance")) result.push_back(*found);
+    return result;
+  }
+
   [[nodiscard]] std::optional<Result::SignedDepth> signed_depth(std::string_view key) const {
     const std::optional<Fields> fields = object(key);
     if (!fields) return std::nullopt;
@@ -112,12 +122,12 @@ bool is_proved(const Result::Exact& exact, const Certificate& c) {
   return c.claim == Claim::signed_bounds && exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
 }
 
-/// Whether the root of `square` is the signed depth that is proved. If it is root + rho, the square is square(root) + 2 rho root + rho^2:
+/// Whether the root of `square` is the depth or the distance that is proved: x^2 = square for the signed depth x. If it is root + rho, the square is square(root) + 2 rho root + rho^2:
 /// so it must be (square + rho^2 - square(root)) / (2 rho).
-bool is_square_of_depth(const mpq_class& square, const Certificate& c) {
+bool is_square_of_signed_depth(const mpq_class& square, const Certificate& c) {
   if (!is_exact(c)) return value(c.low) == value(c.high) && square == value(c.low) * value(c.low);
   const mpq_class rho = radii(c), cores = squared_of_cores(c);
-  if (rho == 0) return square == cores;
+  if (rho == 0) return square == abs(cores);
   const mpq_class depth = (square + rho * rho - abs(cores)) / (2 * rho);
   return depth * depth == square && sgn(depth - rho) == sgn(cores);
 }
@@ -125,15 +135,18 @@ bool is_square_of_depth(const mpq_class& square, const Certificate& c) {
 /// Whether the result's depth is that of a certificate of format 2: 0 unless the bodies penetrate, and then null or its square.
 bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
   const std::string_view state = status(c);
-  if (state == "penetrating") return !square || is_square_of_depth(*square, c);
+  if (state == "penetrating") return !square || is_square_of_signed_depth(*square, c);
   return state == "undecided" ? !square : square && *square == 0;
 }
 
-/// `disjoint` proves that the signed depth is negative, and nothing else.
-bool is_negative(const Result::SignedDepth& depth) {
-  return (!depth.low || *depth.low < 0) && (!depth.high || *depth.high <= 0) &&
-         (!depth.exact || (depth.exact->sign == -1 && depth.exact->root > 0));
+/// Whether the result's distance is that of a certificate of format 2 or 3: of bodies that are disjoint, null or its square.
+bool is_distance(const std::optional<mpq_class>& square, const Certificate& c) {
+  if (status(c) != "disjoint") return false;
+  return c.format == 3 ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
 }
+
+/// `disjoint` proves that the signed depth is negative, and nothing else.
+bool says_negative_alone(const Result::SignedDepth& depth) { return !depth.low && (!depth.high || *depth.high >= 0) && !depth.exact; }
 
 }  // namespace
 
@@ -151,6 +164,7 @@ void read_result(std::string_view text, std::size_t line, Result& result) {
   result.depth = fields.square("depth");
   result.bound = fields.square("bound");
   result.signed_depth = fields.signed_depth("signed_depth");
+  result.distances = fields.distances();
 }
 
 void compare(const Result& result, const Certificate& c) {
@@ -159,15 +173,18 @@ void compare(const Result& result, const Certificate& c) {
   };
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id, "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");
+  if (c.claim == Claim::disjoint)
+    demand(result.distances.empty() && (!result.signed_depth || says_negative_alone(*result.signed_depth)),
+           "distance not proved: 'disjoint' says that there is one, not how long it is");
+  for (const Result::Square& distance : result.distances)
+    demand(is_distance(distance.value, c), "the result's distance is another than the certificate's");
   if (c.format == 3) {
     demand(!result.depth || result.depth->value == (c.claim == Claim::depth ? value(c.low) : 0),
            "the result's depth is another than the certificate's");
     demand(!result.bound && !result.signed_depth, "the result has a bound or a signed depth, which do not go with unions");
     return;
   }
-  if (result.signed_depth && c.claim == Claim::disjoint) {
-    demand(is_negative(*result.signed_depth), "the result's signed depth is not negative, the bodies are disjoint");
-  } else if (result.signed_depth) {
+  if (result.signed_depth && c.claim != Claim::disjoint) {
     const auto& [low, high, exact] = *result.signed_depth;
     demand(!low || compare_with(*low, c, c.low) <= 0, "the result's signed depth is above what the certificate proves");
     demand(!high || compare_with(*high, c, c.high) >= 0, "the result's signed depth is below what the certificate proves");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "certificate.hpp"
 
@@ -21,6 +22,7 @@ struct Result {
     std::optional<mpq_class> value;
   };
   std::optional<Square> depth, bound;
+  std::vector<Square> distances;  ///< wherever the line says one
 
   /// sign sqrt(root) + plus.
   struct Exact {
@@ -37,7 +39,7 @@ struct Result {
 /// Throws Fault (malformed); the id may have been read by then.
 void read_result(std::string_view text, std::size_t line, Result& result);
 
-/// Throws Fault (refused) unless id, status, depth, bound and signed depth are those of the certificate.
+/// Throws Fault (refused) unless id, status, depth, bound, distance and signed depth are those of the certificate.
 void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -22,13 +22,13 @@ std::string surd_text(const Surd& value) {
 }  // namespace
 
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor) {
-  Certificate certificate = make_certificate(pair.a.points, pair.b.points, answer, monitor);
-  certificate.id = pair.id;
-  std::string text = certificate_text(certificate);
+  std::string text = certificate_text(pair.a.points, pair.b.points, answer, pair.id, monitor);
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, verdict.reason));
-  if (verdict.status != name(answer.status()) || verdict.depth_squared != exact_text(answer.squared()) ||
-      verdict.optima != answer.optima().size())
+  const Distance* const apart = answer.distance();
+  const bool same =
+      apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
+  if (!same || verdict.status != name(answer.status()) || verdict.optima != answer.optima().size())
     throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
   return text;
 }

@@ -31,13 +31,6 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }
 
-/// Format 1, which does not say how far bodies are apart; that format 2 does.
-std::string proof_of(const Case& points, const Depth& answer, Monitor* monitor) {
-  if (!answer.distance()) return certificate_text(points.a, points.b, answer, points.id, monitor);
-  const SignedDepth apart{Surd{0, -answer.distance()->squared}, 0, 0, answer, {}};
-  return certificate_text(hull(points.a.points), hull(points.b.points), apart, points.id, ShapeFormat::richest, monitor);
-}
-
 }  // namespace
 
 Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor, Workspace* workspace) {
@@ -47,7 +40,7 @@ Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* m
   Depth answer = penetration_depth(points.a, points.b, options);
   Record record;
   record.id = points.id;
-  record.certificate = proof_of(points, answer, monitor);
+  record.certificate = certificate_text(points.a, points.b, answer, points.id, monitor);
   insist_on(record.id, record.certificate, answer);
   Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor, workspace);
   facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
