@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "cli/args/parser_words.hpp"
+#include "fathom/depth.hpp"
 #include "kernels/near_miss.hpp"
 #include "kernels/printable.hpp"
 
@@ -42,34 +44,77 @@ std::vector<std::string> words_in(std::string_view list) {
   return words;
 }
 
-/// What is wrong with the words of --exclude: the first that excludes nothing, and the one that is meant.
-std::string check_excluded(const std::string& list) {
-  const std::vector<std::string> known = golden::excludable();
+/// What is wrong with words of a list: the first that is not known, and the one that is meant.
+std::string check_words(const std::string& list, const std::vector<std::string>& known, std::string_view expected) {
   for (const std::string& word : words_in(list)) {
-    if (std::ranges::find(known, word) != known.end()) continue;
+    const bool pattern = word.find_first_of("*?[") != word.npos;
+    const auto same = [&](const std::string& other) { return pattern ? ::fnmatch(word.c_str(), other.c_str(), 0) == 0 : word == other; };
+    if (std::ranges::any_of(known, same)) continue;
     const auto meant = std::ranges::find_if(known, [&word](const std::string& other) { return kernels::is_near(word, other); });
     return fmt::format(
-        "expected flags of golden data, or a status, found {}{}", kernels::shown(word),
+        "expected {}, found {}{}", expected, kernels::shown(word),
         meant == known.end() ? fmt::format(" (there are {})", fmt::join(known, ", ")) : fmt::format(" (did you mean {}?)", *meant));
   }
   return "";
 }
 
+std::string check_flags(const std::string& list) {
+  return check_words(list, golden::words_of_cases(), "flags of golden data, or a status");
+}
+
+std::string check_families(const std::string& list) {
+  return check_words(list, golden::groups_of_releases(), "families, catalogue or real");
+}
+
+/// Those of facets of P: others occur only where bodies do not overlap.
+std::string check_contacts(const std::string& list) {
+  std::vector<std::string> known;
+  for (int kind = 0; kind <= static_cast<int>(ContactKind::edge_edge); ++kind) known.emplace_back(name(static_cast<ContactKind>(kind)));
+  return check_words(list, known, "kinds of contact");
+}
+
+std::string check_binary(const std::string& text) {
+  return text == "binary32" || text == "binary64" ? "" : fmt::format("expected binary32 or binary64, found {}", kernels::shown(text));
+}
+
+/// An option that takes words, separated by commas; each time it is given more of them.
+void add_words(CLI::App& app, const std::string& option, std::vector<std::string>& words, std::string (*check)(const std::string&),
+               const std::string& type, const std::string& about) {
+  app.add_option_function<std::vector<std::string>>(
+         option,
+         [&words](const std::vector<std::string>& lists) {
+           for (const std::string& list : lists)
+             for (std::string& word : words_in(list)) words.push_back(std::move(word));
+         },
+         about)
+      ->check(CLI::Validator(check, "", ""))
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name(type);
+}
+
 }  // namespace
 
-void add_export_options(CLI::App& app, golden::ExportRequest& request) {
+void add_export_options(CLI::App& app, golden::ExportRequest& request, std::string& certificates) {
   app.add_option_function<std::string>(
          "--format", [&request](const std::string& text) { request.format = *golden::find_export_format(text); },
          "c (C89 and C++), rust, json or csv")
       ->check(one_of({"c", "csv", "json", "rust"}, check_export_format))
       ->type_name("FORMAT")
       ->required();
+  add_words(app, "--only", request.only, check_flags, "FLAGS", "take only records with one of these flags, as for --exclude");
+  add_words(app, "--exclude", request.excluded, check_flags, "FLAGS",
+            "leave out records with one of these flags, separated by commas:\nflat_a, ties, ..., or their first word: flat, huge; or of a\n"
+            "status: penetrating, touching, disjoint");
+  add_words(app, "--family", request.families, check_families, "NAMES",
+            "take only records of these families, separated by commas:\nfar_boxes, 'touching_*', ..., catalogue, real");
+  add_words(app, "--contact", request.contacts, check_contacts, "KINDS",
+            "take only records with a shortest way out of one of these kinds:\nedge-edge, facet-vertex (of A, of B), ...");
   app.add_option_function<std::string>(
-         "--exclude", [&request](const std::string& list) { request.excluded = words_in(list); },
-         "leave out records with one of these flags, separated by commas:\nflat_a, ties, ..., or their first word: flat, huge; or of a\n"
-         "status: penetrating, touching, disjoint")
-      ->check(CLI::Validator(check_excluded, "", ""))
-      ->type_name("FLAGS");
+         "--exact-in", [&request](const std::string& text) { request.exact_in = text; },
+         "take only points that are numbers of binary32, or of binary64, as all\nare")
+      ->check(one_of({"binary32", "binary64"}, check_binary))
+      ->type_name("FORMAT");
   app.add_option_function<std::string>(
          "--max-points", [&request](const std::string& text) { request.most_points = *positive(text); },
          "leave out records with more points in a body")
@@ -80,6 +125,14 @@ void add_export_options(CLI::App& app, golden::ExportRequest& request) {
          "so many of the others, spread evenly over the families; all unless\ngiven")
       ->check(CLI::Validator(check_positive, "", ""))
       ->type_name("N");
+  app.add_option_function<std::string>(
+         "--certificates",
+         [&request, &certificates](const std::string& path) {
+           certificates = path;
+           request.certificates = true;
+         },
+         "write the certificates of all cases in the export to this file")
+      ->type_name("FILE");
 }
 
 }  // namespace fathom::cli

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "verify/golden/export/export.hpp"
 
 namespace fathom::cli {
 
-/// Adds all but the folder. The request must outlive the app.
-void add_export_options(CLI::App& app, golden::ExportRequest& request);
+/// Adds all but the folder or file. `certificates` is the file for those. Both must outlive the app.
+void add_export_options(CLI::App& app, golden::ExportRequest& request, std::string& certificates);
 
 }  // namespace fathom::cli

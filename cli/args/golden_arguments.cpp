@@ -128,7 +128,7 @@ struct GoldenParser {
     add_generate_options(*generate, request);
     add_verify_options(*verify, request);
     add_folder(*exporting, request);
-    add_export_options(*exporting, request.exported);
+    add_export_options(*exporting, request.exported, request.certificates);
   }
 
   CLI::App* add_task(const std::string& name) {

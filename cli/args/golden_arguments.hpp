@@ -26,7 +26,8 @@ struct GoldenRequest {
   std::size_t part = 1, parts = 1;  ///< 1 <= part <= parts
   std::vector<Method> methods;      ///< verify: compute every record again by these too
   bool state = false;               ///< verify: write the page that says so
-  golden::ExportRequest exported;   ///< export: which records, and how
+  golden::ExportRequest exported;   ///< export: which records, and how; `folder` may be a file of cases
+  std::string certificates;         ///< export: the file for them, or ""
 };
 
 /// Like Arguments of the other commands.

@@ -38,6 +38,10 @@ inline constexpr Example export_examples[] = {
      "C89 arrays, and a function that accepts answers or not"},
     {"fathom golden export --format json --exclude disjoint,touching data > golden_cases.json",
      "all bodies that overlap, for whoever reads JSON"},
+    {"fathom golden export --format c --contact edge-edge --only thin_penetration --exact-in binary32 data > nearly_touching.h",
+     "edges across each other that hardly overlap, for a program in float"},
+    {"fathom golden export --format json --certificates own.cert cases.jsonl > own.json",
+     "one's own cases with their exact answers; fathom check --case own.json own.cert proves them"},
 };
 
 inline constexpr ExitMeaning golden_exits[] = {
@@ -60,7 +64,8 @@ inline constexpr CommandHelp golden_table[] = {
     {"golden generate", "Make a release, or go on with one.", "fathom golden generate --level LEVEL --out DIR [OPTIONS]", generate_examples,
      golden_exits, golden_notes},
     {"golden verify", "Prove a release, or refuse it.", "fathom golden verify DIR [OPTIONS]", verify_examples, golden_exits, golden_notes},
-    {"golden export", "Write some of a release as one file for other tests.", "fathom golden export --format FORMAT DIR [OPTIONS]",
+    {"golden export", "Write some of a release, or cases of one's own, as one file for other tests.",
+     "fathom golden export --format FORMAT DIR|CASES [OPTIONS]",
      export_examples, golden_exits, golden_notes},
 };
 

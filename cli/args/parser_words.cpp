@@ -16,6 +16,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr std::size_t longest_sentence = 200;
+constexpr std::size_t longest_list = 4000;  // our own checks list what is known, and show of what was typed a readable part
 
 /// The words that one_of() has left with the option.
 std::vector<std::string> choices_of(CLI::Option& option) {
@@ -72,7 +73,8 @@ std::vector<OptionHelp> options_of(CLI::App& app) {
 }
 
 std::string sentence(const CLI::ParseError& error, CLI::App& app, CLI::App* asked) {
-  const std::string text = kernels::printable(error.what(), longest_sentence);
+  const bool of_a_check = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
+  const std::string text = kernels::printable(error.what(), of_a_check ? longest_list : longest_sentence);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return text + suggestion(app, asked);
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && !unknown_option(app).empty())  // misspelt, perhaps
     return fmt::format("{}, and {} is not expected{}", text, kernels::shown(unknown_option(app)), suggestion(app, asked));

@@ -25,8 +25,8 @@ std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const G
 ExitCode verify_golden(const GoldenRequest& request,
                        std::function<void(const std::vector<golden::ShardPlan>&, const golden::TakeShard&)> elsewhere = {});
 
-/// Prints the export, and on standard error how many records it holds and why others do not fit. Throws FolderError, FileError,
-/// Interrupted.
+/// Prints the export, and on standard error how many records it holds and why others do not fit. Throws FolderError, FileError, InputError,
+/// OutputError, Interrupted.
 ExitCode export_golden(const GoldenRequest& request);
 
 }  // namespace fathom::cli

@@ -116,6 +116,19 @@ class Certificates(ProgramTest):
                 self.assertIn(b"standard output", done.stderr)
                 self.assertNotIn(b"Traceback", done.stderr)
 
+    def test_a_refusal_names_the_file(self):
+        """An id may be anything; the file is what can be opened."""
+        bad = self.file("bad one.cert", CUBES.replace("claim depth 1", "claim depth 2"))
+        for program in (CHECK, READER):
+            code, lines, _ = self.run_program(program, bad)
+            self.assertEqual(code, 1)
+            self.assertTrue(lines[0].startswith("s REFUSED two%20cubes:") and lines[0].endswith("bad%20one.cert)"), lines[0])
+
+    def test_help(self):
+        for program in (CHECK, READER):
+            code, lines, _ = self.run_program(program, "--help")
+            self.assertEqual((code, any("FILE" in line for line in lines)), (0, True), lines)
+
     def test_streams(self):
         self.assertEqual(self.both("-", stdin=CUBES + "# between\n" + APART), (0, [CUBES_OK, APART_OK]))
         self.assertEqual(self.both("-", stdin=re.sub("id .*\n", "", APART)), (0, ["s VERIFIED disjoint depth_squared=0 <stdin>"]))
@@ -267,8 +280,32 @@ class Options(ProgramTest):
         self.assertEqual(code("balls", **number(2, 2.5)), 1)
         self.assertEqual(code("balls", **number(2.5, 3)), 1)
         self.assertEqual(code("balls", **number(2, 3, 0, "0", "2")), 1)
+        for right in ({"squared": "9"}, {"squared": None}):
+            self.assertEqual(code("apart", distance=right), 0, right)
+        for wrong in ({"squared": "25"}, {"squared": "5929"}, {"squared": "0"}):
+            self.assertEqual(code("apart", distance=wrong), 1, wrong)
+        self.assertEqual(code("rounded_cubes", distance={"squared": "169/100"}), 1, "they penetrate")
+        self.assertEqual(code("apart", distance="9"), 2)
         for wrong in ({"low": 2}, {"low": "2", "high": 3}, {"low": 2, "high": 1e999}, 2, None, {"low": 2, "high": 3, "exact": {"sign": 0}}):
             self.assertEqual(code("balls", signed_depth=wrong), 2, wrong)
+
+    def test_what_is_said_of_a_distance_is_proved_or_refused(self):
+        text = (DATA / "disjoint_cubes.cert").read_text()  # format 1: it proves that they are disjoint
+
+        def said(**fields):
+            code, lines, _ = self.run_program(CHECK, "--results", "-", stdin=json.dumps({"certificate": text, **fields}))
+            return code, lines[0]
+
+        self.assertEqual(said(status="disjoint", depth={"squared": "0"})[0], 0)
+        for low, high in ((None, 0), (None, None), (None, 1)):
+            self.assertEqual(said(signed_depth={"low": low, "high": high})[0], 0)
+        minus_one = {"sign": -1, "root": "1", "plus": "0"}
+        for fields in ({"distance": {"squared": "1"}}, {"distance": {"squared": "5929"}}, {"distance": {"squared": None}},
+                       {"signed_depth": {"low": -1, "high": -1, "exact": minus_one}}, {"signed_depth": {"low": -1, "high": 0}},
+                       {"signed_depth": {"low": None, "high": -1}}, {"signed_depth": {"low": -1, "high": -2}},
+                       {"signed_depth": {"low": None, "high": None, "exact": {**minus_one, "plus": "77"}}}):
+            code, line = said(**fields)
+            self.assertEqual((code, "distance not proved" in line), (1, True), (fields, line))
 
     def test_a_result_is_about_its_own_case(self):
         def case(name, x):

@@ -126,7 +126,7 @@ class Export(CliTest):
         path = self.export("--exclude", "ties,disjoint")
         jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text()))
         source = json.loads(path.read_text())["source"]
-        self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.1.0",
+        self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.2.0",
                                   "command": "fathom golden export --format json --exclude ties,disjoint"})
         self.assertEqual(fathom_golden.read(path), fathom_golden.read(self.export("--exclude", "ties,disjoint", format="csv")))
 
@@ -216,6 +216,78 @@ class Export(CliTest):
         sizes = lambda record: [len(record[body]["vertices"]) for body in "ab"]
         self.assertEqual(self.names("--max-points", "6"), kept(lambda record: max(sizes(record)) <= 6))
 
+    def test_only(self):
+        def kept(condition):
+            return [case.name for case in self.everything if condition(self.records[case.name])]
+
+        def contacts(record):
+            return {optimum["contact"]["kind"] for optimum in record["expected"]["optima"]}
+
+        self.assertEqual(self.names("--only", "ties,huge"), kept(lambda record: {"ties", "huge_coordinates"} & set(record["flags"])))
+        self.assertEqual(self.names("--only", "touching"), kept(lambda record: record["expected"]["status"] == "touching"))
+        self.assertEqual(self.names("--family", "boxes_aligned,real"), kept(lambda record: group(record) in ("boxes_aligned", "real")))
+        self.assertEqual(self.names("--family", "far_*", "--family", "real"),
+                         kept(lambda record: group(record).startswith("far_") or group(record) == "real"))
+        self.assertEqual(self.names("--contact", "edge-edge"), kept(lambda record: "edge-edge" in contacts(record)))
+        self.assertEqual(self.names("--exact-in", "binary32"), kept(lambda record: "binary32" in record["formats"]))
+        self.assertEqual(self.names("--exact-in", "binary64"), kept(lambda record: True))
+        chosen = self.names("--contact", "edge-edge,facet-facet", "--exact-in", "binary32", "--only", "thin", "--exclude", "ties")
+        self.assertEqual(chosen, kept(lambda record: contacts(record) & {"edge-edge", "facet-facet"} and "binary32" in record["formats"]
+                                      and {"thin_penetration", "thin_clearance"} & set(record["flags"]) and "ties" not in record["flags"]))
+        self.assertGreater(len(chosen), 5)
+        self.assertGreater(len(self.names("--family", "far_*")), 5)
+        for case in self.everything:
+            record = self.records[case.name]
+            self.assertEqual((case.family, [*case.formats]), (group(record), [f for f in record["formats"] if f != "exact"]))
+            self.assertEqual(set(case.contacts), contacts(record))
+
+    def test_the_certificates_of_an_export_are_about_its_cases(self):
+        proofs = self.folder / "export.cert"
+        path = self.export("--only", "ties,disjoint", "--count", "40", "--certificates", proofs)
+        names = [case.name for case in fathom_golden.read(path)]
+        lines = self.answer("check", "--case", path, proofs).splitlines()
+        self.assertEqual([line.split()[-1] for line in lines], names)
+        self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines))
+        export = json.loads(path.read_text())
+        export["cases"][7]["a"][0][1] += 0.5
+        path.write_text(json.dumps(export))
+        code, out, _ = self.run_cli("check", "--case", path, proofs)
+        self.assertEqual((code, [line.split()[1] for line in out.splitlines()].count("REFUSED")), (1, 1))
+        export["cases"][7]["a"] = {"vertices": []}
+        path.write_text(json.dumps(export))
+        self.assertEqual(self.run_cli("check", "--case", path, proofs)[0], 2)
+
+    def test_own_cases(self):
+        cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        moved = lambda x: [[p[0] + x, p[1], p[2]] for p in cube]
+        cases = [{"id": "half", "a": {"vertices": cube}, "b": {"vertices": moved(0.5)}},
+                 {"id": "apart", "a": {"vertices": cube}, "b": {"vertices": cube, "pose": [[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0]]}},
+                 {"id": "third", "a": {"vertices": cube}, "b": {"vertices": moved(0.5)[:7] + [["1/3", 0, 0]]}}]
+        path, proofs = self.folder / "my cases.jsonl", self.folder / "own.cert"
+        path.write_text("".join(json.dumps(case) + "\n" for case in cases))
+        code, out, err = self.run_cli("golden", "export", "--format", "json", "--certificates", proofs, path)
+        self.assertEqual((code, err), (0, "fathom: 2 of 2 fitting records; of all 3, 1 are beyond binary64, 0 are excluded, 0 have more points\n"))
+        export = json.loads(out)
+        schema = json.loads((ROOT / "schemas" / "golden-export.schema.json").read_text())
+        jsonschema.Draft202012Validator(schema).validate(export)
+        self.assertEqual(export["source"], {"file": "my cases.jsonl", "command": "fathom golden export --format json"})
+        self.assertNotIn("licence", export)
+        self.assertEqual([(case["name"], case["signed_depth"], case["contacts"], case["family"]) for case in export["cases"]],
+                         [("half", 0.5, ["facet-facet"], "own"), ("apart", -2.0, [], "own")])
+        (self.folder / "own.json").write_text(out)
+        self.assertEqual(self.answer("check", "--case", self.folder / "own.json", proofs),
+                         "s VERIFIED penetrating depth_squared=1/4 optima=1 half\ns VERIFIED disjoint signed_depth=-sqrt(4)+0 apart\n")
+        for format in ("c", "rust", "csv"):
+            self.assertIn("half", self.answer("golden", "export", "--format", format, path))
+        self.assertEqual(self.run_cli("golden", "export", "--format", "json", "-", stdin=path.read_text())[0], 0)
+        ball = {"shape": "sphere", "radius": 1}
+        for line, sentence in ((json.dumps({**cases[0], "id": "a b"}), ":4: expected an id of letters, digits and . _ - alone, found 'a b'"),
+                               (json.dumps(cases[0]), ":4: the id 'half' occurred before"), ("{", ":4: "),
+                               (json.dumps({"id": "s", "a": ball, "b": ball}), ":4: exports are of polytopes")):
+            wrong = self.folder / "wrong.jsonl"
+            wrong.write_text(path.read_text() + line + "\n")
+            self.assertIn("wrong.jsonl" + sentence, self.refused("golden", "export", "--format", "c", wrong), line)
+
     def test_what_is_left_out_is_counted(self):
         code, _, err = self.run_cli("golden", "export", "--format", "csv", *SAMPLE, COMMITTED)
         rounded = sum("binary64" not in record["formats"] for record in self.records.values())
@@ -230,6 +302,13 @@ class Export(CliTest):
                 (["--format", "c", "--exclude", "flat,huge_cordinates", COMMITTED],
                  "found 'huge_cordinates' (did you mean huge_coordinates?)"),
                 (["--format", "c", "--exclude", "blue", COMMITTED], "found 'blue' (there are all, all_tie"),
+                (["--format", "c", "--exclude", "blue", COMMITTED], ", uneven, uneven_coordinates)"),
+                (["--format", "c", "--only", "blue", COMMITTED], "expected flags of golden data, or a status, found 'blue'"),
+                (["--format", "c", "--family", "boxes", COMMITTED], "expected families, catalogue or real, found 'boxes'"),
+                (["--format", "c", "--family", "x*", COMMITTED], "expected families, catalogue or real, found 'x*'"),
+                (["--format", "c", "--contact", "edge-egde", COMMITTED], "found 'edge-egde' (did you mean edge-edge?)"),
+                (["--format", "c", "--contact", "vertex-vertex", COMMITTED], "expected kinds of contact, found 'vertex-vertex'"),
+                (["--format", "c", "--exact-in", "float", COMMITTED], "expected binary32 or binary64, found 'float'"),
                 (["--format", "c", "--exclude", "flat,", COMMITTED], "--exclude"),
                 (["--format", "c", "--count", "0", COMMITTED], "expected a positive integer, found '0'"),
                 (["--format", "c", "--max-points", "many", COMMITTED], "expected a positive integer, found 'many'"),

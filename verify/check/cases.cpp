@@ -14,15 +14,18 @@ using Pose = std::array<std::array<mpq_class, 4>, 3>;
 /// One case while it is read; knows the line for messages.
 class CaseReader {
  public:
-  CaseReader(const Json& value, std::size_t line, Budget& budget) : case_(&value), line_(line), budget_(&budget) {
+  CaseReader(const Json& value, std::size_t line, Budget& budget, bool of_export)
+      : case_(&value), line_(line), budget_(&budget), of_export_(of_export) {
     if (value.kind != Kind::object) throw wrong("a case, a JSON object");
+    if (of_export) return;
     const Json* const schema = value.field("schema", line);
-    if (schema && (schema->kind != Kind::text || schema->text != "fathom/case/1")) throw wrong("the schema fathom/case/1");
+    if (schema && (schema->kind != Kind::text || schema->text != "fathom/case/1"))
+      throw wrong("the schema fathom/case/1 or fathom/golden-export/1");
     rounded_ = is_rounded(value);
   }
 
   [[nodiscard]] std::string id() const {
-    const Json* const id = case_->field("id", line_);
+    const Json* const id = case_->field(of_export_ ? "name" : "id", line_);
     if (!id || id->kind == Kind::null) return std::to_string(line_);
     if (id->kind != Kind::text && id->kind != Kind::number) throw wrong("an id that is a text or a number");
     return id->text;
@@ -30,6 +33,10 @@ class CaseReader {
 
   [[nodiscard]] OwnBody body(const char* name) const {
     const Json* const body = case_->field(name, line_);
+    if (of_export_) {
+      if (!body) throw wrong("an array " + shown(name) + " of points");
+      return {{points(*body, name, {}, false)}, false};
+    }
     if (!body || body->kind != Kind::object) throw wrong("an object " + shown(name) + " with 'vertices' or 'pieces'");
     const Json* const pieces = body->field("pieces", line_);
     const bool rounding = rounded_ || is_rounded(*body);
@@ -37,7 +44,7 @@ class CaseReader {
     OwnBody result;
     result.has_pieces = pieces && pieces->kind != Kind::null;
     if (!result.has_pieces) {
-      result.pieces.push_back(points(*body, name, {placing, std::nullopt}, rounding));
+      result.pieces.push_back(vertices_of(*body, name, {placing, std::nullopt}, rounding));
       return result;
     }
     if (pieces->kind != Kind::array || pieces->items.empty()) throw wrong("an array 'pieces' of bodies in " + shown(name));
@@ -45,7 +52,7 @@ class CaseReader {
     for (const Json& piece : pieces->items) {
       if (piece.kind != Kind::object || piece.field("pose_rounding", line_)) throw wrong("pieces with 'vertices' in " + shown(name));
       budget_->store(sizeof(result.pieces.front()), line_);
-      result.pieces.push_back(points(piece, name, {pose(piece), placing}, rounding));
+      result.pieces.push_back(vertices_of(piece, name, {pose(piece), placing}, rounding));
     }
     return result;
   }
@@ -54,12 +61,18 @@ class CaseReader {
   [[nodiscard]] Fault wrong(const std::string& expected) const { return malformed(line_, "expected " + expected); }
 
   /// The vertices of an object, placed by one pose after the other, and then rounded.
-  [[nodiscard]] std::vector<ExactPoint> points(const Json& object, const char* name, const std::array<std::optional<Pose>, 2>& poses,
-                                               bool rounding) const {
+  [[nodiscard]] std::vector<ExactPoint> vertices_of(const Json& object, const char* name, const std::array<std::optional<Pose>, 2>& poses,
+                                                    bool rounding) const {
     const Json* const vertices = object.field("vertices", line_);
-    if (!vertices || vertices->kind != Kind::array) throw wrong("an array 'vertices' of points in " + shown(name));
+    if (!vertices) throw wrong("an array 'vertices' of points in " + shown(name));
+    return points(*vertices, name, poses, rounding);
+  }
+
+  [[nodiscard]] std::vector<ExactPoint> points(const Json& rows, const char* name, const std::array<std::optional<Pose>, 2>& poses,
+                                               bool rounding) const {
+    if (rows.kind != Kind::array) throw wrong("an array of points in " + shown(name));
     std::vector<ExactPoint> points;
-    for (const Json& vertex : vertices->items) {
+    for (const Json& vertex : rows.items) {
       std::vector<mpq_class> row = numbers(vertex, 3);
       ExactPoint point{row[0], row[1], row[2]};
       for (const std::optional<Pose>& pose : poses)
@@ -117,6 +130,7 @@ class CaseReader {
   const Json* case_;
   std::size_t line_;
   Budget* budget_;
+  bool of_export_;
   bool rounded_ = false;
 };
 
@@ -176,7 +190,15 @@ CaseFile::CaseFile(std::string_view text) {
 }
 
 void CaseFile::read(const Json& value, std::size_t line) {
-  const CaseReader reader(value, line, budget_);
+  const Json* const schema = value.kind == Kind::object ? value.field("schema", line) : nullptr;
+  if (!schema || schema->kind != Kind::text || schema->text != "fathom/golden-export/1") return read_one(value, line, false);
+  const Json* const cases = value.field("cases", line);
+  if (!cases || cases->kind != Kind::array) throw malformed(line, "expected an array 'cases' in the export");
+  for (const Json& item : cases->items) read_one(item, line, true);
+}
+
+void CaseFile::read_one(const Json& value, std::size_t line, bool of_export) {
+  const CaseReader reader(value, line, budget_, of_export);
   by_id_[reader.id()].push_back(cases_.size());
   cases_.push_back({reader.body("a"), reader.body("b")});
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one value after another.
+// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one value after another; or many cases as
+// `fathom golden export --format json` writes them, schema fathom/golden-export/1.
 //
 // A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float. "pose" (3 rows of 4 numbers, M | t)
 // places each vertex p at M p + t, exactly; "pose_rounding": "binary64", in the case or a body, then rounds it once. A body has "vertices",
@@ -48,6 +49,7 @@ class CaseFile {
     OwnBody a, b;
   };
   void read(const Json& value, std::size_t line);
+  void read_one(const Json& value, std::size_t line, bool of_export);
   [[nodiscard]] const Bodies& find(const Certificate& certificate, const std::optional<std::string>& result_id) const;
 
   std::vector<Bodies> cases_;

@@ -634,6 +634,10 @@ def check_union(c):
     return f"disjoint distance_squared={q} {size}" if q else f"touching depth_squared=0 {size}"
 
 
+def place(c, name):
+    return f" (in {name})" if c["id"] else ""
+
+
 def verdicts(file, name):
     """One (exit code, line) per certificate; at least one."""
     reader, any_yet = Reader(file), False
@@ -650,10 +654,10 @@ def verdicts(file, name):
             yield 0, f"s VERIFIED {(check_union if c['format'] == 3 else check)(c)} {c['id'] or name}"
             reader.advance()
         except Refused as error:
-            yield 1, f"s REFUSED {c['id'] or name}:{reader.number}: {error}"
+            yield 1, f"s REFUSED {c['id'] or name}:{reader.number}: {error}{place(c, name)}"
             reader.advance()
         except (Malformed, MemoryError) as error:
-            yield 2, f"s MALFORMED {c['id'] or name}:{reader.number}: {error or 'out of memory'}"
+            yield 2, f"s MALFORMED {c['id'] or name}:{reader.number}: {error or 'out of memory'}{place(c, name)}"
             if reader.number == first:
                 reader.step()
             while reader.line is not None and not reader.line.startswith("fathom-certificate"):
@@ -671,6 +675,10 @@ def judged(name):
 
 def main(names):
     worst = 0
+    if names in (["--help"], ["-h"]):
+        print("check.py FILE...   checks the certificates in these files, or - for standard input, as FORMAT.md says;\n"
+              "                   one line for each. Exit code: 0 all accepted, 1 some refused, 2 some malformed.")
+        return 0
     if not names or sys.stdout is None:
         expected = "standard output, which is closed" if names else "certificates: files, or - for standard input"
         sys.stderr.write(f"check.py: expected {expected}\n")

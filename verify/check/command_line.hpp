@@ -17,8 +17,8 @@ struct OptionText {
 };
 inline constexpr OptionText option_texts[] = {
     {"--case", "CASES",
-     "also refuse a certificate whose points are not those of\nyour case (JSON, schema fathom/case/1; of several cases,\nthe one with the "
-     "certificate's id)"},
+     "also refuse a certificate whose points are not those of\nyour case (JSON, schema fathom/case/1 or\nfathom/golden-export/1; of "
+     "several cases, the one with\nthe certificate's id)"},
     {"--width", "", "also refuse a certificate whose b is not a again: its\ndepth is the width of a; --case then compares a alone"},
     {"--results", "FILE", "JSON Lines, each with a certificate in its field\n\"certificate\""},
     {"--echo", "", "print the bodies and the claim as they were read, in\nlines that begin with c"},

@@ -110,6 +110,7 @@ class Run {
     if (source_->lines.broken()) return known(unreadable("cannot be read"), source_->name);
     return piece(source_->name, (*found)->last_line - before > many_lines, [this, found](Finding& finding) {
       finding.verdict = judged(**found, [&](const Certificate& certificate) { look_at(certificate, finding); });
+      if (!finding.verdict.accepted() && !finding.verdict.id.empty()) finding.verdict.reason += " (in " + escaped(finding.name) + ")";
       found->reset();
     });
   }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How a project that computes penetration depths tests itself with golden cases and pytest.
 
-fathom_golden.py and the sample are copied from verify/golden/kit; `fathom golden export --format json` makes other cases.
+fathom_golden.py and the sample, both from verify/golden/kit, are copied beside this file; `fathom golden export --format json` makes other cases.
 """
 import itertools
 import math
@@ -10,7 +10,8 @@ import sys
 
 import pytest
 
-KIT = pathlib.Path(__file__).resolve().parents[2] / "golden" / "kit"
+HERE = pathlib.Path(__file__).resolve().parent
+KIT = HERE if (HERE / "fathom_golden.py").exists() else HERE.parents[1] / "golden" / "kit"
 sys.path.insert(0, str(KIT))
 import fathom_golden  # noqa: E402
 

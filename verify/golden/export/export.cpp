@@ -3,18 +3,25 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
+#include <cctype>
+#include <iostream>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "fathom/files.hpp"
 #include "kernels/context.hpp"
+#include "kernels/printable.hpp"
+#include "verify/families/families.hpp"
 #include "verify/golden/export/spread.hpp"
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/input_file.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/flags.hpp"
+#include "verify/golden/records/record.hpp"
 #include "verify/golden/records/record_reader.hpp"
 #include "verify/golden/release/dataset.hpp"
 
@@ -37,42 +44,125 @@ Dataset dataset_in(const fs::path& folder) {
 }
 
 /// The records of a release, one after another.
-class Records {
+class ReleaseRecords {
  public:
-  Records(fs::path folder, const Dataset& dataset, Monitor* monitor) : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
+  ReleaseRecords(fs::path folder, const Dataset& dataset, Monitor* monitor) : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
 
-  /// Calls `take` with each; nullopt for one that doubles cannot tell.
+  /// Calls `take` with each, nullopt for one that doubles cannot tell, and what reads its certificate, which is not read unless asked for.
   template <class Take>
   void each(Take take) const {
     for (const Manifest& shard : dataset_->shards) {
-      const ShardFile& file = shard.files.front();
-      ZstdReader reader(folder_ / file.name);
-      try {
-        while (const std::optional<std::string_view> line = reader.line()) {
+      ZstdReader lines(folder_ / shard.files[0].name), proofs(folder_ / shard.files[1].name);
+      std::size_t number = 0, proved = 0;
+      const auto certificate = [&] {
+        return guarded(shard.files[1], proofs, [&] {
+          std::string text;
+          for (; proved < number; ++proved) text = next_certificate(proofs);
+          return text;
+        });
+      };
+      guarded(shard.files[0], lines, [&] {
+        while (const std::optional<std::string_view> line = lines.line()) {
           kernels::Context(monitor_).check();
-          take(export_case(*line));
+          ++number;
+          take(export_case(*line), certificate);
         }
-        if (reader.of_content() != file.content) throw FileError("the content is not what the shard's page says");
-      } catch (const FileError& error) {
-        throw FileError(fmt::format("{}: {}", (folder_ / file.name).string(), error.what()));
-      } catch (const NotARecord& error) {
-        throw FileError(fmt::format("{}:{}: {}", (folder_ / file.name).string(), reader.number(), error.what()));
-      }
+        expect_content(shard.files[0], lines);
+      });
+      if (proved == 0) continue;
+      guarded(shard.files[1], proofs, [&] {
+        while (proofs.line()) continue;
+        expect_content(shard.files[1], proofs);
+      });
     }
   }
 
  private:
+  static std::string next_certificate(ZstdReader& proofs) {
+    std::string text;
+    while (const std::optional<std::string_view> line = proofs.line()) {
+      (text += *line) += '\n';
+      if (line->starts_with("end ")) return text;
+    }
+    throw FileError("a certificate is missing or cut off");
+  }
+  static void expect_content(const ShardFile& file, ZstdReader& reader) {
+    if (reader.of_content() != file.content) throw FileError("the content is not what the shard's page says");
+  }
+  /// Returns what `action` does, with the file and line before what it says of faults.
+  template <class Action>
+  auto guarded(const ShardFile& file, const ZstdReader& reader, Action action) const {
+    const std::string path = (folder_ / file.name).string();
+    try {
+      return action();
+    } catch (const FileError& error) {
+      if (std::string_view(error.what()).find(folder_.string()) != std::string_view::npos) throw;  // it names the file already
+      throw FileError(fmt::format("{}: {}", path, error.what()));
+    } catch (const NotARecord& error) {
+      throw FileError(fmt::format("{}:{}: {}", path, reader.number(), error.what()));
+    }
+  }
+
   fs::path folder_;
   const Dataset* dataset_;
   Monitor* monitor_;
 };
 
+/// One's own cases. What the records of a release say of them is found here; so is the proof.
+class OwnRecords {
+ public:
+  OwnRecords(const std::string& path, Monitor* monitor) {
+    std::set<std::string> names;
+    CaseStream cases = CaseStream::open(path, std::cin);
+    const std::string name = path == "-" ? "<stdin>" : path;
+    while (const std::optional<CaseItem> item = cases.next()) {
+      const auto wrong = [&](const std::string& sentence) { return InputError(name, item->line, sentence); };
+      if (!item->ok()) throw item->error();
+      if (!is_plain(item->id)) throw wrong("expected an id of letters, digits and . _ - alone, found " + kernels::shown(item->id));
+      if (!names.insert(item->id).second) throw wrong("the id " + kernels::shown(item->id) + " occurred before");
+      const Case& points = item->value();
+      for (const Body* body : {&points.a, &points.b})
+        if (body->shape || body->pieces) throw wrong("exports are of polytopes: expected vertices, found a shape or pieces");
+      const Record record = record_of({Source::real, item->id, 0, 0}, Form::given, {item->id, points.a, points.b}, monitor);
+      std::optional<ExportCase> entry = export_case(record.line);
+      if (entry) entry->group = "own";
+      all_.push_back({std::move(entry), record.certificate});
+    }
+  }
+
+  template <class Take>
+  void each(Take take) const {
+    for (const Own& own : all_) take(own.entry, [&own] { return own.certificate; });
+  }
+
+ private:
+  struct Own {
+    std::optional<ExportCase> entry;
+    std::string certificate;
+  };
+  static bool is_plain(const std::string& id) {
+    return !id.empty() && std::ranges::all_of(id, [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; });
+  }
+
+  std::vector<Own> all_;
+};
+
+/// Whether the request asks for the case at all.
+bool is_wanted(const ExportCase& entry, const ExportRequest& request) {
+  const auto has = [&entry](const std::string& word) { return has_word(word, entry); };
+  const auto named = [&entry](const std::string& pattern) { return ::fnmatch(pattern.c_str(), entry.group.c_str(), 0) == 0; };
+  const auto met = [&entry](const std::string& kind) { return std::ranges::find(entry.contacts, kind) != entry.contacts.end(); };
+  const bool exact = request.exact_in.empty() || std::ranges::find(entry.formats, request.exact_in) != entry.formats.end();
+  return !std::ranges::any_of(request.excluded, has) && (request.only.empty() || std::ranges::any_of(request.only, has)) &&
+         (request.families.empty() || std::ranges::any_of(request.families, named)) &&
+         (request.contacts.empty() || std::ranges::any_of(request.contacts, met)) && exact;
+}
+
 /// Whether a case fits; counts why not.
 bool fits(const std::optional<ExportCase>& entry, const ExportRequest& request, Exported& counts) {
   ++counts.records;
   if (!entry) return ++counts.not_doubles, false;
-  if (std::ranges::any_of(request.excluded, [&](const std::string& word) { return excludes(word, *entry); }))
-    return ++counts.excluded, false;
+  if (!is_wanted(*entry, request)) return ++counts.excluded, false;
   if (std::max(entry->a.size(), entry->b.size()) > request.most_points) return ++counts.too_large, false;
   return ++counts.fitting, true;
 }
@@ -111,7 +201,7 @@ void refuse_if_none_fits(const fs::path& folder, const Exported& counts) {
 
 }  // namespace
 
-std::vector<std::string> excludable() {
+std::vector<std::string> words_of_cases() {
   std::set<std::string> words(std::begin(statuses), std::end(statuses));
   for (const std::string_view flag : flag_names()) {
     words.emplace(flag);
@@ -120,39 +210,76 @@ std::vector<std::string> excludable() {
   return {words.begin(), words.end()};
 }
 
-bool excludes(std::string_view word, const ExportCase& entry) {
+bool has_word(std::string_view word, const ExportCase& entry) {
   return word == entry.status ||
          std::ranges::any_of(entry.flags, [word](const std::string& flag) { return word == flag || word == first_word(flag); });
 }
 
+std::vector<std::string> groups_of_releases() {
+  std::vector<std::string> names = {"catalogue", "real"};
+  for (const families::Family& family : families::families())
+    if (family.name != "catalogue") names.emplace_back(family.name);
+  return names;
+}
+
 std::string command_of(const ExportRequest& request) {
   std::string command = fmt::format("fathom golden export --format {}", name_of(request.format));
-  if (!request.excluded.empty()) command += fmt::format(" --exclude {}", fmt::join(request.excluded, ","));
+  const auto add = [&command](std::string_view option, const std::vector<std::string>& words) {
+    if (!words.empty()) command += fmt::format(" {} {}", option, fmt::join(words, ","));
+  };
+  add("--only", request.only);
+  add("--exclude", request.excluded);
+  add("--family", request.families);
+  add("--contact", request.contacts);
+  if (!request.exact_in.empty()) add("--exact-in", {request.exact_in});
   if (request.most_points != SIZE_MAX) command += fmt::format(" --max-points {}", request.most_points);
   if (request.count != SIZE_MAX) command += fmt::format(" --count {}", request.count);
   return command;
 }
 
-Exported export_release(const fs::path& folder, const ExportRequest& request, Monitor* monitor) {
-  const Dataset dataset = dataset_in(folder);
-  const Records records(folder, dataset, monitor);
+namespace {
+
+/// `records` can be read twice, so that memory is bounded by the export.
+template <class Records>
+Exported exported(const Records& records, const fs::path& from, const ExportRequest& request, const ExportSource& source) {
   Groups groups;
   Exported result;
-  records.each([&](const std::optional<ExportCase>& entry) {
+  records.each([&](const std::optional<ExportCase>& entry, const auto&) {
     if (fits(entry, request, result)) groups.add(entry->group, result.fitting - 1);
   });
-  refuse_if_none_fits(folder, result);
+  refuse_if_none_fits(from, result);
 
   const std::set<std::size_t> chosen = chosen_of(groups.all(), request.count);
   std::vector<ExportCase> cases;
   Exported again;
-  records.each([&](std::optional<ExportCase> entry) {
-    if (fits(entry, request, again) && chosen.count(again.fitting - 1) > 0) cases.push_back(*std::move(entry));
+  records.each([&](std::optional<ExportCase> entry, const auto& certificate) {
+    if (!fits(entry, request, again) || chosen.count(again.fitting - 1) == 0) return;
+    cases.push_back(*std::move(entry));
+    if (request.certificates) result.certificates += certificate();
   });
   result.chosen = cases.size();
-  result.text = export_text(
-      request.format, {std::string(name_of(dataset.level)), dataset.version, std::to_string(dataset.seed), command_of(request)}, cases);
+  result.text = export_text(request.format, source, cases);
   return result;
+}
+
+/// The name of a file without its folder, which comments and JSON can hold as it is.
+std::string plain_name(const std::string& path) {
+  std::string name = path == "-" ? "standard input" : fs::path(path).filename().string();
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view(" ._-").find(c) == std::string_view::npos) c = '_';
+  return name;
+}
+
+}  // namespace
+
+Exported export_release(const fs::path& folder, const ExportRequest& request, Monitor* monitor) {
+  const Dataset dataset = dataset_in(folder);
+  return exported(ReleaseRecords(folder, dataset, monitor), folder, request,
+                  {std::string(name_of(dataset.level)), dataset.version, std::to_string(dataset.seed), "", command_of(request)});
+}
+
+Exported export_own_cases(const std::string& path, const ExportRequest& request, Monitor* monitor) {
+  return exported(OwnRecords(path, monitor), path, request, {"", "", "", plain_name(path), command_of(request)});
 }
 
 }  // namespace fathom::golden

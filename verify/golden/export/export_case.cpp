@@ -70,6 +70,9 @@ double largest_coordinate(const Triples& body) {
   return largest;
 }
 
+/// "edge-edge": A's feature first.
+std::string contact_in(const Json& holder) { return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-"); }
+
 void read_answer(const Json& expected, ExportCase& result) {
   constexpr std::string_view digits = "0123456789/";
   result.status = plain_text(expected.at("status"), "abcdefghijklmnopqrstuvwxyz");
@@ -78,7 +81,11 @@ void read_answer(const Json& expected, ExportCase& result) {
   const double value = hexadecimal(length.at("f64").at("rn"));
   result.signed_depth = apart ? -value : value;
   result.squared = plain_text(length.at("squared"), digits);
-  for (const Json& optimum : expected.at("optima")) result.directions.push_back(unit(optimum));
+  for (const Json& optimum : expected.at("optima")) {
+    result.directions.push_back(unit(optimum));
+    if (std::string kind = contact_in(optimum); std::ranges::find(result.contacts, kind) == result.contacts.end())
+      result.contacts.push_back(std::move(kind));
+  }
   if (result.directions.empty()) result.directions.push_back(unit(expected));
 }
 
@@ -113,6 +120,8 @@ std::optional<ExportCase> export_case(std::string_view line) {
     result.name = plain_text(record.at("id"), "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
     result.group = group_of(record.at("source"));
     result.flags = flags_in(record);
+    for (const Json& format : formats)
+      if (format != "exact") result.formats.push_back(plain_text(format, "binary3264"));
     result.a = points(record.at("a"));
     result.b = points(record.at("b"));
     result.size = std::max(longest_side(result.a), longest_side(result.b));

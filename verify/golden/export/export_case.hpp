@@ -11,11 +11,13 @@
 namespace fathom::golden {
 
 struct ExportCase {
-  std::string name, group;  ///< the record's id; the family, "catalogue" or "real"
+  std::string name, group;  ///< the record's id; the family, "catalogue" or "real"; of one's own cases "own"
   std::string status;
   double signed_depth = 0;  ///< correctly rounded to nearest: the depth, 0, or minus the distance
   std::string squared;      ///< its square, exact
   std::vector<std::string> flags;
+  std::vector<std::string> formats;   ///< that hold the points: binary64, or both that and binary32
+  std::vector<std::string> contacts;  ///< the kinds of all optima's contacts, each once; none unless penetrating
   double size = 0;     ///< the longest side of the bodies' boxes, correctly rounded
   double largest = 0;  ///< the largest magnitude of a coordinate
   std::vector<std::array<double, 3>> a, b;

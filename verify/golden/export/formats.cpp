@@ -2,6 +2,7 @@
 #include "verify/golden/export/formats.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -40,6 +41,8 @@ std::string quoted_list(const std::vector<std::string>& words) { return '[' + li
 
 /// What stands before the cases, in lines that begin with `margin`.
 std::string about(const ExportSource& source, std::size_t count, std::string_view margin) {
+  if (!source.file.empty())
+    return fmt::format("{0}{1} cases of {2} with their exact answers. Made by\n{0}  {3}\n", margin, count, source.file, source.command);
   return fmt::format(
       "{0}{1} golden cases from {2}, seed {3}, data version {4}. In the public domain (CC0-1.0). Made by\n"
       "{0}  {5}\n",
@@ -107,23 +110,27 @@ std::string rust_text(const ExportSource& source, const std::vector<ExportCase>&
 std::string json_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
   const auto entry_text = [](const ExportCase& entry) {
     return fmt::format(
-        R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, "directions": {}}})",
+        R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, "directions": {}, "family": "{}", "formats": {}, "contacts": {}}})",
         entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags), decimal_text(entry.size),
-        decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions));
+        decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions), entry.group,
+        quoted_list(entry.formats), quoted_list(entry.contacts));
   };
-  return fmt::format(
-      "{{\"schema\": \"fathom/golden-export/1\", \"licence\": \"CC0-1.0\",\n"
-      "\"source\": {{\"level\": \"{}\", \"seed\": \"{}\", \"version\": \"{}\", \"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n",
-      source.level, source.seed, source.version, source.command, listed(cases, ",\n", entry_text));
+  const std::string about = source.file.empty() ? fmt::format(R"("licence": "CC0-1.0",
+"source": {{"level": "{}", "seed": "{}", "version": "{}", )",
+                                                              source.level, source.seed, source.version)
+                                                : fmt::format("\n\"source\": {{\"file\": \"{}\", ", source.file);
+  return fmt::format("{{\"schema\": \"fathom/golden-export/1\", {}\"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n", about, source.command,
+                     listed(cases, ",\n", entry_text));
 }
 
 std::string csv_text(const std::vector<ExportCase>& cases) {
   const auto numbers = [](const Triples& points) { return listed(points, " ", [](const auto& point) { return joined(point, " "); }); };
-  std::string text = "name,status,signed_depth,squared,flags,size,largest,a,b,directions\n";
+  const auto words = [](const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); };
+  std::string text = "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts\n";
   for (const ExportCase& entry : cases)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared,
-                        listed(entry.flags, " ", [](const std::string& flag) { return flag; }), decimal_text(entry.size),
-                        decimal_text(entry.largest), numbers(entry.a), numbers(entry.b), numbers(entry.directions));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status, decimal_text(entry.signed_depth),
+                        entry.squared, words(entry.flags), decimal_text(entry.size), decimal_text(entry.largest), numbers(entry.a),
+                        numbers(entry.b), numbers(entry.directions), entry.group, words(entry.formats), words(entry.contacts));
   return text;
 }
 

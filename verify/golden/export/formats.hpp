@@ -22,7 +22,8 @@ std::optional<ExportFormat> find_export_format(std::string_view name);
 
 /// Where the cases come from.
 struct ExportSource {
-  std::string level, version, seed;  ///< of the release
+  std::string level, version, seed;  ///< of the release; empty of one's own cases
+  std::string file;                  ///< of one's own cases, without its folder; else empty
   std::string command;               ///< that made the export: "fathom golden export --format c --count 50"
 };
 

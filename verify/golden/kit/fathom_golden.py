@@ -29,6 +29,9 @@ class Case(NamedTuple):
     #: Unit vectors, rounded: all whose price is the depth. Of bodies that touch one of price 0; of bodies that are apart that of the
     #: distance, from B to A.
     directions: List[List[float]]
+    family: str = ""  #: where it is from: a family of cases, "catalogue", "real", or "own"
+    formats: Sequence[str] = ()  #: that hold the points: "binary64", and "binary32" if that does too
+    contacts: Sequence[str] = ()  #: the kinds of contact of the shortest ways out, A's feature first: "edge-edge"
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
@@ -41,7 +44,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
 
 
 def _from_object(case):
-    return Case(*(case[field] for field in Case._fields))._replace(squared=Fraction(case["squared"]))
+    return Case(**{field: case[field] for field in Case._fields if field in case})._replace(squared=Fraction(case["squared"]))
 
 
 def _from_row(row):
@@ -50,7 +53,8 @@ def _from_row(row):
         return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
 
     return Case(row["name"], row["status"], float(row["signed_depth"]), Fraction(row["squared"]), row["flags"].split(), float(row["size"]),
-                float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]))
+                float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]), row.get("family", ""), row.get("formats", "").split(),
+                row.get("contacts", "").split())
 
 
 def price(case: Case, direction: Sequence[float]) -> float:
