@@ -145,6 +145,23 @@ TEST(Families, SameSeedSameCaseOtherSeedOtherCase) {
   }
 }
 
+TEST(Families, FarBodiesAreFar) {
+  for (const std::string_view name : {"far_boxes", "far_sphere"}) {
+    mpq_class farthest = 0;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const Case pair = find_family(name)->make(seed, 10);
+      for (const Body* body : {&pair.a, &pair.b})
+        for (const Point& p : body->points)
+          for (const mpq_class& x : {p.x, p.y, p.z}) {
+            EXPECT_GE(abs(x), 990) << pair.id;
+            farthest = std::max<mpq_class>(farthest, abs(x));
+          }
+    }
+    EXPECT_GT(farthest, 5'000'000) << name;
+    EXPECT_LT(farthest, 9'000'010) << name;
+  }
+}
+
 /// Published cases must stay what they are: these values change only together with the data made from them.
 TEST(Families, CasesNeverChange) {
   const std::map<std::string_view, std::uint64_t> expected{

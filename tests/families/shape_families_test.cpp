@@ -73,6 +73,18 @@ TEST(ShapeFamilies, WhoTakesPolytopesGetsNone) {
     for (const golden::Recipe& recipe : shard.recipes()) EXPECT_EQ(find_shape_family(recipe.name), nullptr) << recipe.name;
 }
 
+TEST(ShapeFamilies, PosedHullsDifferInTheirPosesAlone) {
+  const ShapeFamily& family = *find_shape_family("hulls_posed");
+  const NamedPair first = family.make(1, 7).pair, second = family.make(2, 7).pair;
+  for (const auto body : {&NamedPair::a, &NamedPair::b}) {
+    EXPECT_EQ((first.*body).shape, "hull");
+    EXPECT_EQ((first.*body).fields.vertices, (second.*body).fields.vertices);
+    EXPECT_FALSE((first.*body).turn == (second.*body).turn && (first.*body).place == (second.*body).place);
+  }
+  EXPECT_NE(first.a.fields.vertices, first.b.fields.vertices);
+  EXPECT_NE(first.a.fields.vertices, family.make(1, 8).pair.a.fields.vertices);
+}
+
 TEST(ShapeFamilies, SameSeedSameCaseOtherSeedOtherCase) {
   for (const ShapeFamily& family : shape_families()) {
     std::set<std::uint64_t> hashes;

@@ -100,6 +100,8 @@ constexpr Family table[] = {
     {"huge_coordinates", "spheres of radius 1e300", 12, huge_coordinates},
     {"uneven_coordinates", "spheres stretched to 1e300, 1 and 1e-300", 12, uneven_coordinates},
     {"wild_coordinates", "every coordinate with its own exponent between 1e-300 and 1e300", 12, wild_coordinates},
+    {"far_boxes", "boxes in rational poses, 10^3 to 9 10^6 away from the origin along each axis; the size is ignored", 8, far_boxes},
+    {"far_sphere", "points near a sphere, all extreme, 10^3 to 9 10^6 away from the origin along each axis", 20, far_sphere},
     // Touching, by the features of A and of B that meet.
     {"touching_vertex_vertex", "a vertex of A touches a vertex of B", 6, touching<FeatureKind::vertex, FeatureKind::vertex>},
     {"touching_vertex_edge", "a vertex of A touches an edge of B", 6, touching<FeatureKind::vertex, FeatureKind::edge>},

@@ -2,6 +2,7 @@
 #include "verify/families/random_bodies.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "verify/families/solids.hpp"
 
@@ -57,6 +58,16 @@ mpq_class thin() { return times_power_of_two(1, -20); }
 
 Body needle(Random& random, unsigned n) { return turned(random, scaled(random_sphere_body(random, n), 1, thin(), thin())); }
 Body plate(Random& random, unsigned n) { return turned(random, scaled(random_sphere_body(random, n), 1, 1, thin())); }
+
+Bodies far_away(Random& random, Bodies bodies) {
+  const auto part = [&random] {
+    long long length = random.between(1, 9);
+    for (std::int64_t zeros = random.between(3, 6); zeros > 0; --zeros) length *= 10;
+    return mpq_class(static_cast<long>(random.coin() ? length : -length));
+  };
+  const Point by{part(), part(), part()};
+  return {translated(bodies.a, by), translated(bodies.b, by)};
+}
 
 }  // namespace
 
@@ -118,6 +129,16 @@ Bodies boxes_posed(Random& random, unsigned) {
   }
   bodies.b = translated(bodies.b, random_shift(random, 2));
   return bodies;
+}
+
+Bodies far_boxes(Random& random, unsigned n) {
+  Bodies bodies = boxes_posed(random, n);
+  return far_away(random, std::move(bodies));
+}
+
+Bodies far_sphere(Random& random, unsigned n) {
+  Bodies bodies = random_sphere(random, n);
+  return far_away(random, std::move(bodies));
 }
 
 Bodies boxes_aligned(Random& random, unsigned) {

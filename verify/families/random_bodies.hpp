@@ -21,6 +21,9 @@ Bodies random_disjoint(Random& random, unsigned n);
 
 /// Rational half extents in [1/4, 2], rational rotations.
 Bodies boxes_posed(Random& random, unsigned n);
+/// The same, both moved by one vector of integers from 10^3 to 9 10^6, as a world with one origin has them: binary32 is coarse there.
+Bodies far_boxes(Random& random, unsigned n);
+Bodies far_sphere(Random& random, unsigned n);
 /// Integer corners in {0..4}^3, axes parallel to the coordinates': coplanar facets and parallel edges.
 Bodies boxes_aligned(Random& random, unsigned n);
 /// Two of the five platonic solids, each turned and scaled.

@@ -214,6 +214,12 @@ NamedPair random_pair(ShapeKind a, ShapeKind b, Random& random, unsigned n) {
   return met(std::move(of_a), std::move(of_b), random, random_encounter(random));
 }
 
+NamedPair prepared_hulls(Random& random, unsigned n) {
+  Random of_size(n);
+  NamedBody a = random_hull(of_size, n), b = random_hull(of_size, n);
+  return met(std::move(a), std::move(b), random, random_encounter(random));
+}
+
 NamedPair stretched_pair(ShapeKind a, ShapeKind b, Random& random, unsigned n) {
   NamedBody of_a = stretched(random_body(a, random, n), random), of_b = stretched(random_body(b, random, n), random);
   return met(std::move(of_a), std::move(of_b), random, random_encounter(random));

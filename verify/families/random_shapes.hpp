@@ -32,6 +32,9 @@ ShapeKind random_kind(Random& random);
 /// the others, are turned by symmetries of the cube, so that faces and axes are parallel. A hull has `n` points, at least 4.
 NamedPair random_pair(ShapeKind a, ShapeKind b, Random& random, unsigned n);
 
+/// The same for two hulls that depend on n alone: only the poses are random.
+NamedPair prepared_hulls(Random& random, unsigned n);
+
 /// The same with every length of the bodies up to 256 times larger or smaller.
 NamedPair stretched_pair(ShapeKind a, ShapeKind b, Random& random, unsigned n);
 

@@ -42,6 +42,7 @@ constexpr ShapeFamily table[] = {
     {"sphere_capsule", "a sphere against a capsule", points, pair<sphere, capsule>},
     {"capsule_box", "a capsule against a box", points, pair<capsule, box>},
     {"capsule_hull", "a capsule against a hull", points, pair<capsule, hull>},
+    {"hulls_posed", "two hulls, the same two in every case of a size, in poses by quaternions", points, prepared_hulls},
     {"rounded_boxes", "two boxes with margins", points, pair<rounded_box, rounded_box>},
     {"rounded_hulls", "two hulls with margins", points, pair<rounded_hull, rounded_hull>},
     {"rounded_triangle_sphere", "a triangle with a margin against a sphere", points, pair<rounded_triangle, sphere>},
