@@ -13,6 +13,8 @@ from harness import DATA, EXECUTABLE, ROOT, CliTest
 
 COMMITTED = DATA / "golden"
 RECORDS, CERTIFICATES = ".jsonl.zst", ".cert.zst"
+CONTENTS = "CONTENT_SHA256SUMS"
+PAGES = {"LICENSE", "NOTES.md", "SHA256SUMS", CONTENTS, "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
 ENDS = (RECORDS, CERTIFICATES, ".csv.zst")
 
 
@@ -37,6 +39,14 @@ def page(value):
     return (json.dumps(value, indent=2) + "\n").encode()
 
 
+def write_contents(folder, dataset):
+    """The page of the sums of contents, and its own sum in dataset.json."""
+    sums = {entry["name"].removesuffix(".zst"): entry["content_sha256"] for shard in dataset["shards"] for entry in shard["files"]}
+    (folder / CONTENTS).write_text("".join(f"{sums[name]}  {name}\n" for name in sorted(sums)))
+    before, dataset["content_sha256"] = dataset["content_sha256"], sha256((folder / CONTENTS).read_bytes())
+    dataset["cite"] = dataset["cite"].replace(before, dataset["content_sha256"])
+
+
 def write_sums(folder):
     lines = [f"{sha256(path.read_bytes())}  {path.name}\n" for path in sorted(folder.iterdir()) if path.name != "SHA256SUMS"]
     (folder / "SHA256SUMS").write_text("".join(lines))
@@ -58,6 +68,7 @@ def repair(folder):
                 shard["records"] = content.count(b"\n")
         (folder / (shard["name"] + ".json")).write_bytes(page(shard))
     dataset["records"] = sum(shard["records"] for shard in dataset["shards"])
+    write_contents(folder, dataset)
     (folder / "dataset.json").write_bytes(page(dataset))
     write_sums(folder)
 
@@ -96,7 +107,7 @@ class LevelTests:
 
     def records_of_whole(self):
         """How many records there are; the release has its files, and no others."""
-        names = {"LICENSE", "NOTES.md", "SHA256SUMS", "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
+        names = set(PAGES)
         for shard in self.shards:
             names |= {shard + end for end in (".json", RECORDS, CERTIFICATES)}
         self.assertEqual(set(contents(self.release)), names)

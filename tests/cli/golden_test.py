@@ -11,13 +11,13 @@ import time
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
-from golden_release import COMMITTED, ENDS, GoldenTest, contents, unpacked
+from golden_release import COMMITTED, CONTENTS, ENDS, PAGES, GoldenTest, contents, sha256, unpacked
 from harness import EXECUTABLE, PATIENCE, ROOT
 
 
 class Release(GoldenTest):
     def test_whole(self):
-        names = {"LICENSE", "NOTES.md", "SHA256SUMS", "dataset.json", "dataset.schema.json", "golden.schema.json", "shard.schema.json"}
+        names = set(PAGES)
         for shard in self.shards:
             names |= {shard + end for end in (".json", *ENDS)}
         self.assertEqual(set(contents(self.release)), names)
@@ -28,7 +28,19 @@ class Release(GoldenTest):
         code, out, err = self.run_cli("golden", "verify", self.release)
         self.assertEqual((code, err), (0, ""), out)
         records = json.loads((self.release / "dataset.json").read_text())["records"]
-        self.assertEqual(out, f"s VERIFIED L0 version=1.1.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
+        self.assertEqual(out, f"s VERIFIED L0 version=1.2.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
+
+    def test_sums_of_contents(self):
+        """They are of the decompressed files, whoever compressed these, and one sum stands for all of them."""
+        unpacked_files = self.folder / "unpacked"
+        subprocess.run(["zstd", "-dq", "--output-dir-flat", unpacked_files, *self.release.glob("*.zst")], check=True)
+        done = subprocess.run(["sha256sum", "-c", "--strict", self.release / CONTENTS], cwd=unpacked_files, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.count(": OK\n"), len(list(self.release.glob("*.zst"))))
+        dataset = json.loads((self.release / "dataset.json").read_text())
+        self.assertEqual(dataset["content_sha256"], sha256((self.release / CONTENTS).read_bytes()))
+        self.assertEqual(dataset["cite"], "The fathom developers: fathom golden data L0, version 1.2.0, seed 1. CC0-1.0. Content SHA-256: "
+                         + dataset["content_sha256"])
 
     def test_same_bytes_on_any_number_of_threads(self):
         for jobs in ("1", "3"):
@@ -111,7 +123,7 @@ class Committed(GoldenTest):
     def test_verified(self):
         code, out, err = self.run_cli("golden", "verify", COMMITTED)
         self.assertEqual((code, err), (0, ""), out)
-        self.assertTrue(out.startswith("s VERIFIED L0 version=1.1.0 seed=1 "), out)
+        self.assertTrue(out.startswith("s VERIFIED L0 version=1.2.0 seed=1 "), out)
 
     def test_made_again(self):
         """The same content; and the same bytes where the same version of libzstd compressed it."""
@@ -126,6 +138,7 @@ class Committed(GoldenTest):
                 for entry in shard["files"]:
                     del entry["bytes"], entry["sha256"]
         self.assertEqual(ours, theirs)
+        self.assertEqual((self.release / CONTENTS).read_bytes(), (COMMITTED / CONTENTS).read_bytes())
 
     def test_small(self):
         self.assertLess(sum(path.stat().st_size for path in COMMITTED.iterdir()), 2_500_000)

@@ -6,7 +6,7 @@ import shutil
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
-from golden_release import COMMITTED, GoldenTest, contents, page, sha256
+from golden_release import COMMITTED, CONTENTS, GoldenTest, contents, page, sha256
 from harness import ROOT
 
 PAGE = "agreement.json"
@@ -34,14 +34,14 @@ class TwoWays(GoldenTest):
         methods = json.loads((COMMITTED / PAGE).read_text())["methods"]
         self.assertIn("exact", methods)
         out = self.verified(COMMITTED, *(word for method in methods for word in ("--method", method)))
-        self.assertTrue(out.startswith("s VERIFIED L0 version=1.1.0 seed=1 "), out)
+        self.assertTrue(out.startswith("s VERIFIED L0 version=1.2.0 seed=1 "), out)
         self.assertIn(f" agreed={','.join(methods)} ", out)
 
     def test_page(self):
         folder = self.stated()
         value = json.loads((folder / PAGE).read_text())
         records = json.loads((folder / "dataset.json").read_text())["records"]
-        self.assertEqual(value, {"schema": "fathom/golden-agreement/1", "sums_sha256": sha256((folder / "SHA256SUMS").read_bytes()),
+        self.assertEqual(value, {"schema": "fathom/golden-agreement/2", "content_sha256": sha256((folder / CONTENTS).read_bytes()),
                                  "records": records, "methods": ["exact", "naive"]})
         schema = json.loads((ROOT / "schemas" / "agreement.schema.json").read_text())
         jsonschema.Draft202012Validator.check_schema(schema)
@@ -58,7 +58,7 @@ class TwoWays(GoldenTest):
     def test_page_about_something_else(self):
         folder = self.stated()
         good = json.loads((folder / PAGE).read_text())
-        for field, value, reason in (("sums_sha256", 64 * "0", "about another release"), ("records", good["records"] + 1, "about another"),
+        for field, value, reason in (("content_sha256", 64 * "0", "about another release"), ("records", good["records"] + 1, "about another"),
                                      ("methods", [], "not a page"), ("methods", ["certificate"], "not a page"),
                                      ("schema", "x", "not a page"), ("more", 1, "not a page")):
             (folder / PAGE).write_bytes(page({**copy.deepcopy(good), field: value}))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // agreement.json: which methods have given every record of a release. The page is written after the release is complete, by who computed it
-// again, and is no part of the data: SHA256SUMS does not list it, and it says itself which sums it is about.
+// again, and is no part of the data: SHA256SUMS does not list it, and it says itself which contents it is about.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace fathom::golden {
 inline constexpr std::string_view agreement_name = "agreement.json";
 
 struct Agreement {
-  std::string sums_sha256;      ///< of the page SHA256SUMS
+  std::string content_sha256;   ///< of the page CONTENT_SHA256SUMS
   std::size_t records = 0;      ///< that were computed again
   std::vector<Method> methods;  ///< each of them gave every field of every record, beside the certificates; not empty
 };

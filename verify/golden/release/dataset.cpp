@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/release/dataset.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "verify/golden/release/sums.hpp"
 #include "verify/golden/shards/manifest_json.hpp"
 
 namespace fathom::golden {
@@ -20,7 +23,15 @@ std::size_t total(const Dataset& dataset, std::size_t Manifest::*count) {
 
 std::size_t records_in(const Dataset& dataset) { return total(dataset, &Manifest::records); }
 
+std::string contents_text(const Dataset& dataset) {
+  std::vector<Sum> sums;
+  for (const Manifest& shard : dataset.shards)
+    for (const ShardFile& file : shard.files) sums.push_back({file.name.substr(0, file.name.rfind('.')), file.content.sha256});
+  return sums_text(std::move(sums));
+}
+
 std::string dataset_text(const Dataset& dataset) {
+  const std::string content = digest::digest_of(contents_text(dataset)).sha256;
   Json shards = Json::array();
   for (const Manifest& shard : dataset.shards) shards.push_back(manifest_json(shard));
   const Json json = {
@@ -30,6 +41,9 @@ std::string dataset_text(const Dataset& dataset) {
       {"licence", "CC0-1.0"},
       {"generator", {{"name", "fathom"}, {"data_version", dataset.version}, {"seed", std::to_string(dataset.seed)}}},
       {"level", name_of(dataset.level)},
+      {"cite", fmt::format("The fathom developers: fathom golden data {}, version {}, seed {}. CC0-1.0. Content SHA-256: {}",
+                           name_of(dataset.level), dataset.version, dataset.seed, content)},
+      {"content_sha256", content},
       {"recipes", total(dataset, &Manifest::recipes)},
       {"records", records_in(dataset)},
       {"schemas",

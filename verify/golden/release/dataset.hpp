@@ -13,6 +13,7 @@
 namespace fathom::golden {
 
 inline constexpr std::string_view dataset_name = "dataset.json";
+inline constexpr std::string_view contents_name = "CONTENT_SHA256SUMS";
 
 struct Dataset {
   Level level = Level::L0;
@@ -22,6 +23,10 @@ struct Dataset {
 };
 
 std::size_t records_in(const Dataset& dataset);
+
+/// CONTENT_SHA256SUMS: the sums of the decompressed files of all shards, as `sha256sum -c` reads them. The same for every version of
+/// libzstd, where SHA256SUMS, of the files as they are stored, is not.
+std::string contents_text(const Dataset& dataset);
 
 /// JSON, schemas/dataset.schema.json; ends with a line feed.
 std::string dataset_text(const Dataset& dataset);

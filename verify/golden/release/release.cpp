@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, std::string>> fixed_pages() {
 }
 
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards) {
-  std::set<std::string> names = {std::string(dataset_name), std::string(sums_name)};
+  std::set<std::string> names = {std::string(dataset_name), std::string(contents_name), std::string(sums_name)};
   for (const auto& [name, text] : fixed_pages()) names.insert(name);
   for (const ShardPlan& shard : shards) {
     names.insert(shard.name + std::string(manifest_suffix));
@@ -54,7 +54,7 @@ void prepare_folder(const fs::path& folder, const std::vector<ShardPlan>& shards
 }
 
 void open_release(const fs::path& folder) {
-  for (const std::string_view name : {agreement_name, sums_name, dataset_name}) {
+  for (const std::string_view name : {agreement_name, sums_name, contents_name, dataset_name}) {
     std::error_code error;
     fs::remove(folder / name, error);
     if (error) throw FileError("remove", folder / name, error.value());
@@ -76,6 +76,7 @@ void close_release(const fs::path& folder, Level level, std::uint64_t seed, cons
   }
   for (const auto& [name, text] : fixed_pages()) put(name, text);
   put(std::string(dataset_name), dataset_text(dataset));
+  put(std::string(contents_name), contents_text(dataset));
   put_file(folder, std::string(sums_name), sums_text(sums));
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))  // of processes that were killed
     if (entry.path().filename().string().starts_with(hidden_prefix)) fs::remove(entry.path());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA256SUMS: a line "<64 digits>  <name>" for every other file of a flat folder, sorted by name, as `sha256sum -c` reads them.
+// SHA256SUMS: a line "<64 digits>  <name>" for every other file of a flat folder, sorted by name, as `sha256sum -c` reads them. So is
+// CONTENT_SHA256SUMS (dataset.hpp), of decompressed files.
 #pragma once
 
 #include <optional>

@@ -126,6 +126,9 @@ class Verifier {
       const std::optional<std::string> text = text_of(name);
       if (text && *text != expected) refuse(name, "the page is not the one that goes with this version of the data");
     }
+    const std::string contents(contents_name);
+    if (const auto text = text_of(contents); text && *text != contents_text(dataset_))
+      refuse(contents, "these are not the sums of the contents that " + std::string(dataset_name) + " says");
     for (const Manifest& shard : dataset_.shards) {
       const std::string page = shard.name + std::string(manifest_suffix);
       const std::optional<std::string> text = text_of(page);
@@ -143,7 +146,7 @@ class Verifier {
     const std::optional<Agreement> agreement = parse_agreement(*text);
     if (!agreement) {
       refuse(name, "this is not a page as agreement.schema.json says and this program writes it");
-    } else if (agreement->sums_sha256 != digest_of_file(folder_ / sums_name).sha256 || agreement->records != records_in(dataset_)) {
+    } else if (agreement->content_sha256 != digest_of_file(folder_ / contents_name).sha256 || agreement->records != records_in(dataset_)) {
       refuse(name, "the page is about another release");
     }
   }
@@ -223,7 +226,7 @@ ShardResult ShardVerifier::verify(std::size_t shard) const {
 }
 
 void state_agreement(const fs::path& folder, const Verified& verified, const std::vector<Method>& methods) {
-  put_file(folder, std::string(agreement_name), agreement_text({digest_of_file(folder / sums_name).sha256, verified.records, methods}));
+  put_file(folder, std::string(agreement_name), agreement_text({digest_of_file(folder / contents_name).sha256, verified.records, methods}));
 }
 
 }  // namespace fathom::golden
