@@ -65,8 +65,7 @@ inline constexpr CommandHelp golden_table[] = {
      golden_exits, golden_notes},
     {"golden verify", "Prove a release, or refuse it.", "fathom golden verify DIR [OPTIONS]", verify_examples, golden_exits, golden_notes},
     {"golden export", "Write some of a release, or cases of one's own, as one file for other tests.",
-     "fathom golden export --format FORMAT DIR|CASES [OPTIONS]",
-     export_examples, golden_exits, golden_notes},
+     "fathom golden export --format FORMAT DIR|CASES [OPTIONS]", export_examples, golden_exits, golden_notes},
 };
 
 }  // namespace fathom::cli

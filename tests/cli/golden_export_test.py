@@ -266,7 +266,8 @@ class Export(CliTest):
         path, proofs = self.folder / "my cases.jsonl", self.folder / "own.cert"
         path.write_text("".join(json.dumps(case) + "\n" for case in cases))
         code, out, err = self.run_cli("golden", "export", "--format", "json", "--certificates", proofs, path)
-        self.assertEqual((code, err), (0, "fathom: 2 of 2 fitting records; of all 3, 1 are beyond binary64, 0 are excluded, 0 have more points\n"))
+        self.assertEqual((code, err), (0, "fathom: 2 of 2 fitting records; of all 3, 1 are beyond binary64, 0 are excluded, 0 have more "
+                                          "points\n"))
         export = json.loads(out)
         schema = json.loads((ROOT / "schemas" / "golden-export.schema.json").read_text())
         jsonschema.Draft202012Validator(schema).validate(export)
@@ -281,7 +282,8 @@ class Export(CliTest):
             self.assertIn("half", self.answer("golden", "export", "--format", format, path))
         self.assertEqual(self.run_cli("golden", "export", "--format", "json", "-", stdin=path.read_text())[0], 0)
         ball = {"shape": "sphere", "radius": 1}
-        for line, sentence in ((json.dumps({**cases[0], "id": "a b"}), ":4: expected an id of letters, digits and . _ - alone, found 'a b'"),
+        unplain = json.dumps({**cases[0], "id": "a b"})
+        for line, sentence in ((unplain, ":4: expected an id of letters, digits and . _ - alone, found 'a b'"),
                                (json.dumps(cases[0]), ":4: the id 'half' occurred before"), ("{", ":4: "),
                                (json.dumps({"id": "s", "a": ball, "b": ball}), ":4: exports are of polytopes")):
             wrong = self.folder / "wrong.jsonl"

@@ -58,7 +58,8 @@ class TwoWays(GoldenTest):
     def test_page_about_something_else(self):
         folder = self.stated()
         good = json.loads((folder / PAGE).read_text())
-        for field, value, reason in (("content_sha256", 64 * "0", "about another release"), ("records", good["records"] + 1, "about another"),
+        for field, value, reason in (("content_sha256", 64 * "0", "about another release"),
+                                     ("records", good["records"] + 1, "about another"),
                                      ("methods", [], "not a page"), ("methods", ["certificate"], "not a page"),
                                      ("schema", "x", "not a page"), ("more", 1, "not a page")):
             (folder / PAGE).write_bytes(page({**copy.deepcopy(good), field: value}))

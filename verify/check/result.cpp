@@ -122,8 +122,8 @@ bool is_proved(const Result::Exact& exact, const Certificate& c) {
   return c.claim == Claim::signed_bounds && exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
 }
 
-/// Whether the root of `square` is the depth or the distance that is proved: x^2 = square for the signed depth x. If it is root + rho, the square is square(root) + 2 rho root + rho^2:
-/// so it must be (square + rho^2 - square(root)) / (2 rho).
+/// Whether the root of `square` is the depth or the distance that is proved: x^2 = square for the signed depth x. If it is root + rho, the
+/// square is square(root) + 2 rho root + rho^2: so it must be (square + rho^2 - square(root)) / (2 rho).
 bool is_square_of_signed_depth(const mpq_class& square, const Certificate& c) {
   if (!is_exact(c)) return value(c.low) == value(c.high) && square == value(c.low) * value(c.low);
   const mpq_class rho = radii(c), cores = squared_of_cores(c);

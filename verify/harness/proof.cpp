@@ -26,8 +26,7 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, verdict.reason));
   const Distance* const apart = answer.distance();
-  const bool same =
-      apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
+  const bool same = apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
   if (!same || verdict.status != name(answer.status()) || verdict.optima != answer.optima().size())
     throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
   return text;

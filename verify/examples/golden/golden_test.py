@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """How a project that computes penetration depths tests itself with golden cases and pytest.
 
-fathom_golden.py and the sample, both from verify/golden/kit, are copied beside this file; `fathom golden export --format json` makes other cases.
+fathom_golden.py and the sample, both from verify/golden/kit, are copied beside this file; `fathom golden export --format json` makes
+other cases.
 """
 import itertools
 import math

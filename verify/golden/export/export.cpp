@@ -46,7 +46,8 @@ Dataset dataset_in(const fs::path& folder) {
 /// The records of a release, one after another.
 class ReleaseRecords {
  public:
-  ReleaseRecords(fs::path folder, const Dataset& dataset, Monitor* monitor) : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
+  ReleaseRecords(fs::path folder, const Dataset& dataset, Monitor* monitor)
+      : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
 
   /// Calls `take` with each, nullopt for one that doubles cannot tell, and what reads its certificate, which is not read unless asked for.
   template <class Take>

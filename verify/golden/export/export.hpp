@@ -51,8 +51,8 @@ struct Exported {
 Exported export_release(const std::filesystem::path& folder, const ExportRequest& request, Monitor* monitor = nullptr);
 
 /// Answers the cases of a file, which are polytopes, each once, and proves the answers; `path` may be "-". Throws InputError if a case
-/// cannot be read, has a name that another one has or that is not of letters, digits and . _ - alone, or is not about polytopes; FolderError
-/// if none fits; Interrupted.
+/// cannot be read, has a name that another one has or that is not of letters, digits and . _ - alone, or is not about polytopes;
+/// FolderError if none fits; Interrupted.
 Exported export_own_cases(const std::string& path, const ExportRequest& request, Monitor* monitor = nullptr);
 
 }  // namespace fathom::golden

@@ -18,8 +18,8 @@ struct ExportCase {
   std::vector<std::string> flags;
   std::vector<std::string> formats;   ///< that hold the points: binary64, or both that and binary32
   std::vector<std::string> contacts;  ///< the kinds of all optima's contacts, each once; none unless penetrating
-  double size = 0;     ///< the longest side of the bodies' boxes, correctly rounded
-  double largest = 0;  ///< the largest magnitude of a coordinate
+  double size = 0;                    ///< the longest side of the bodies' boxes, correctly rounded
+  double largest = 0;                 ///< the largest magnitude of a coordinate
   std::vector<std::array<double, 3>> a, b;
   std::vector<std::array<double, 3>> directions;  ///< unit vectors, rounded: of all optima, or the one direction of the record
 };

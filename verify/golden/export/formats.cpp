@@ -110,7 +110,8 @@ std::string rust_text(const ExportSource& source, const std::vector<ExportCase>&
 std::string json_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
   const auto entry_text = [](const ExportCase& entry) {
     return fmt::format(
-        R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, "directions": {}, "family": "{}", "formats": {}, "contacts": {}}})",
+        R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, )"
+        R"("directions": {}, "family": "{}", "formats": {}, "contacts": {}}})",
         entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags), decimal_text(entry.size),
         decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions), entry.group,
         quoted_list(entry.formats), quoted_list(entry.contacts));

@@ -53,8 +53,8 @@ def _from_row(row):
         return [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
 
     return Case(row["name"], row["status"], float(row["signed_depth"]), Fraction(row["squared"]), row["flags"].split(), float(row["size"]),
-                float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]), row.get("family", ""), row.get("formats", "").split(),
-                row.get("contacts", "").split())
+                float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]),
+                row.get("family", ""), row.get("formats", "").split(), row.get("contacts", "").split())
 
 
 def price(case: Case, direction: Sequence[float]) -> float:
