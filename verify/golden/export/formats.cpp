@@ -116,12 +116,13 @@ std::string json_text(const ExportSource& source, const std::vector<ExportCase>&
         decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions), entry.group,
         quoted_list(entry.formats), quoted_list(entry.contacts));
   };
-  const std::string about = source.file.empty() ? fmt::format(R"("licence": "CC0-1.0",
-"source": {{"level": "{}", "seed": "{}", "version": "{}", )",
-                                                              source.level, source.seed, source.version)
-                                                : fmt::format("\n\"source\": {{\"file\": \"{}\", ", source.file);
-  return fmt::format("{{\"schema\": \"fathom/golden-export/1\", {}\"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n", about, source.command,
-                     listed(cases, ",\n", entry_text));
+  const bool own = !source.file.empty();  // and not ours to license
+  const std::string from = own ? fmt::format(R"("file": "{}")", source.file)
+                               : fmt::format(R"("level": "{}", "seed": "{}", "version": "{}")", source.level, source.seed, source.version);
+  return fmt::format(
+      "{{\"schema\": \"fathom/golden-export/1\",{}\n"
+      "\"source\": {{{}, \"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n",
+      own ? "" : R"( "licence": "CC0-1.0",)", from, source.command, listed(cases, ",\n", entry_text));
 }
 
 std::string csv_text(const std::vector<ExportCase>& cases) {
