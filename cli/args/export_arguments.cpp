@@ -88,8 +88,7 @@ void add_words(CLI::App& app, const std::string& option, std::vector<std::string
          },
          about)
       ->check(CLI::Validator(check, "", ""))
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)  // the next word is the folder
       ->type_name(type);
 }
 

@@ -23,6 +23,11 @@ CUBES_OK = "s VERIFIED penetrating depth_squared=1 optima=1 two%20cubes"
 APART_OK = "s VERIFIED disjoint depth_squared=0 disjoint%20cubes"
 
 
+def reason(line):
+    """Of a refusal, without the file."""
+    return line.split(": ", 1)[1].split(" (in ")[0]
+
+
 class ProgramTest(unittest.TestCase):
     maxDiff = None
 
@@ -197,10 +202,10 @@ class Options(ProgramTest):
         without = self.file("without", re.sub("radius_.*\n", "", (folder / "sphere_capsule.cert").read_text()))
         self.assertEqual(self.run_program(CHECK, "--case", case, without)[:2],
                          (0, ["s VERIFIED disjoint signed_depth=-sqrt(25)+0 sphere%20and%20capsule"]))
-        for name, reason in (("sphere_capsule", "the case has no radius around a, the certificate has one"),
-                             ("cylinder_on_floor", "the case has points in a: only points can be compared with it")):
+        for name, expected in (("sphere_capsule", "the case has no radius around a, the certificate has one"),
+                               ("cylinder_on_floor", "the case has points in a: only points can be compared with it")):
             code, lines, _ = self.run_program(CHECK, "--case", case, folder / f"{name}.cert")
-            self.assertEqual((code, lines[0].split(": ", 1)[1]), (1, reason))
+            self.assertEqual((code, reason(lines[0])), (1, expected))
 
     def test_width_of_format_2(self):
         ball = "shape_%s 1\nterm 1\nball 0 0 0 1 0 0 0 1 0 0 0 1\n%s"
@@ -221,7 +226,7 @@ class Options(ProgramTest):
         case["b"]["pose"][0][3] = 1.0000000000000002
         moved = self.file("moved.json", json.dumps(case))
         code, lines, _ = self.run_program(CHECK, "--case", moved, certificate)
-        self.assertEqual((code, lines), (1, ["s REFUSED two%20cubes:13: point 0 of b is not that of the case"]))
+        self.assertEqual((code, reason(lines[0])), (1, "point 0 of b is not that of the case"))
         code, lines, err = self.run_program(CHECK, "--case", self.file("bad.json", "{\n}"), certificate)
         self.assertEqual((code, lines), (2, []))
         self.assertIn("bad.json:1: expected", err)

@@ -38,7 +38,7 @@ class Single(CliTest):
         self.assertTrue(run("check", "--results", "-", input=result).startswith(b"s VERIFIED penetrating"))
 
     def test_statuses(self):
-        for other, claim in ((FAR, "disjoint"), (box([1, 0, 0], [2, 1, 1]), "touching")):
+        for other, claim in ((FAR, "apart 48"), (box([1, 0, 0], [2, 1, 1]), "touching")):
             self.answer("depth", "--certificate", self.proof, self.a, self.file("c.xyz", other))
             self.assertIn(f"claim {claim}\n", self.proof.read_text())
 

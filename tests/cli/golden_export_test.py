@@ -21,7 +21,7 @@ KIT = ROOT / "verify" / "golden" / "kit"
 sys.path.insert(0, str(KIT))
 import fathom_golden  # noqa: E402
 
-SAMPLE = ["--exclude", "flat,huge", "--max-points", "8", "--count", "50"]
+SAMPLE = ["--exclude", "flat,huge,tiny", "--max-points", "8", "--count", "50"]
 ENDS = {"c": "h", "csv": "csv", "json": "json", "rust": "rs"}
 FIRST = "golden-L0-0000.jsonl.zst"
 

@@ -33,6 +33,7 @@ class Release(GoldenTest):
     def test_sums_of_contents(self):
         """They are of the decompressed files, whoever compressed these, and one sum stands for all of them."""
         unpacked_files = self.folder / "unpacked"
+        unpacked_files.mkdir()
         subprocess.run(["zstd", "-dq", "--output-dir-flat", unpacked_files, *self.release.glob("*.zst")], check=True)
         done = subprocess.run(["sha256sum", "-c", "--strict", self.release / CONTENTS], cwd=unpacked_files, capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -4,6 +4,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 for format in c:h csv:csv json:json rust:rs; do
-  ./fathom golden export --format "${format%:*}" --exclude flat,huge --max-points 8 --count 50 tests/data/golden \
+  ./fathom golden export --format "${format%:*}" --exclude flat,huge,tiny --max-points 8 --count 50 tests/data/golden \
     > "verify/golden/kit/fathom_golden_sample.${format#*:}"
 done
