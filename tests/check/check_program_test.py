@@ -124,14 +124,9 @@ class Certificates(ProgramTest):
     def test_a_refusal_names_the_file(self):
         bad = self.file("bad one.cert", CUBES.replace("claim depth 1", "claim depth 2"))
         for program in (CHECK, READER):
-            code, lines, _ = self.run_program(program, bad)
-            self.assertEqual(code, 1)
-            self.assertTrue(lines[0].startswith("s REFUSED two%20cubes:") and lines[0].endswith("bad%20one.cert)"), lines[0])
-
-    def test_help(self):
-        for program in (CHECK, READER):
-            code, lines, _ = self.run_program(program, "--help")
-            self.assertEqual((code, "FILE" in " ".join(lines)), (0, True))
+            code, (line,), _ = self.run_program(program, bad)
+            self.assertEqual((code, line[:22], line[-15:]), (1, "s REFUSED two%20cubes:", "bad%20one.cert)"))
+            self.assertIn("FILE", self.run_program(program, "--help")[1][0])
 
     def test_streams(self):
         self.assertEqual(self.both("-", stdin=CUBES + "# between\n" + APART), (0, [CUBES_OK, APART_OK]))
