@@ -20,13 +20,15 @@ die() {
 
 # Everything that the program is built from, one line each. Any edit, addition or removal changes it.
 inputs() {
-  local from=(include kernels reference verify view cli schemas cmake CMakeLists.txt CMakePresets.json)
-  printf '%s\n' "$root"
+  local from=(include kernels reference verify view cli c schemas cmake CMakeLists.txt CMakePresets.json)
   (cd "$root" && find "${from[@]}" -type f -printf '%p %s %T@\n' 2>/dev/null) | LC_ALL=C sort
 }
 
 # up_to_date PROGRAM. The stamp is that of the whole program if that is there, else that of fathom-depth.
-up_to_date() { [[ -x $out/$1 && -f $stamp && $(inputs) == "$(<"$stamp")" ]]; }
+up_to_date() { [[ -x $out/$1 && $(inputs) == "$(cat "$stamp" 2>/dev/null)" ]]; }
+
+# Whether anything can be built here. A copy that cannot be written answers as it was built.
+writable() { mkdir -p "$root/build" 2>/dev/null && : 2>/dev/null >>"$root/build/lock"; }
 
 # How many characters fit into a line of the terminal without making it scroll.
 line_width() {
@@ -67,10 +69,13 @@ logged() {
   return "$status"
 }
 
+# A step that knows why it fails says so in a line that begins with `fathom: `; of others the last lines are shown.
 logged_or_die() {
-  local what=$1
+  local what=$1 why
   shift
   logged "$@" && return
+  why=$(sed -n 's/^fathom: //p' "$log" | tail -n 1)
+  if [[ -n $why ]]; then die 3 "$why (the whole log is $log)"; fi
   tail -n 40 "$log" >&2
   die 3 "$what failed; the whole log is $log"
 }
@@ -130,7 +135,7 @@ install_packages() {
 
 # One build at a time. The lock lies on descriptor 9: it is held until the caller ends, and by a compiler that outlives the caller.
 lock() {
-  mkdir -p "$root/build" 2>/dev/null && : 2>/dev/null >>"$root/build/lock" || die 3 "cannot write to $root/build"
+  writable || die 3 "cannot write to $root/build"
   exec 9>>"$root/build/lock"
   flock -n 9 && return
   say "waiting for another build to finish"
@@ -156,9 +161,9 @@ jobs() {
 
 # build TESTS TARGETS [CMAKE ARGUMENTS...]: configures and builds the preset. TESTS: ON, or KEEP what an earlier call chose.
 # TARGETS: words; without `all`, `fathom` and `fathom-depth` the programs may stay behind their sources. `fathom-depth` alone is configured
-# without the rest, whose packages may be missing.
+# without the rest, whose packages may be missing. `building`, if the caller sets it, says what is built besides a program that is there.
 build() {
-  local tests=$1 targets before only_depth=OFF what cache=$out/CMakeCache.txt
+  local tests=$1 targets before only_depth=OFF what program=fathom cache=$out/CMakeCache.txt
   read -ra targets <<<"$2"
   shift 2
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
@@ -169,7 +174,7 @@ build() {
     if grep -qsxF 'FATHOM_TESTS:BOOL=ON' "$cache"; then tests=ON; fi
   fi
   if [[ -x $out/fathom || ${targets[*]} == fathom-depth && -x $out/fathom-depth ]]; then
-    what='building what changed'
+    what="building ${building:-what changed}"
   elif [[ ${targets[*]} == fathom-depth ]]; then
     what='building what depth needs, which takes some minutes; the other commands are built when one is asked for'
   elif [[ -x $out/fathom-depth ]]; then
@@ -179,13 +184,16 @@ build() {
   fi
   say "$what ($preset)"
   if [[ ${targets[*]} == fathom-depth ]]; then only_depth=ON; fi
-  [[ -n ${CCACHE_DIR-} || -w ${HOME-} ]] || export CCACHE_DISABLE=1 # ccache fails where it can store nothing
+  [[ -x $out/fathom ]] || program=fathom-depth
+  if ! up_to_date $program; then # else the program stays what it is, and answers others while its neighbours are built
+    freshen "$(inputs)"
+    rm -f "$stamp"
+  fi
   before=$(inputs)
-  freshen "$before"
-  before=$(inputs)
-  rm -f "$stamp"
   cd "$root" || die 3 "cannot enter $root"
   logged_or_die "configuring" cmake --preset "$preset" "-DFATHOM_TESTS=$tests" "-DFATHOM_ONLY_DEPTH=$only_depth" "$@"
   logged_or_die "building" cmake --build "$out" --target "${targets[@]}" -j "$(jobs)"
-  if [[ " ${targets[*]} " =~ ' '(all|fathom|fathom-depth)' ' ]]; then printf '%s\n' "$before" >"$stamp"; fi
+  if [[ " ${targets[*]} " =~ ' '(all|fathom|fathom-depth)' ' ]]; then
+    printf '%s\n' "$before" >"$stamp.new" && mv -f "$stamp.new" "$stamp" # others may read it meanwhile
+  fi
 }

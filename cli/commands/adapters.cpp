@@ -70,6 +70,11 @@ std::string program_of(const Adapter& adapter) {
   return "";
 }
 
+std::string how_adapters_come() {
+  return "what is not built comes with its first use, ./fathom certify --adapter NAME in the source tree: the adapters of C and C++ libraries "
+         "are compiled with Debian's packages, the others' engines are installed by npm";
+}
+
 std::string adapter_command(const std::string& words) {
   const std::string name = words.substr(0, words.find(','));
   const auto adapter = std::ranges::find(adapters(), name, &Adapter::name);

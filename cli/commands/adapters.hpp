@@ -16,6 +16,9 @@ struct Adapter {
 
 const std::vector<Adapter>& adapters();
 
+/// Returns a sentence on how those come that are not there.
+std::string how_adapters_come();
+
 /// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from there; "" if it is in neither place, or a
 /// script whose packages are not there.
 std::string program_of(const Adapter& adapter);

@@ -40,9 +40,13 @@ using harness::Replay;
 ExitCode list_adapters() {
   std::size_t column = 0;
   for (const Adapter& adapter : adapters()) column = std::max(column, adapter.name.size());
-  for (const Adapter& adapter : adapters())
-    print(fitted(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, program_of(adapter).empty() ? "; not built" : ""),
-                 column + 2));
+  bool missing = false;
+  for (const Adapter& adapter : adapters()) {
+    const bool built = !program_of(adapter).empty();
+    missing = missing || !built;
+    print(fitted(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, built ? "" : "; not built"), column + 2));
+  }
+  if (missing) talk(how_adapters_come());
   return fine;
 }
 

@@ -42,9 +42,10 @@ int main(int n, char** arguments) {
 CPP
 }
 
-mkdir -p "$tree/cmake" "$tree/cli" "$tree/kernels" "$work/elsewhere"
+mkdir -p "$tree/cmake" "$tree/cli" "$tree/kernels" "$tree/verify/subjects/web" "$tree/verify/subjects/kit" "$work/elsewhere"
+: >"$tree/verify/subjects/web/engine.mjs"
 cp "$project/fathom" "$project/check" "$tree"
-cp "$project/cmake/launcher.sh" "$tree/cmake"
+cp "$project/cmake/launcher.sh" "$project/cmake/settings.cmake" "$tree/cmake"
 cat >"$tree/CMakePresets.json" <<'JSON'
 {"version": 6, "configurePresets": [
   {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"},
@@ -53,6 +54,7 @@ JSON
 cat >"$tree/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(small LANGUAGES CXX)
+include(cmake/settings.cmake)
 execute_process(COMMAND cat OUTPUT_QUIET) # eats the standard input it gets
 option(FATHOM_TESTS "" ON)
 option(FATHOM_ONLY_DEPTH "" OFF)
@@ -66,6 +68,8 @@ endif()
 file(GLOB sources CONFIGURE_DEPENDS cli/*.cpp)
 add_executable(fathom ${sources})
 add_dependencies(fathom fathom-depth)
+add_custom_target(fathom-subjects COMMAND touch part_begun && until [ -e part_may_end ] \; do sleep 0.1 \; done && touch fathom-subjects.stamp)
+add_custom_target(fathom-web-subjects COMMAND echo "fathom: no network" && false)
 if(FATHOM_TESTS)
   enable_testing()
   add_test(NAME runs COMMAND fathom)
@@ -139,9 +143,9 @@ expect 1 'small|depth' "$tree/fathom" depth
 expect_silence
 rm -r "$tree/build"
 
-law='the first use builds, says so on stderr, and runs'
-expect 0 one "$tree/fathom"
-expect_talk building
+law='the first use builds, says so on stderr, and runs, even where HOME cannot be written'
+expect 0 one env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/proc "$tree/fathom"
+expect_talk 'building, which takes'
 
 law='the second use is quiet; arguments, standard input and exit code pass untouched'
 expect 3 'one|a b||*' "$tree/fathom" 'a b' '' '*'
@@ -196,11 +200,22 @@ wait $! || broken 'the first of two calls failed'
 [[ $(<"$work/left")$(<"$work/right") == fivefive ]] || broken "printed '$(<"$work/left")' and '$(<"$work/right")'"
 [[ $(cat "$work"/talk.* | grep -c 'building') == 1 ]] || broken "both built: $(cat "$work"/talk.*)"
 
-law='a copy of the tree, build and all, works where it is'
+law='a copy of the tree, build and all, answers where it is, and is built there when a source changes'
 cp -a "$tree" "$work/copy"
 rm -r "$tree/cli"
 expect 0 five "$work/copy/fathom"
+expect_silence
 cp -a "$work/copy/cli" "$tree/cli"
+law='a copy that cannot be written answers too, and says so where it may be older than its sources'
+expect 0 five ${ordinary[@]+"${ordinary[@]}"} "$work/copy/fathom"
+expect_silence
+program copied >"$work/copy/cli/main.cpp"
+chmod -R a-w "$work/copy"
+expect 0 five ${ordinary[@]+"${ordinary[@]}"} "$work/copy/fathom"
+expect_talk "cannot write to $work/copy/build: fathom may be older than its sources"
+chmod -R u+w "$work/copy"
+expect 0 copied "$work/copy/fathom"
+expect_talk 'building'
 
 law='check builds with tests, prints what ctest says, passes arguments on and exits with 1 when a test fails'
 packages bash bash bash bash
@@ -233,6 +248,35 @@ expect 2 '' ${ordinary[@]+"${ordinary[@]}"} "$tree/fathom" certify --adapter som
 expect_talk 'apt-get install -y --no-install-recommends no-such-adapter-package'
 expect 3 'five|certify|--subject|some' "$tree/fathom" certify --subject some
 expect 3 'five|certify|--|--adapter' "$tree/fathom" certify -- --adapter
+law='a list of the adapters asks for nothing, and builds nothing'
+expect 2 'five|certify|--list-adapters' "$tree/fathom" certify --list-adapters
+expect_silence
+
+law='while a part is built, what is up to date answers and does not wait'
+packages bash bash bash bash
+"$tree/fathom" certify --adapter some >"$work/left" 2>"$work/talk.left" &
+part=$!
+until [[ -e $tree/build/release/part_begun ]]; do
+  kill -0 $part || broken "the part was not begun: $(cat "$work/talk.left")"
+  sleep 0.1
+done
+expect 1 'five|depth' "$tree/fathom" depth
+expect_silence
+touch "$tree/build/release/part_may_end"
+wait $part
+[[ $(<"$work/left") == 'five|certify|--adapter|some' ]] || broken "printed '$(<"$work/left")'"
+law='it is said what is built'
+grep -q 'building the adapters of other libraries' "$work/talk.left" || broken "said: $(cat "$work/talk.left")"
+
+law='a step that knows why it fails is quoted, without what ninja and CMake say'
+expect 3 '' "$tree/fathom" certify --adapter engine
+expect_talk 'fathom: no network (the whole log is'
+[[ $talk != *ninja* && $talk != *CMake* && $talk != *FAILED* ]] || broken 'more is said than the sentence'
+expect 0 five "$tree/fathom"
+expect_silence
+law='so does the installation of the engines for the web, where there is no network, and where HOME cannot be written'
+expect 1 '' env HOME=/proc npm_config_registry=http://127.0.0.1:9/ "$project/verify/subjects/web/install.sh" node npm "$work/web"
+[[ $talk == "fathom: the engines' packages come by the network, which is not there (127.0.0.1: ECONNREFUSED)" ]] || broken 'no such sentence'
 
 law='after check, fathom has nothing to do'
 expect 0 five "$tree/fathom"

@@ -36,7 +36,7 @@ class Versions(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = web_test.install("-DHISTORY=ON")
+    missing = web_test.install("history")
     if missing:
         print(f"versions_test.py: skipped: {missing}", file=sys.stderr)
         sys.exit(web_test.SKIPPED)

@@ -50,8 +50,7 @@ def install(*more):
     lock = os.open(folder / "web-subjects.lock", os.O_CREAT | os.O_WRONLY)
     os.lockf(lock, os.F_LOCK, 0)  # the tests of several engines start at once
     try:
-        done = subprocess.run(["cmake", f"-DFROM={WEB.parent}", f"-DTO={folder / 'web-subjects'}", f"-DNODE={node}", f"-DNPM={npm}",
-                               *more, "-P", WEB / "install.cmake"], capture_output=True, text=True, check=False)
+        done = subprocess.run([WEB / "install.sh", node, npm, folder / "web-subjects", *more], capture_output=True, text=True, check=False)
     finally:
         os.close(lock)
     if done.returncode == 0:
