@@ -21,10 +21,11 @@ configure_file(cmake/fathom-c.pc.in ${PROJECT_BINARY_DIR}/fathom-c.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/fathom-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
-install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom)
-install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden PATTERN make.sh EXCLUDE)  # makes the sample from the tree
-install(FILES verify/check/FORMAT.md verify/judge/VERDICTS.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom PATTERN "*.md" EXCLUDE)
+install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden
+  PATTERN "*.md" EXCLUDE PATTERN make.sh EXCLUDE)  # that makes the sample from the tree
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE PATTERN "*.md" EXCLUDE)
+install(DIRECTORY verify/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/verify PATTERN __pycache__ EXCLUDE PATTERN "*.md" EXCLUDE)
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/fathomConfig.cmake.in ${PROJECT_BINARY_DIR}/fathomConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -7,8 +7,8 @@ file(RELATIVE_PATH pkgconfig_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/fathom.pc.in ${PROJECT_BINARY_DIR}/fathom.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/fathom.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN api EXCLUDE PATTERN "*.py" EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN api EXCLUDE PATTERN "*.md" EXCLUDE PATTERN "*.py" EXCLUDE)
+include(cmake/install_pages.cmake)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/api DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)  # if the target `api` has made them
 
 # Takes away what the latest `cmake --install` of this build folder put there; DESTDIR as it was then.

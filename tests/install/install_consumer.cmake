@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the build tree BUILD, moves the installation elsewhere, and builds and runs the foreign project against it.
-# cmake -D BUILD=... -D WORK=... -D CXX=... -D FLAGS=... -P install_consumer.cmake
+# cmake -D BUILD=... -D WORK=... -D CXX=... -D FLAGS=... -D PYTHON=... -P install_consumer.cmake
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -24,6 +24,24 @@ list(SORT chosen)
 list(SORT installed)
 if(NOT installed STREQUAL chosen)
   message(FATAL_ERROR "the installed headers are ${installed}, and not ${chosen}")
+endif()
+
+# Law: no link of an installed page is dead, whether it leads to another page, to an example, to a schema or to a header; and no file names
+# the folders of the build.
+file(GLOB pages "${prefix}/share/doc/*/docs")
+cmake_path(GET pages PARENT_PATH pages)
+foreach(page README.md docs/certify.md verify/PROTOCOL.md proofs/README.md FORMAT.md)
+  if(NOT EXISTS "${pages}/${page}")
+    message(FATAL_ERROR "${page} is not installed")
+  endif()
+endforeach()
+foreach(root "${pages}" "${prefix}/share/fathom")
+  run(${CMAKE_COMMAND} -E env "FATHOM_ROOT=${root}" "FATHOM_EXECUTABLE=${prefix}/bin/fathom" ${PYTHON} -B ${source}/tests/docs/docs_test.py Docs.test_links)
+endforeach()
+cmake_path(NORMAL_PATH source)
+execute_process(COMMAND grep -rIlF -e ${source} -e ${BUILD} ${prefix} OUTPUT_VARIABLE naming)
+if(naming)
+  message(FATAL_ERROR "these installed files name folders of the build:\n${naming}")
 endif()
 
 # Law: a foreign project can use them, and the examples.
