@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A subject in 30 lines: the separating axis test over facet normals and pairs of edges, in doubles. See verify/PROTOCOL.md."""
+"""A subject in 40 lines: the separating axis test over facet normals and pairs of edges, in doubles. See verify/PROTOCOL.md."""
 import json
 import math
 import sys
