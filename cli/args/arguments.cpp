@@ -25,8 +25,12 @@
 #include "kernels/printable.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {
+
+extern const char* const built_commit;  ///< "" if the sources are at none: CMake writes it into a file of its own
+
 namespace {
 
 /// Returns whether the name is that of a mesh. Other names may be streams of cases.
@@ -66,6 +70,15 @@ std::string wrong_words(const std::vector<std::string>& words) {
 
 Arguments refusal(const std::string& sentence, const std::string& command = "") {
   return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
+}
+
+Arguments no_command() {
+  return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(commands, ", "), general_examples[0].line));
+}
+
+std::string version_text() {
+  const std::string commit = *built_commit ? fmt::format("commit {}\n", built_commit) : "";
+  return fmt::format("fathom {}\n{}golden data {}\nlicence GPL-3.0-or-later", FATHOM_VERSION, commit, golden::data_version);
 }
 
 /// The name as the user typed it.
@@ -157,21 +170,20 @@ std::vector<HelpPage> help_pages() {
 Arguments parse_arguments(int argc, const char* const* argv) {
   Parser parser;
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty())
-    return {std::nullopt, "expected a command\n\n" + help_text(page_of(parser, nullptr), help_columns(STDERR_FILENO)), bad_input};
+  if (words.empty()) return no_command();
   if (const std::string fault = wrong_words(words); !fault.empty()) return refusal(fault);
   try {
     parser.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     return {std::nullopt, help_text(page_of(parser, parser.asked()), help_columns(STDOUT_FILENO)), fine};
   } catch (const CLI::CallForVersion&) {
-    return {std::nullopt, "fathom " FATHOM_VERSION, fine};
+    return {std::nullopt, version_text(), fine};
   } catch (const CLI::ParseError& error) {
     CLI::App* const asked = parser.asked();
     return refusal(sentence(error, parser.app, asked) + (asked ? "" : line_with_command(words)), asked ? asked->get_name() : "");
   }
   CLI::App* const asked = parser.asked();
-  if (asked == nullptr) return refusal(fmt::format("expected a command: {}", fmt::join(commands, ", ")));
+  if (asked == nullptr) return no_command();
   Request& request = parser.request;
   request.command = static_cast<Command>(std::ranges::find(parser.commands, asked) - parser.commands.begin());
   if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);

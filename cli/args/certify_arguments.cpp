@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "cli/args/named_files.hpp"
+#include "cli/args/parser_words.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
@@ -33,6 +34,13 @@ CLI::Validator rule(bool (*holds)(const std::string&), std::string expected) {
           "", ""};
 }
 
+/// One policy of each kind: "within=5%".
+std::vector<std::string> policy_words() {
+  std::vector<std::string> words;
+  for (const auto kind : judging::policy_kinds) words.push_back(judging::policy_text({kind, mpq_class(1, 20)}));
+  return words;
+}
+
 bool is_time(const std::string& text) {
   const auto time = exact_number(text);
   return time && *time > 0;
@@ -44,6 +52,10 @@ bool is_size(const std::string& text) {
 bool is_tolerance(const std::string& text) {
   const auto value = exact_number(text);
   return value && *value >= 0;
+}
+std::string check_policy(const std::string& text) {
+  if (judging::policy_of(text)) return "";
+  return fmt::format("expected declared, minimum, separating or within=P%, such as within=5%, found {}", kernels::shown(text));
 }
 bool is_count(const std::string& text) { return typed_count<std::size_t>(text).has_value(); }
 
@@ -159,8 +171,7 @@ void add_certify_options(CLI::App& app, Request& request) {
          "--policy", [&certify](const std::string& text) { certify.tolerance.policy = *judging::policy_of(text); },
          "which depths pass that are the price of their own direction, though a shorter way out exists: as the subject's hello claims "
          "(declared, unless given), none (minimum), all (separating), or up to P % above the depth (within=P%)")
-      ->check(rule([](const std::string& text) { return judging::policy_of(text).has_value(); },
-                   "declared, minimum, separating or within=P%, such as within=5%"))
+      ->check(one_of(policy_words(), check_policy))
       ->type_name("POLICY");
   add_second_method(app, certify.methods,
                     "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare it, and "

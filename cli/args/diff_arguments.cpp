@@ -19,7 +19,7 @@ struct DiffParser {
   CLI::App app{"", "fathom certify diff"};
 
   DiffParser() {
-    app.get_help_ptr()->description("this text");
+    app.get_help_ptr()->description(help_meaning);
     app.add_option("reports", request.reports);
     app.add_flag("--json", request.json, "one JSON object, schema fathom/diff/1");
     names_file(app.add_option("--html", request.html, "write a page for a browser"), FileUse::written)->type_name("FILE");

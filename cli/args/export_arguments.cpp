@@ -67,19 +67,21 @@ std::string check_families(const std::string& list) {
 }
 
 /// Those of facets of P: others occur only where bodies do not overlap.
-std::string check_contacts(const std::string& list) {
+std::vector<std::string> kinds_of_contact() {
   std::vector<std::string> known;
   for (int kind = 0; kind <= static_cast<int>(ContactKind::edge_edge); ++kind) known.emplace_back(name(static_cast<ContactKind>(kind)));
-  return check_words(list, known, "kinds of contact");
+  return known;
 }
+
+std::string check_contacts(const std::string& list) { return check_words(list, kinds_of_contact(), "kinds of contact"); }
 
 std::string check_binary(const std::string& text) {
   return text == "binary32" || text == "binary64" ? "" : fmt::format("expected binary32 or binary64, found {}", kernels::shown(text));
 }
 
-/// An option that takes words, separated by commas; each time it is given more of them.
-void add_words(CLI::App& app, const std::string& option, std::vector<std::string>& words, std::string (*check)(const std::string&),
-               const std::string& type, const std::string& about) {
+/// An option that takes some of the known words, separated by commas; each time it is given more of them.
+void add_words(CLI::App& app, const std::string& option, std::vector<std::string>& words, std::vector<std::string> known,
+               std::string (*check)(const std::string&), const std::string& type, const std::string& about) {
   app.add_option_function<std::vector<std::string>>(
          option,
          [&words](const std::vector<std::string>& lists) {
@@ -87,7 +89,7 @@ void add_words(CLI::App& app, const std::string& option, std::vector<std::string
              for (std::string& word : words_in(list)) words.push_back(std::move(word));
          },
          about)
-      ->check(CLI::Validator(check, "", ""))
+      ->check(one_of(std::move(known), check))
       ->allow_extra_args(false)  // the next word is the folder
       ->type_name(type);
 }
@@ -101,13 +103,13 @@ void add_export_options(CLI::App& app, golden::ExportRequest& request, std::stri
       ->check(one_of({"c", "csv", "json", "rust"}, check_export_format))
       ->type_name("FORMAT")
       ->required();
-  add_words(app, "--only", request.only, check_flags, "FLAGS", "take only records with one of these flags, as for --exclude");
-  add_words(app, "--exclude", request.excluded, check_flags, "FLAGS",
+  add_words(app, "--only", request.only, golden::words_of_cases(), check_flags, "FLAGS", "take only records with one of these flags, as for --exclude");
+  add_words(app, "--exclude", request.excluded, golden::words_of_cases(), check_flags, "FLAGS",
             "leave out records with one of these flags, separated by commas:\nflat_a, ties, ..., or their first word: flat, huge; or of a\n"
             "status: penetrating, touching, disjoint");
-  add_words(app, "--family", request.families, check_families, "NAMES",
+  add_words(app, "--family", request.families, golden::groups_of_releases(), check_families, "NAMES",
             "take only records of these families, separated by commas:\nfar_boxes, 'touching_*', ..., catalogue, real");
-  add_words(app, "--contact", request.contacts, check_contacts, "KINDS",
+  add_words(app, "--contact", request.contacts, kinds_of_contact(), check_contacts, "KINDS",
             "take only records with a shortest way out of one of these kinds:\nedge-edge, facet-vertex (of A, of B), ...");
   app.add_option_function<std::string>(
          "--exact-in", [&request](const std::string& text) { request.exact_in = text; },

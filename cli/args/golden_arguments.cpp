@@ -120,7 +120,7 @@ struct GoldenParser {
   CLI::App *generate, *verify, *exporting;
 
   GoldenParser() {
-    app.get_help_ptr()->description("this text");
+    app.get_help_ptr()->description(help_meaning);
     app.require_subcommand(0, 1);
     generate = add_task("generate");
     verify = add_task("verify");
@@ -133,7 +133,7 @@ struct GoldenParser {
 
   CLI::App* add_task(const std::string& name) {
     CLI::App* const task = app.add_subcommand(name, "");
-    task->get_help_ptr()->description("this text");
+    task->get_help_ptr()->description(help_meaning);
     return task;
   }
   [[nodiscard]] CLI::App* asked() const {

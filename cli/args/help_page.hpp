@@ -37,6 +37,8 @@ struct OptionHelp {
   std::vector<std::string> choices = {};  ///< the values, if they are few
 };
 
+inline constexpr const char* help_meaning = "print help";
+
 /// A page: what is written by hand, with the options of the parser.
 struct HelpPage {
   CommandHelp command;

@@ -206,7 +206,7 @@ CLI::App& add_command(CLI::App& app, std::string_view name) {
   const auto help =
       std::find_if(std::begin(command_table), std::end(command_table), [name](const CommandHelp& c) { return c.name == name; });
   CLI::App& command = *app.add_subcommand(std::string(name), std::string(help->summary));
-  command.get_help_ptr()->description("this text");
+  command.get_help_ptr()->description(help_meaning);
   return command;
 }
 
@@ -234,8 +234,8 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
 }  // namespace
 
 Parser::Parser() {
-  app.get_help_ptr()->description("this text");
-  app.set_version_flag("-V,--version", "fathom " FATHOM_VERSION, "the version");
+  app.get_help_ptr()->description(help_meaning);
+  app.set_version_flag("-V,--version", "", "the version, with the commit, that of the golden data, and the licence");
   app.require_subcommand(0, 1);  // so that a file may be called "width"
   CLI::App &depth = add_command(app, "depth"), &width = add_command(app, "width");
   add_options(depth, request, texts, false);

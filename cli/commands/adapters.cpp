@@ -71,7 +71,8 @@ std::string program_of(const Adapter& adapter) {
 }
 
 std::string how_adapters_come() {
-  return "what is not built comes with its first use, ./fathom certify --adapter NAME in the source tree: the adapters of C and C++ libraries "
+  return "what is not built comes with its first use, ./fathom certify --adapter NAME in the source tree: the adapters of C and C++ "
+         "libraries "
          "are compiled with Debian's packages, the others' engines are installed by npm";
 }
 

@@ -15,8 +15,10 @@
 #include "cli/args/diff_arguments.hpp"
 #include "cli/args/golden_arguments.hpp"
 #include "cli/args/help.hpp"
+#include "cli/commands/adapters.hpp"
 #include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/family_names.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
 #include "cli/manual/completion.hpp"
@@ -24,6 +26,7 @@
 #include "cli/manual/man_page.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/whole_file.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -32,9 +35,24 @@ using Pages = std::vector<HelpPage>;
 
 /// A page of this file's commands.
 HelpPage page_of_help(const CommandHelp& command) {
-  HelpPage page{command, {{{"-h", "--help"}, "", "this text"}}};
+  HelpPage page{command, {{{"-h", "--help"}, "", help_meaning}}};
   if (command.name == "man") page.options.push_back({{"--all"}, "DIR", "write every page as a file into the folder, made if need be"});
   return page;
+}
+
+/// Adds the values of options that the parser does not know, as fathom-depth has it too.
+void add_values(HelpPage& page) {
+  for (OptionHelp& option : page.options) {
+    std::vector<std::string>& values = option.choices;
+    const std::string& name = option.names.back();
+    if (name == "--adapter") std::ranges::transform(adapters(), std::back_inserter(values), &Adapter::name);
+    if (name == "--family") {
+      values.emplace_back("all");
+      for (const std::string_view family : family_names()) values.emplace_back(family);
+    }
+    if (name == "--sweep")
+      std::ranges::transform(families::families(), std::back_inserter(values), [](const auto& family) { return std::string(family.name); });
+  }
 }
 
 /// Every page: that of fathom first, then the commands in the order of the table, each with its tasks behind it.
@@ -49,6 +67,7 @@ Pages all_pages() {
     else if (command.name != "golden") pages.push_back(page_of_help(command));
     else std::ranges::copy(golden_pages(), std::back_inserter(pages));
   }
+  std::ranges::for_each(pages, add_values);
   return pages;
 }
 

@@ -15,11 +15,16 @@ constexpr std::size_t suggestions = 3, longest_name = 60;
 
 }  // namespace
 
-std::vector<std::string_view> nearest_families(std::string_view name) {
+std::vector<std::string_view> family_names() {
   std::vector<std::string_view> names;
   for (const families::Family& family : families::families()) names.push_back(family.name);
   for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
   for (const families::UnionFamily& family : families::union_families()) names.push_back(family.name);
+  return names;
+}
+
+std::vector<std::string_view> nearest_families(std::string_view name) {
+  std::vector<std::string_view> names = family_names();
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
     return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The families that a misspelt name may mean.
+// The names of the families, and those that a misspelt one may mean.
 #pragma once
 
 #include <string_view>
 #include <vector>
 
 namespace fathom::cli {
+
+/// The names of all families: of polytopes, then of shapes, then of unions.
+std::vector<std::string_view> family_names();
 
 /// A few names of families, of polytopes, of shapes and of unions. Those that hold `name` come first, then those by the fewest slips.
 std::vector<std::string_view> nearest_families(std::string_view name);

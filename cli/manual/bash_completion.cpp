@@ -18,6 +18,7 @@ std::string option_words(const HelpPage& page) {
 std::string offer(const OptionHelp& option) {
   switch (value_kind(option)) {
     case ValueKind::words: return fmt::format("words='{}'", fmt::join(option.choices, " "));
+    case ValueKind::list: return fmt::format("list='{}'", fmt::join(option.choices, " "));
     case ValueKind::file: return "files=-f";
     case ValueKind::folder: return "files=-d";
     default: return "return";
@@ -53,7 +54,7 @@ std::string bash_completion(std::span<const HelpPage> pages) {
   return fmt::format(R"(# shellcheck shell=bash
 {made_by}
 _fathom() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} page= words= options= files=
+  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} page= words= list= options= files= typed=
   COMPREPLY=()
   if [[ $word == = ]]; then # bash takes --name=value apart
     word=
@@ -76,6 +77,10 @@ _fathom() {{
   esac
   if [[ $word == -* ]]; then words=$options files=; fi
   if [[ -n $files ]]; then mapfile -t COMPREPLY < <(compgen "$files" -- "$word"); fi
+  if [[ -n $list ]]; then
+    typed=${{word%"${{word##*,}}"}} # with commas between them
+    mapfile -t COMPREPLY < <(compgen -P "$typed" -W "$list" -- "${{word##*,}}")
+  fi
   if [[ -n $words ]]; then mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -W "$words" -- "$word"); fi
 }}
 complete -o filenames -F _fathom fathom)",

@@ -19,10 +19,10 @@ inline constexpr std::string_view made_by = "# Commands, options and values of f
 inline constexpr const char* shells[] = {"bash", "zsh", "fish"};
 
 /// What may stand behind an option.
-enum class ValueKind { none, words, file, folder, other };
+enum class ValueKind { none, words, list, file, folder, other };
 
 inline ValueKind value_kind(const OptionHelp& option) {
-  if (!option.choices.empty()) return ValueKind::words;
+  if (!option.choices.empty()) return option.value == "FLAGS" ? ValueKind::list : ValueKind::words;
   if (option.value.empty() || option.value.front() == '[') return ValueKind::none;
   if (option.value == "DIR") return ValueKind::folder;
   return option.value == "FILE" || option.value == "CASES" || option.value == "Q" ? ValueKind::file : ValueKind::other;

@@ -25,6 +25,7 @@ void add_options(Lines& lines, const HelpPage& page) {
     switch (value_kind(option)) {
       case ValueKind::none: break;
       case ValueKind::words: line += fmt::format(" -x -a '{}'", fmt::join(option.choices, " ")); break;
+      case ValueKind::list: line += fmt::format(" -x -a '(__fish_append , {})'", fmt::join(option.choices, " ")); break;
       case ValueKind::file: line += " -r -F"; break;
       case ValueKind::folder: line += " -x -a '(__fish_complete_directories)'"; break;
       case ValueKind::other: line += " -x"; break;

@@ -13,6 +13,7 @@ using Lines = std::vector<std::string>;
 std::string action(const OptionHelp& option) {
   switch (value_kind(option)) {
     case ValueKind::words: return fmt::format(":{}:({})", option.value, fmt::join(option.choices, " "));
+    case ValueKind::list: return fmt::format(":{}:_sequence -s , compadd - {}", option.value, fmt::join(option.choices, " "));
     case ValueKind::file: return fmt::format(":{}:_files", option.value);
     case ValueKind::folder: return fmt::format(":{}:_files -/", option.value);
     case ValueKind::other: return fmt::format(":{}: ", escaped(option.value, ":"));

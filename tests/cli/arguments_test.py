@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Help, version, and every way to misuse the command line."""
 import pathlib
+import re
 import subprocess
 import unittest
 
-from harness import DATA, EXECUTABLE, VERSION, CliTest
+from harness import DATA, EXECUTABLE, ROOT, VERSION, CliTest
 
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 OPTIONS = ("--method", "--closest-lines", "--digits", "--certificate", "--embed-certificate", "--exact-decimals", "--counters", "--json",
@@ -33,7 +34,14 @@ class Help(CliTest):
 
     def test_version(self):
         for option in ("--version", "-V"):
-            self.assertEqual(self.answer(option), f"fathom {VERSION}\n")
+            first, *others = self.answer(option).splitlines()
+            self.assertEqual(first, f"fathom {VERSION}")
+            told = dict(line.split(" ", 1) for line in others)
+            data = re.search(r'data_version = "(.*)"', (ROOT / "verify/golden/shards/plan.hpp").read_text())[1]
+            self.assertEqual((told["golden"], told["licence"]), (f"data {data}", "GPL-3.0-or-later"))
+            if (ROOT / ".git").exists():
+                subprocess.run(["git", "rev-parse", "--verify", told["commit"].removesuffix("-dirty") + "^{commit}"], cwd=ROOT, check=True,
+                               capture_output=True)
 
     def test_help_as_a_command(self):
         self.assertEqual(self.answer("help"), self.answer("--help"))
@@ -120,8 +128,7 @@ class Outputs(CliTest):
 class Misuse(CliTest):
     def test_no_command(self):
         err = self.refused()
-        self.assertIn("expected a command", err)
-        self.assertIn("Examples\n", err)
+        self.assertEqual(err, f"fathom: expected a command: {COMMANDS}\nFor example: fathom depth a.off b.stl\nTry: fathom --help\n")
         self.assertIn("expected a command", self.refused("--"))
 
     def test_unknown_words(self):

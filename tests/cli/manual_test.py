@@ -91,6 +91,21 @@ class Bash(CliTest):
         self.assertEqual(self.completed("fathom golden generate --level P"), ["P0", "P1"])
         self.assertEqual(self.completed("fathom golden verify --method "), ["exact", "naive"])
 
+    def test_values_from_the_tables_of_the_program(self):
+        lists = [self.answer("cases", "--list", *kind) for kind in ([], ["--shapes"], ["--unions"])]
+        families = [line.split()[0] for text in lists for line in text.splitlines()]
+        adapters = [line.split()[0] for line in self.answer("certify", "--list-adapters").splitlines()]
+        self.assertEqual(self.completed("fathom cases --family "), ["all", *families])
+        self.assertEqual(self.completed("fathom cases --family=near_tie_"), ["near_tie_boxes"])
+        self.assertEqual(self.completed("fathom study --sweep crossed_fa"), ["crossed_fans"])
+        self.assertEqual(self.completed("fathom certify --adapter "), adapters)
+        self.assertEqual(self.completed("fathom certify --policy "), ["declared", "minimum", "separating", "within=5%"])
+        for policy in self.completed("fathom certify --policy "):
+            self.assertIn("nothing.jsonl", self.refused("certify", "--policy", policy, "--subject", "x", "nothing.jsonl"))
+        flags = self.completed("fathom golden export --exclude ")
+        self.assertIn("touching", flags)
+        self.assertEqual(self.completed("fathom golden export --exclude touching,disj"), ["touching,disjoint"])
+
     def test_files(self):
         self.file("a.off", "")
         (self.folder / "folder").mkdir()

@@ -22,7 +22,7 @@ inline constexpr OptionText option_texts[] = {
     {"--width", "", "also refuse a certificate whose b is not a again: its\ndepth is the width of a; --case then compares a alone"},
     {"--results", "FILE", "JSON Lines, each with a certificate in its field\n\"certificate\""},
     {"--echo", "", "print the bodies and the claim as they were read, in\nlines that begin with c"},
-    {"--help", "", "this text"},
+    {"--help", "", "print help"},
 };
 
 /// Understands the words behind the program's name, checks, prints to the standard streams. `program` is for messages. Returns the exit

@@ -22,7 +22,7 @@ std::string policy_text(const Policy& policy) {
 }
 
 std::optional<Policy> policy_of(std::string_view text) {
-  for (const auto kind : {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating})
+  for (const Policy::Kind kind : policy_kinds)
     if (text == policy_text({kind})) return Policy{kind};
   if (!text.starts_with(within) || !text.ends_with('%')) return std::nullopt;
   const std::optional<mpq_class> percent = parse_number(text.substr(within.size(), text.size() - within.size() - 1), Decimals::exact).value;

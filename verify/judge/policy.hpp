@@ -10,6 +10,9 @@
 
 namespace fathom::judging {
 
+inline constexpr Policy::Kind policy_kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating,
+                                                Policy::Kind::within};
+
 /// "declared", "minimum", "separating", "within=5%", "within=5/2%".
 std::string policy_text(const Policy& policy);
 /// The inverse of `policy_text`; the percentage may be a decimal too. nullopt for other words, and for what is below 0.
