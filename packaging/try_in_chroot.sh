@@ -5,8 +5,6 @@
 # try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte;
 #                                              the sources of all else are parsed by the compiler of SUITE.
 # try_in_chroot.sh --check [SUITE] [ARGUMENTS] the same of the whole program and of the data of L0, and every test, by ./check ARGUMENTS.
-# try_in_chroot.sh --arm64 [SUITE]             cross-builds fathom, fathom-check and the library for C for arm64; under qemu they answer, prove
-#                                              and make the data of L0 as this machine's do.
 #
 # SUITE is the name of a release, bookworm or trixie, this machine's unless given. The bare system is made by mmdebstrap from the archives of
 # this machine's apt; that needs root, and some minutes. No step may take longer than its limit; whatever ends the script, nothing is left.
@@ -20,7 +18,7 @@ usage() {
 own=$(. /etc/os-release && echo "$VERSION_CODENAME")
 mode=$1 suite=$own debs=''
 case $mode in
-  --depth | --check | --arm64)
+  --depth | --check)
     shift
     if [[ ${1-} =~ ^[a-z]+$ ]]; then
       suite=$1
@@ -114,46 +112,19 @@ parse_all() {
 
 if [[ -z $debs ]]; then
   say "$suite: a bare system with the sources"
-  if [[ $mode == --arm64 ]]; then
-    # Of what the launcher asks for, the libraries are those of arm64, but for such as are of all architectures.
-    libraries=$(root=$root me=arm64 && . "$root/cmake/launcher.sh" && packages depth build | grep -E '^(lib|nlohmann)')
-    bare_with_sources arm64 --architectures=amd64,arm64 --include=crossbuild-essential-arm64,cmake,ninja-build,qemu-user
-    limit=3h
-    inside arm64 bash -euc 'export DEBIAN_FRONTEND=noninteractive
-      apt-get -q update
-      for name; do
-        if apt-cache show "$name" | grep -qx "Architecture: all"; then echo "$name"; else echo "$name:arm64"; fi
-      done >/data/packages
-      xargs apt-get -qq install -y --no-install-recommends </data/packages >/data/log
-      cmake --preset release -S /fathom -B /data/arm64 -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux \
-        -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ >>/data/log
-      cmake --build /data/arm64 --target fathom fathom-check fathom_c -j 2' - $libraries
-    ask_here arm64
-    same_answers arm64 qemu-aarch64 /data/arm64/fathom
-    say "fathom-check: the proofs of L0"
-    zstd -dcq "$root"/tests/data/golden/golden-L0-*.cert.zst >"$work/arm64/data/L0.cert"
-    inside arm64 qemu-aarch64 /data/arm64/verify/check/fathom-check /data/L0.cert | tail -n 1
-    say "the library for C: its examples"
-    inside arm64 bash -euc 'for source in /fathom/examples/c_*.c; do
-        aarch64-linux-gnu-gcc -std=c99 -I /fathom/include "$source" -o /data/example -L /data/arm64 -lfathom-c -Wl,-rpath,/data/arm64
-        (cd /fathom/examples && cmake -D "PROGRAM=qemu-aarch64;/data/example" -D SOURCE="$source" -P run.cmake)
-      done'
-    same_l0 arm64 qemu-aarch64 /data/arm64/fathom
+  bare_with_sources native
+  say "$suite: the launcher builds depth"
+  inside native /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
+  ask_here native
+  same_answers native /fathom/fathom
+  if [[ $mode == --depth ]]; then
+    say "$suite: all sources are parsed"
+    parse_all native
   else
-    bare_with_sources native
-    say "$suite: the launcher builds depth"
-    inside native /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
-    ask_here native
-    same_answers native /fathom/fathom
-    if [[ $mode == --depth ]]; then
-      say "$suite: all sources are parsed"
-      parse_all native
-    else
-      limit=6h
-      inside native /fathom/fathom --version
-      same_l0 native /fathom/fathom
-      inside native /fathom/check "$@"
-    fi
+    limit=6h
+    inside native /fathom/fathom --version
+    same_l0 native /fathom/fathom
+    inside native /fathom/check "$@"
   fi
   say "all of it works"
   exit

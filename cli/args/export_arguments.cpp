@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/near_miss.hpp"
@@ -126,13 +127,14 @@ void add_export_options(CLI::App& app, golden::ExportRequest& request, std::stri
          "so many of the others, spread evenly over the families; all unless\ngiven")
       ->check(CLI::Validator(check_positive, "", ""))
       ->type_name("N");
-  app.add_option_function<std::string>(
-         "--certificates",
-         [&request, &certificates](const std::string& path) {
-           certificates = path;
-           request.certificates = true;
-         },
-         "write the certificates of all cases in the export to this file")
+  names_file(app.add_option_function<std::string>(
+                 "--certificates",
+                 [&request, &certificates](const std::string& path) {
+                   certificates = path;
+                   request.certificates = true;
+                 },
+                 "write the certificates of all cases in the export to this file"),
+             FileUse::written)
       ->type_name("FILE");
 }
 
