@@ -104,7 +104,8 @@ void add_export_options(CLI::App& app, golden::ExportRequest& request, std::stri
       ->check(one_of({"c", "csv", "json", "rust"}, check_export_format))
       ->type_name("FORMAT")
       ->required();
-  add_words(app, "--only", request.only, golden::words_of_cases(), check_flags, "FLAGS", "take only records with one of these flags, as for --exclude");
+  add_words(app, "--only", request.only, golden::words_of_cases(), check_flags, "FLAGS",
+            "take only records with one of these flags, as for --exclude");
   add_words(app, "--exclude", request.excluded, golden::words_of_cases(), check_flags, "FLAGS",
             "leave out records with one of these flags, separated by commas:\nflat_a, ties, ..., or their first word: flat, huge; or of a\n"
             "status: penetrating, touching, disjoint");
