@@ -158,8 +158,9 @@ TEST(CBadInput, ProofsThatNobodyWouldRead) {
   fathom_body* body = nullptr;
   ASSERT_EQ(fathom_body_from_numbers(wide, 4, &body), FATHOM_OK);
   const BodyHandle a(body), b = body_of({0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0});
-  ASSERT_EQ(fathom_body_from_pieces(&body, 1, &body), FATHOM_OK);
-  const BodyHandle pieces(body);
+  fathom_body* whole = nullptr;
+  ASSERT_EQ(fathom_body_from_pieces(&body, 1, &whole), FATHOM_OK);
+  const BodyHandle pieces(whole);
   for (const BodyHandle* const other : {&a, &pieces}) {
     const AnswerHandle answer = answer_about(*other, b);
     auto* text = reinterpret_cast<char*>(1);

@@ -239,7 +239,9 @@ TEST(CheckResult, SaysWhatTheCertificateSays) {
                              R"(, "signed_depth": {"low": -1, "high": 0, "exact": {"sign": 1, "root": "1", "plus": "0"}})"})
     EXPECT_EQ(said(fields, c), "refused") << fields;
   EXPECT_EQ(said(R"(, "id": 7)", certificate("", "1 0 0", "1 1 1")), "fine");
-  EXPECT_EQ(said(R"(, "signed_depth": {"low": null, "high": -1, "exact": {"sign": -1, "root": "1", "plus": "0"}})", c), "fine");
+  EXPECT_EQ(said(R"(, "signed_depth": {"low": null, "high": 0})", c), "fine");
+  EXPECT_EQ(said(R"(, "signed_depth": {"low": null, "high": -1, "exact": {"sign": -1, "root": "1", "plus": "0"}})", c), "refused")
+      << "that bodies are apart does not prove by how much";
 }
 
 // The certificate of a depth says what the signed depth is.
