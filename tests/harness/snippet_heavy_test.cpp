@@ -85,7 +85,9 @@ TEST_F(Snippets, CompileForASubjectThatRounds) {
   Outcome outcome = claimed(pair, 1);
   outcome.reply->contacts = {{{0.5, 0.5, 0.5}, 1.0}, {{0.25, 0.5, 0.5}, {}}};
   const std::string text = snippet(info, pair, outcome);
-  EXPECT_NE(text.find("fathom::truth_about(rounded(a, mpq_class(\"1/20\")), rounded(b, mpq_class(\"1/20\")))"), std::string::npos) << text;
+  for (const char* line : {"const mpq_class radius_a(\"1/20\"), radius_b(\"1/20\");",
+                           "fathom::truth_about(rounded(a, radius_a), rounded(b, radius_b));", "truth.added_a = radius_a;"})
+    EXPECT_NE(text.find(line), std::string::npos) << text;
   const Ran ran = compile(info, text, "-fsyntax-only");
   EXPECT_EQ(ran.code, 0) << ran.said;
 }
