@@ -141,7 +141,7 @@ bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
 
 /// Whether the result's distance is that of a certificate of format 2 or 3: of bodies that are disjoint, null or its square.
 bool is_distance(const std::optional<mpq_class>& square, const Certificate& c) {
-  if (status(c) != "disjoint") return false;
+  if (std::string_view(status(c)) != "disjoint") return false;
   return c.format == 3 ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
 }
 
