@@ -7,6 +7,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -113,8 +114,15 @@ class Layers(unittest.TestCase):
         self.expect("fathom", "#!/usr/bin/env bash\nexit\n", "licence")
 
     def test_length(self):
-        self.expect("cli/long.cpp", SPDX + "\n" * 349)
-        self.expect("cli/long.cpp", SPDX + "\n" * 350, "length")
+        self.expect("cli/long.cpp", SPDX + "\n" * 599)
+        self.expect("cli/long.cpp", SPDX + "\n" * 600, "length")
+
+    def test_headers_with_one_reader(self):
+        readers = {"a/x.hpp": {"a/y.cpp"}, "a/z.hpp": {"a/y.cpp", "b/y.cpp"}}
+        with unittest.mock.patch.object(layers, "ONE_READER", 0):
+            self.assertEqual([name for name, _, _ in layers.reader_breaches(readers)], ["a/x.hpp"])
+            self.assertEqual(breaches(), [("kernels/sign.hpp", "readers")])
+        self.assertEqual(list(layers.reader_breaches(readers)), [])
 
     def test_wide_lines(self):
         words = "word " * 30
