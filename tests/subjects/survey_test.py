@@ -78,19 +78,21 @@ class Survey(unittest.TestCase):
         self.assertIn(f"survey: {runs} of {runs}: ", self.talk)
 
     def test_committed(self):
-        """Law: the committed results are what the judge of today says of the libraries that are here, case by case: who changes the judge,
-        an adapter or the families sees here which set is older, and runs the survey of it again."""
+        """Law: the committed results are what the judge of today says of the libraries that are here, case by case: who changes the judge
+        or an adapter sees here which set is older, and runs the survey of it again. Results of a set whose families have grown since are
+        not compared; tables.py says below their tables that they are of older ones."""
         committed = json.loads((SURVEY / "results.json").read_text())
         of_adapter = {subject["adapter"]: subject for subject in committed["subjects"]}
         compared = 0
         for name in CASES:
             asked, known_cases = list(sets.read_cases(self.folder / "work" / f"{name}.jsonl")), self.all_cases(name)
+            today = sets.digest(self.folder / f"{name}.jsonl")
             for subject in self.results["subjects"]:
                 known = of_adapter[subject["adapter"]]
                 if subject["hello"]["version"] != known["hello"]["version"] or name not in known["sets"]:
                     continue
                 self.assertEqual(subject["hello"], known["hello"], "the adapter is newer than the results")
-                if committed["sets"][name]["digest"] == known["sets"][name]["made"]["cases"]:
+                if today == known["sets"][name]["made"]["cases"]:
                     then = dict(zip(known_cases, known["sets"][name]["outcomes"], strict=True))
                     now = dict(zip(asked, subject["sets"][name]["outcomes"], strict=True))
                     self.assertEqual(now, {case: then[case] for case in now}, f"{subject['adapter']} on {name}")
