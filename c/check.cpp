@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "c/boundary.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "verify/check/cases.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 using fathom_check::Verdict;
 
-std::string points_json(const fathom_body& body, const char* name) {
+text::Json points_json(const fathom_body& body, const char* name) {
   if (body.body->shape)
     throw std::invalid_argument(std::string(name) + ": expected points, or pieces, to compare the certificate with, found a shape");
   Body bare;
@@ -28,7 +28,7 @@ std::string points_json(const fathom_body& body, const char* name) {
 
 /// Refuses a certificate that is not about these bodies.
 Verdict verify_about(std::string_view text, const fathom_body& a, const fathom_body& b) {
-  const fathom_check::CaseFile bodies("{\"a\":" + points_json(a, "a") + ",\"b\":" + points_json(b, "b") + "}\n");
+  const fathom_check::CaseFile bodies(text::Json{{"a", points_json(a, "a")}, {"b", points_json(b, "b")}}.text() + '\n');
   const Verdict alone = fathom_check::verify(text);
   if (!alone.accepted()) return alone;
   fathom_check::Lines lines(text, fathom_check::longest_line);

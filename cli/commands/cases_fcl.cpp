@@ -6,9 +6,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "cli/commands/cases_json.hpp"
 #include "cli/io/output.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/fcl_text.hpp"
 #include "reference/files/source.hpp"
 
@@ -19,14 +18,13 @@ ExitCode print_fcl_cases(const std::string& path) {
   const std::string name = standard ? "<stdin>" : path;
   const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   for (const files::FclFailure& failure : files::read_fcl_text(text, name)) {
-    CaseText line{fmt::format("{}:{}", name, failure.line),
-                  files::body_json(failure.first.body, failure.first.pose),
-                  files::body_json(failure.second.body, failure.second.pose),
-                  {},
-                  {{"fcl", name}},
-                  failure.message};
-    line.pose_rounding = true;
-    print(case_json(line));
+    files::CaseText line{fmt::format("{}:{}", name, failure.line),
+                         files::body_json(failure.first.body, failure.first.pose),
+                         files::body_json(failure.second.body, failure.second.pose),
+                         {{"fcl", name}},
+                         failure.message,
+                         true};
+    print(files::case_json(line));
   }
   return fine;
 }

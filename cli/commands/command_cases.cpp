@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cli/commands/cases_fcl.hpp"
-#include "cli/commands/cases_json.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/family_names.hpp"
 #include "cli/commands/replies.hpp"
@@ -20,7 +19,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/shape_catalogue.hpp"
@@ -46,13 +45,13 @@ std::string known_square(Status status) { return status == Status::disjoint ? "d
 using Source = std::vector<std::pair<std::string, std::string>>;
 
 void print_case(const Case& pair, Source source, const std::string& comment) {
-  print(case_json({pair.id, files::body_json(pair.a), files::body_json(pair.b), {}, std::move(source), comment}));
+  print(files::case_json({pair.id, files::body_json(pair.a), files::body_json(pair.b), std::move(source), comment}));
 }
 
 void print_case(const families::ShapeCase& shapes, Source source, const std::string& comment) {
   const families::NamedPair& pair = shapes.pair;
   if (pair.known) source.emplace_back("signed_depth", known_text(pair.known->signed_depth));
-  print(case_json({shapes.id, files::body_json(pair.a), files::body_json(pair.b), {}, std::move(source), comment}));
+  print(files::case_json({shapes.id, files::body_json(pair.a), files::body_json(pair.b), std::move(source), comment}));
 }
 
 template <class Family>
@@ -146,7 +145,7 @@ ExitCode print_meshes(const Request& request) {
   const std::optional<files::GivenPose> pose_a = pose(request.pose_a, "--pose-a"), pose_b = pose(request.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
-  print(case_json({path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {}, {{"a", path_a}, {"b", path_b}}, ""}));
+  print(files::case_json({path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
-#include "cli/commands/cases_json.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/exact_replies.hpp"
 #include "cli/io/certificate_file.hpp"
@@ -9,7 +8,7 @@
 #include "cli/io/progress.hpp"
 #include "cli/output/union_output.hpp"
 #include "fathom/signed_depth.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "view/page/page.hpp"
 #include "view/page/union_page.hpp"
@@ -49,16 +48,12 @@ std::string picture_of(const Case& single, Monitor& monitor) {
   return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b, options)), name, label);
 }
 
-std::string case_text(const Case& single) {
-  return case_json({single.id, files::body_json(single.a), files::body_json(single.b), {}, {}, ""});
-}
-
 std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
   const AskedCase asked = looked_at(single, request);
   const std::string depth = depth_json(asked, request, monitor);
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
-  return page::html_page({FATHOM_VERSION, depth, stages, case_text(single), notes_on(asked.bodies), picture_of(single, monitor)});
+  return page::html_page({FATHOM_VERSION, depth, stages, files::case_json(single), notes_on(asked.bodies), picture_of(single, monitor)});
 }
 
 std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
@@ -69,7 +64,7 @@ std::string page_of_unions(const Case& single, const Request& request, Monitor& 
   stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
   stages.id = single.id;
   const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");
-  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, case_text(single), notes_on(asked.bodies), picture});
+  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, files::case_json(single), notes_on(asked.bodies), picture});
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ Case single_case(const Request& request) {
   };
   Case single =
       has_one_body(request) ? Case{request.inputs[0], body(0), {}} : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
-  single.id = valid_utf8(single.id);  // of file names; result and certificate are to agree on it
+  single.id = text::valid_utf8(single.id);  // of file names; result and certificate are to agree on it
   return single;
 }
 

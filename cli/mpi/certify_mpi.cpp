@@ -10,9 +10,9 @@
 #include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"
 #include "fathom/files.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/harness/journal.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -66,7 +66,7 @@ ExitCode certify_by_ranks(const Processes& world, const Request& request) {
   ExitCode code = internal_error;
   ranks.serve([&] {
     const auto examine = [&](const Case& pair, long exponent, const std::string& hello) {
-      return outcome_in(ranks.ask(packed({harness::case_line(pair), std::to_string(exponent)}), "case " + pair.id), pair, exponent, hello);
+      return outcome_in(ranks.ask(packed({files::case_json(pair), std::to_string(exponent)}), "case " + pair.id), pair, exponent, hello);
     };
     code = certify(request, {ranks.count(), examine});
   });

@@ -4,12 +4,14 @@
 
 #include <vector>
 
-#include "cli/output/json.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/files.hpp"
 #include "reference/shapes/body_notes.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 struct AboutBodies {
   shapes::BodySizes sizes;

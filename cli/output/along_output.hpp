@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "cli/output/json.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
 

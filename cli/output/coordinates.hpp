@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "cli/output/json.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/rounded/coordinates.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 using rounded::CoordinatePair;
 using rounded::Coordinates;

@@ -8,10 +8,12 @@
 
 #include "cli/args/request.hpp"
 #include "cli/output/answer.hpp"
-#include "cli/output/json.hpp"
 #include "kernels/number/roundings.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 /// The first fields of every result, exact or approximate: the schema that the request wants, the version of fathom, the id, the status.
 Json result_head(const Request& request, const std::string& id, std::string_view status);

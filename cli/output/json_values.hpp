@@ -8,12 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "cli/output/json.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/number/roundings.hpp"
 #include "kernels/vector.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 /// Exact numbers as strings.
 Json exact(const Point& p);

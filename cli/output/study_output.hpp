@@ -6,10 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "cli/output/json.hpp"
+#include "reference/text/json.hpp"
 #include "verify/study/study.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 /// Where the further lines of a body begin: below what follows "A  ".
 inline constexpr std::size_t body_column = 3;

@@ -15,7 +15,7 @@
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
+#include "reference/files/case_json.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/page.hpp"
 
@@ -107,10 +107,8 @@ FactList facts_of(const Study& study) {
 /// The case, to be copied; a sentence if it is too long for a page; nothing for shapes without words.
 std::string case_part(const Case& pair, const std::string& anchor) {
   try {
-    const std::string line = harness::case_line(pair);
-    if (line.size() <= longest_case)
-      return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON",
-                                  std::string_view(line).substr(0, line.size() - 1));
+    const std::string line = files::case_json(pair);
+    if (line.size() < longest_case) return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON", line);
     return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
                        pair.a.points.size() + pair.b.points.size());
   } catch (const std::invalid_argument&) {

@@ -5,10 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "cli/output/json.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
+
+using text::Json;
 
 /// As root_text: the shortest decimal that reads back as the nearest binary64; 17 digits beyond that range.
 std::string surd_text(const Surd& value);

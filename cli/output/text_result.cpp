@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -116,8 +115,6 @@ std::string text_line(const Answer& answer, const Request& request) {
   return case_line(answer.id, parts);
 }
 
-std::string safe_id(const std::string& id) {
-  return without_controls(id) == id ? id : nlohmann::json(id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
+std::string safe_id(const std::string& id) { return without_controls(id) == id ? id : text::Json(id).text(); }
 
 }  // namespace fathom::cli

@@ -12,7 +12,7 @@
 
 #include "fathom/files.hpp"
 #include "python/src/points.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_names.hpp"
@@ -109,14 +109,14 @@ bool has_no_interior(const Body& body) {
   return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
 }
 
-py::object description(const Body& body) { return py::module_::import("json").attr("loads")(files::body_json(body)); }
+py::object description(const Body& body) { return py::module_::import("json").attr("loads")(files::body_json(body).text()); }
 
 // ---- what pickle keeps ----
 
 /// The body as a case has it, and the corners and ends of faces.
 py::tuple state_of(const Body& body) {
   const MeshFaces faces = body.faces ? *body.faces : MeshFaces{};
-  return py::make_tuple(files::body_json(body), body.faces != nullptr, faces.corners, faces.ends);
+  return py::make_tuple(files::body_json(body).text(), body.faces != nullptr, faces.corners, faces.ends);
 }
 
 Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uint32_t> corners, std::vector<std::uint32_t> ends) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fathom/files.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/shape_text.hpp"
 
 namespace fathom::files {
@@ -38,17 +38,17 @@ TEST(NamedBody, WordsBuildAndPrintTheBodyThatWasRead) {
     ASSERT_TRUE(body.words) << text;
     expect_same(body_of(*body.words), body, text);
     for (const Defaults defaults : {Defaults::left_out, Defaults::written}) {
-      const std::string printed = body_json(*body.words, defaults);
+      const std::string printed = body_json(*body.words, defaults).text();
       expect_same(read(printed), body, printed);
-      EXPECT_EQ(body_json(*read(printed).words, defaults), printed) << "law: printing and reading changes nothing";
+      EXPECT_EQ(body_json(*read(printed).words, defaults).text(), printed) << "law: printing and reading changes nothing";
     }
   }
 }
 
 TEST(NamedBody, SaysWhatItLeavesOut) {
   const Body body = read(R"({"shape":"capsule","radius":0.5,"half_length":1})");
-  EXPECT_EQ(body_json(body), R"({"shape":"capsule","radius":0.5,"half_length":1})");
-  EXPECT_EQ(body_json(*body.words, Defaults::written),
+  EXPECT_EQ(body_json(body).text(), R"({"shape":"capsule","radius":0.5,"half_length":1})");
+  EXPECT_EQ(body_json(*body.words, Defaults::written).text(),
             R"({"shape":"capsule","radius":0.5,"half_length":1,"axis":"z","pose":{"quaternion":[1,0,0,0],"translation":[0,0,0]}})");
 }
 
@@ -78,7 +78,7 @@ TEST(NamedBody, WordsOfTheCommandLineStay) {
   const Body body = parse_shape("capsule:r=0.5,h=1,axis=y,at=1:2:3", Decimals::binary64);
   ASSERT_TRUE(body.words);
   expect_same(body_of(*body.words), body, "capsule");
-  EXPECT_EQ(body_json(body),
+  EXPECT_EQ(body_json(body).text(),
             R"({"shape":"capsule","radius":0.5,"half_length":1,"axis":"y","pose":{"quaternion":[1,0,0,0],"translation":[1,2,3]}})");
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/shape_families.hpp"
 #include "verify/harness/coordinates.hpp"

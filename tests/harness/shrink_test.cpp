@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "fathom/files.hpp"
+#include "reference/files/case_json.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -93,7 +94,7 @@ TEST(Shrink, IsTheSameEachTime) {
   const Verdict verdict = doubled(pair).verdict;
   ASSERT_TRUE(fails(verdict));
   const Shrunk first = shrink(pair, verdict, doubled), again = shrink(pair, verdict, doubled);
-  EXPECT_EQ(case_line(first.pair), case_line(again.pair));
+  EXPECT_EQ(files::case_json(first.pair), files::case_json(again.pair));
   EXPECT_EQ(first.tried, again.tried);
 }
 
@@ -173,7 +174,7 @@ TEST(Shrink, KeepsOneUlpThatMatters) {
   const Case smallest = shrink(pair, verdict, picky).pair;
   std::size_t dear = 0;
   for_each_coordinate(smallest, [&](const mpq_class& value) { dear += cost(value) > 20 ? 1 : 0; });
-  EXPECT_EQ(dear, 1u) << case_line(smallest);
+  EXPECT_EQ(dear, 1u) << files::case_json(smallest);
 }
 
 TEST(Shrink, OfAnAnswerThatAVariantChanges) {
@@ -280,7 +281,7 @@ TEST_F(Files, ThatCannotBeWrittenAreNamed) {
 TEST(CaseLine, ReadsBackExactly) {
   for (const char* family : {"random_ball", "wild_coordinates", "boxes_posed"}) {
     const Case pair = families::find_family(family)->make(1, 8);
-    const CaseItem item = parse_case(case_line(pair, "a \"comment\"\n"), "line");
+    const CaseItem item = parse_case(files::case_json(pair, "a \"comment\"\n"), "line");
     ASSERT_TRUE(item.ok()) << family;
     EXPECT_EQ(item.value().a.points, pair.a.points);
     EXPECT_EQ(item.value().b.points, pair.b.points);

@@ -29,6 +29,7 @@ import public_functions
 ORDER = [
     ["include/fathom"],  # what users include, as "fathom/..."
     ["kernels"],
+    ["reference/text"],
     ["reference/files"],
     ["reference/polytope"],
     ["reference/expanding"],

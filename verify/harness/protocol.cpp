@@ -2,52 +2,40 @@
 #include "verify/harness/protocol.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <iterator>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::harness {
 namespace {
 
-/// Read by strtod or by strtof, or by strtod and then rounded, it is the same number.
-void add_point(std::string& text, const std::array<double, 3>& p) {
-  fmt::format_to(std::back_inserter(text), "[{},{},{}]", p[0], p[1], p[2]);
-}
-
-void add_body(std::string& text, const Body& body, Precision precision, bool with_faces) {
-  if (body.pieces) {  // a single one is a polytope
-    if (body.pieces->size() > 1) text += "{\"pieces\":[";
-    const char* before = "";
-    for (const std::vector<Point>& piece : *body.pieces) {
-      text += std::exchange(before, ",");
-      add_body(text, Body{piece}, precision, with_faces);
+void add_body(text::JsonStream& out, const Body& body, Precision precision, bool with_faces) {
+  if (body.pieces && body.pieces->size() == 1) return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a polytope
+  if (body.words && !body.pieces) {
+    out.value(files::body_json(*body.words, files::Defaults::written).text());
+    return;
+  }
+  out.object([&] {
+    if (body.pieces) {
+      out.key("pieces");
+      out.array_of(*body.pieces, [&](const std::vector<Point>& piece) { add_body(out, Body{piece}, precision, with_faces); });
+      return;
     }
-    if (body.pieces->size() > 1) text += "]}";
-    return;
-  }
-  if (body.words) {
-    text += files::body_json(*body.words, files::Defaults::written);
-    return;
-  }
-  text += "{\"vertices\":";
-  const char* before = "[";
-  const std::optional<GivenPoints> rounded = seen(body.points, precision);
-  if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
-  for (const std::array<double, 3>& p : rounded->binary64()) {
-    text += std::exchange(before, ",");
-    add_point(text, p);
-  }
-  text += ']';
-  const Faces faces = with_faces ? faces_of(body.points) : Faces();
-  if (!faces.empty()) text += fmt::format(",\"faces\":[{}]", fmt::join(faces, ","));
-  text += '}';
+    const std::optional<GivenPoints> rounded = seen(body.points, precision);
+    if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
+    out.key("vertices");
+    // Read by strtod or by strtof, or by strtod and then rounded, each number is the same.
+    out.array_of(rounded->binary64(), [&](const std::array<double, 3>& p) { out.value(fmt::format("[{},{},{}]", p[0], p[1], p[2])); });
+    const Faces faces = with_faces ? faces_of(body.points) : Faces();
+    if (!faces.empty()) out.key("faces"), out.array_of(faces, [&](const std::vector<std::uint32_t>& face) { out.array_of(face); });
+  });
 }
 
 }  // namespace
@@ -66,17 +54,18 @@ Faces faces_of(const std::vector<Point>& points) {
 std::string hello_message() { return fmt::format(R"({{"type":"hello","protocol":"{}"}})", protocol_name); }
 
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces) {
-  std::string text = fmt::format(R"({{"type":"run","id":"{}","a":)", ticket);
-  add_body(text, seen.a, precision, with_faces);
-  text += ",\"b\":";
-  add_body(text, seen.b, precision, with_faces);
-  return text + '}';
+  text::JsonStream out;
+  out.open('{').key("type").plain("run").key("id").plain(ticket).key("a");
+  add_body(out, seen.a, precision, with_faces);
+  out.key("b");
+  add_body(out, seen.b, precision, with_faces);
+  return out.close('}').take();
 }
 
 std::string body_message(const Body& body, Precision precision, bool with_faces) {
-  std::string text;
-  add_body(text, body, precision, with_faces);
-  return text;
+  text::JsonStream out;
+  add_body(out, body, precision, with_faces);
+  return out.take();
 }
 
 std::string stop_message() { return R"({"type":"stop"})"; }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -138,7 +138,7 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
 std::string digest_of(const Case& pair) {
   Fnv1a hash;
   for (const Body* body : {&pair.a, &pair.b}) {
-    if (body->words) hash.take(files::body_json(*body->words, files::Defaults::written));
+    if (body->words) hash.take(files::body_json(*body->words, files::Defaults::written).text());
     else
       for_each_hull(*body, [&](const std::vector<Point>& points) {
         if (body->pieces) hash.take("piece\n");

@@ -36,7 +36,7 @@ int digits_for(const StagedBody& body, double largest) {
   return std::clamp(usual_digits + static_cast<int>(std::ceil(std::log10(largest / extent))), usual_digits, most_digits);
 }
 
-void write_body(StagesText& json, const StagedBody& body, bool of_a, double largest) {
+void write_body(text::JsonStream& json, const StagedBody& body, bool of_a, double largest) {
   const int digits = digits_for(body, largest);
   json.object([&] {
     json.key("rank"), json.integer(body.rank);
@@ -54,15 +54,18 @@ void write_body(StagesText& json, const StagedBody& body, bool of_a, double larg
   });
 }
 
-void write_features(StagesText& json, const std::optional<Contact>& contact) {
-  if (!contact) return json.null();
+void write_features(text::JsonStream& json, const std::optional<Contact>& contact) {
+  if (!contact) {
+    json.null();
+    return;
+  }
   json.object([&] {
     json.key("a"), json.array_of(contact->a);
     json.key("b"), json.array_of(contact->b);
   });
 }
 
-void write_contact(StagesText& json, const StagedContact& contact) {
+void write_contact(text::JsonStream& json, const StagedContact& contact) {
   json.object([&] {
     json.key("direction"), json.numbers(contact.direction, places_digits);
     json.key("translation"), json.numbers(contact.translation, places_digits);
@@ -82,7 +85,7 @@ void write_contact(StagesText& json, const StagedContact& contact) {
   });
 }
 
-void write_diagram(StagesText& json, const StagedDiagram& diagram) {
+void write_diagram(text::JsonStream& json, const StagedDiagram& diagram) {
   json.object([&] {
     json.key("nodes"), json.array_of(diagram.nodes, [&](const StagedNode& node) {
       json.array([&] { json.integer(node.node), json.number(node.longitude, places_digits), json.number(node.latitude, places_digits); });
@@ -93,7 +96,7 @@ void write_diagram(StagesText& json, const StagedDiagram& diagram) {
   });
 }
 
-void write_chart(StagesText& json, const StagedChart& chart) {
+void write_chart(text::JsonStream& json, const StagedChart& chart) {
   json.object([&] {
     json.key("hemisphere"), json.string(chart.upper ? "upper" : "lower");
     json.key("frame"), json.object([&] {
@@ -108,7 +111,7 @@ void write_chart(StagesText& json, const StagedChart& chart) {
   });
 }
 
-void write_closest(StagesText& json, const ClosestPair& closest, bool exactly) {
+void write_closest(text::JsonStream& json, const ClosestPair& closest, bool exactly) {
   json.object([&] {
     json.key("a"), json.integer(closest.a);
     json.key("b"), json.integer(closest.b);
@@ -117,7 +120,7 @@ void write_closest(StagesText& json, const ClosestPair& closest, bool exactly) {
   });
 }
 
-void write_pair(StagesText& json, const StagedPair& pair, bool won) {
+void write_pair(text::JsonStream& json, const StagedPair& pair, bool won) {
   json.object([&] {
     json.key("chart"), json.integer(pair.chart);
     json.key("stored_of"), json.string(pair.stored_of_a ? "a" : "b");
@@ -135,11 +138,11 @@ void write_pair(StagesText& json, const StagedPair& pair, bool won) {
   });
 }
 
-void write_run(StagesText& json, const std::array<Index, 2>& run) {
+void write_run(text::JsonStream& json, const std::array<Index, 2>& run) {
   json.array_of(run, [&](Index i) { json.integer(i); });
 }
 
-void write_level(StagesText& json, const StagedLevel& level, std::size_t depth) {
+void write_level(text::JsonStream& json, const StagedLevel& level, std::size_t depth) {
   static constexpr std::array<std::string_view, 4> fates{"cleared", "refined", "scanned", "won"};
   json.object([&] {
     json.key("level"), json.integer(depth);
@@ -156,7 +159,7 @@ void write_level(StagesText& json, const StagedLevel& level, std::size_t depth) 
   });
 }
 
-void write_cutting(StagesText& json, const StagedCutting& cutting) {
+void write_cutting(text::JsonStream& json, const StagedCutting& cutting) {
   json.object([&] {
     json.key("pair"), json.integer(cutting.pair);
     json.key("of"), json.string(cutting.winner ? "winner" : "largest");
@@ -167,7 +170,7 @@ void write_cutting(StagesText& json, const StagedCutting& cutting) {
   });
 }
 
-void write_feature(StagesText& json, const StagedFeature& feature) {
+void write_feature(text::JsonStream& json, const StagedFeature& feature) {
   static constexpr std::array<std::string_view, 3> kinds{"vertex", "edge", "facet"};
   json.object([&] {
     json.key("kind"), json.string(kinds[static_cast<std::size_t>(feature.kind)]);
@@ -175,7 +178,7 @@ void write_feature(StagesText& json, const StagedFeature& feature) {
   });
 }
 
-void write_winner(StagesText& json, const StagedWinner& winner) {
+void write_winner(text::JsonStream& json, const StagedWinner& winner) {
   static constexpr std::array<std::string_view, 3> kinds{"edges", "facet_of_a", "facet_of_b"};
   json.object([&] {
     json.key("kind"), json.string(kinds[static_cast<std::size_t>(winner.kind)]);
@@ -185,7 +188,7 @@ void write_winner(StagesText& json, const StagedWinner& winner) {
   });
 }
 
-void write_head(StagesText& json, const Stages& stages) {
+void write_head(text::JsonStream& json, const Stages& stages) {
   json.key("schema"), json.string("fathom/stages/1");
   json.key("id"), json.string(stages.id);
   json.key("status"), json.string(stages.status ? name(*stages.status) : "undecided");
@@ -203,7 +206,7 @@ void write_head(StagesText& json, const Stages& stages) {
   });
 }
 
-void write_counts(StagesText& json, const Counters& counters) {
+void write_counts(text::JsonStream& json, const Counters& counters) {
   json.object([&] {
     for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
       for (const kernels::Count& count : stage.counts) json.key(count.name), json.integer(count.value);
@@ -214,7 +217,7 @@ void write_counts(StagesText& json, const Counters& counters) {
 }  // namespace
 
 std::string to_json(const Stages& stages) {
-  StagesText json;
+  text::JsonStream json;
   json.object([&] {
     write_head(json, stages);
     const double largest = std::max(largest_coordinate(stages.a), largest_coordinate(stages.b));
@@ -236,7 +239,7 @@ std::string to_json(const Stages& stages) {
     write_costs(json, stages);
     json.key("left_out"), json.array_of(stages.left_out, [&](const std::string& sentence) { json.string(sentence); });
   });
-  return std::move(json).take();
+  return json.take();
 }
 
 }  // namespace fathom::stages

@@ -10,7 +10,7 @@ namespace {
 // Of so many facets, the nearest, the exact squared distance is given: it is long.
 constexpr std::size_t exact_facets = 500;
 
-void write_facet(StagesText& json, const StagedFacet& facet, bool exactly) {
+void write_facet(text::JsonStream& json, const StagedFacet& facet, bool exactly) {
   static constexpr std::array<std::string_view, 4> kinds{"facet_of_a", "facet_of_b", "edges", "merged"};
   json.object([&] {
     json.key("vertices"), json.array_of(facet.vertices);
@@ -25,7 +25,7 @@ void write_facet(StagesText& json, const StagedFacet& facet, bool exactly) {
   });
 }
 
-void write_sum(StagesText& json, const StagedSum& sum) {
+void write_sum(text::JsonStream& json, const StagedSum& sum) {
   static constexpr std::array<std::string_view, 4> kinds{"none", "P", "Q", "sampled"};
   json.object([&] {
     json.key("kind"), json.string(kinds[static_cast<std::size_t>(sum.kind)]);
@@ -37,7 +37,7 @@ void write_sum(StagesText& json, const StagedSum& sum) {
   });
 }
 
-void write_involved(StagesText& json, const StagedInvolved& involved) {
+void write_involved(text::JsonStream& json, const StagedInvolved& involved) {
   const auto features = [&](const auto& list) { json.array_of(list, [&](const auto& points) { json.array_of(points); }); };
   json.object([&] {
     json.key("a"), features(involved.a);
@@ -46,7 +46,7 @@ void write_involved(StagesText& json, const StagedInvolved& involved) {
   });
 }
 
-void write_coincidence(StagesText& json, const StagedCoincidence& coincidence) {
+void write_coincidence(text::JsonStream& json, const StagedCoincidence& coincidence) {
   json.object([&] {
     json.key("kind"), json.string(coincidence.kind);
     json.key("count"), json.integer(coincidence.count);
@@ -54,7 +54,7 @@ void write_coincidence(StagesText& json, const StagedCoincidence& coincidence) {
   });
 }
 
-void write_decision(StagesText& json, const StagedDecision& decision) {
+void write_decision(text::JsonStream& json, const StagedDecision& decision) {
   json.object([&] {
     json.key("predicate"), json.string(decision.predicate);
     json.key("zero"), json.integer(decision.zero);
@@ -67,7 +67,7 @@ void write_decision(StagesText& json, const StagedDecision& decision) {
   });
 }
 
-void write_bound(StagesText& json, const StagedBound& bound, const Stages& stages) {
+void write_bound(text::JsonStream& json, const StagedBound& bound, const Stages& stages) {
   json.object([&] {
     json.key("stage"), json.string(bound.stage);
     json.key("what"), json.string(bound.what);
@@ -84,13 +84,13 @@ void write_bound(StagesText& json, const StagedBound& bound, const Stages& stage
 
 }  // namespace
 
-void write_parts(StagesText& json, const Stages& stages) {
+void write_parts(text::JsonStream& json, const Stages& stages) {
   json.key("sum"), write_sum(json, stages.sum);
   json.key("coincidences"), json.array_of(stages.coincidences, [&](const StagedCoincidence& c) { write_coincidence(json, c); });
   json.key("decided"), json.array_of(stages.decided, [&](const StagedDecision& d) { write_decision(json, d); });
 }
 
-void write_costs(StagesText& json, const Stages& stages) {
+void write_costs(text::JsonStream& json, const Stages& stages) {
   json.key("bounds"), json.array_of(stages.bounds, [&](const StagedBound& bound) { write_bound(json, bound, stages); });
   if (stages.seconds.empty()) return;
   json.key("seconds"), json.object([&] {

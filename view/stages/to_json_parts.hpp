@@ -2,7 +2,7 @@
 // Pieces of to_json.
 #pragma once
 
-#include "view/stages/json_text.hpp"
+#include "reference/text/json.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::stages {
@@ -11,8 +11,8 @@ namespace fathom::stages {
 inline constexpr int places_digits = 7;
 
 /// The fields sum, coincidences, decided.
-void write_parts(StagesText& json, const Stages& stages);
+void write_parts(text::JsonStream& json, const Stages& stages);
 /// The fields bounds, seconds.
-void write_costs(StagesText& json, const Stages& stages);
+void write_costs(text::JsonStream& json, const Stages& stages);
 
 }  // namespace fathom::stages

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of union_stages.hpp that writes JSON.
-#include "view/stages/json_text.hpp"
+#include "reference/text/json.hpp"
 #include "view/stages/union_stages.hpp"
 
 namespace fathom::stages {
@@ -9,7 +9,7 @@ namespace {
 constexpr int digits = 0;  // the shortest text: pieces may be small beside the whole
 constexpr int digits_of_sums = 7;
 
-void write_pieces(StagesText& json, const std::vector<StagedPiece>& pieces) {
+void write_pieces(text::JsonStream& json, const std::vector<StagedPiece>& pieces) {
   json.array_of(pieces, [&](const StagedPiece& piece) {
     json.object([&] {
       json.key("ids"), json.array_of(piece.ids);
@@ -20,11 +20,11 @@ void write_pieces(StagesText& json, const std::vector<StagedPiece>& pieces) {
   });
 }
 
-void write_pair(StagesText& json, Index a, Index b) {
+void write_pair(text::JsonStream& json, Index a, Index b) {
   json.key("pieces"), json.array([&] { json.integer(a), json.integer(b); });
 }
 
-void write_way(StagesText& json, const StagedUnionWay& way) {
+void write_way(text::JsonStream& json, const StagedUnionWay& way) {
   json.object([&] {
     json.key("translation"), json.numbers(way.translation, digits);
     json.key("clearance"), json.boolean(way.clearance);
@@ -40,7 +40,7 @@ void write_way(StagesText& json, const StagedUnionWay& way) {
   });
 }
 
-void write_sum(StagesText& json, const PieceSum& sum) {
+void write_sum(text::JsonStream& json, const PieceSum& sum) {
   json.object([&] {
     write_pair(json, sum.a, sum.b);
     json.key("inside"), json.boolean(sum.inside);
@@ -56,7 +56,7 @@ void write_sum(StagesText& json, const PieceSum& sum) {
 }  // namespace
 
 std::string to_json(const UnionStages& stages) {
-  StagesText json;
+  text::JsonStream json;
   json.object([&] {
     json.key("schema"), json.string("fathom/union_stages/1");
     json.key("id"), json.string(stages.id);
@@ -72,7 +72,7 @@ std::string to_json(const UnionStages& stages) {
     json.key("sums"), json.array_of(stages.sums, [&](const PieceSum& sum) { write_sum(json, sum); });
     json.key("left_out"), json.array_of(stages.left_out, [&](const std::string& sentence) { json.string(sentence); });
   });
-  return std::move(json).take();
+  return json.take();
 }
 
 }  // namespace fathom::stages

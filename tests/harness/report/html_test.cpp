@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "reference/files/case_json.hpp"
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
 #include "verify/harness/report/picture.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -131,7 +131,7 @@ TEST(Html, AFailureInFull) {
   EXPECT_TRUE(says(page, "The only one is shown in full."));
   EXPECT_TRUE(says(page, "too-deep: 1 of 1"));
   const Element& copied = *article.all("pre").at(0);
-  EXPECT_EQ(copied.text + "\n", case_line(deep.seen, "too-deep of demo 2.1"));
+  EXPECT_EQ(copied.text, files::case_json(deep.seen, "too-deep of demo 2.1"));
   EXPECT_EQ((*article.all("button").at(0))["data-of"], copied["id"]);
   EXPECT_TRUE(says(page, "relative 1/1000, absolute 1/1000000 of the extent"));
 }

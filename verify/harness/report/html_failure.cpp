@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/case_json.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/report/html_parts.hpp"
@@ -12,7 +13,6 @@
 #include "verify/harness/report/picture.hpp"
 #include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
 #include "view/picture/page.hpp"
 
 namespace fathom::harness {
@@ -194,10 +194,10 @@ std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, co
   const Case& seen = failure.seen;
   if (seen.a.points.empty() && !has_words(seen) && !has_union(seen)) return "";
   try {
-    const std::string line = case_line(seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
-    if (line.size() <= longest_case)
-      return picture::copied_text(anchor + "-case", "copy this case", "The case, as the subject saw it",
-                                  std::string_view(line).substr(0, line.size() - 1));
+    const std::string line =
+        files::case_json(seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
+    if (line.size() < longest_case)
+      return picture::copied_text(anchor + "-case", "copy this case", "The case, as the subject saw it", line);
     std::size_t points = 0;
     for (const Body* body : {&seen.a, &seen.b}) for_each_hull(*body, [&](const std::vector<Point>& hull) { points += hull.size(); });
     return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n", points);

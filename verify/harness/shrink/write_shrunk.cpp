@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "reference/files/body_json.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/source.hpp"
 #include "reference/files/whole_file.hpp"
 #include "verify/harness/shrink/snippet.hpp"
@@ -30,17 +30,10 @@ void make_folder(const std::string& directory) {
 
 }  // namespace
 
-std::string case_line(const Case& pair, const std::string& comment) {
-  std::string text = R"({"schema":"fathom/case/1","id":)" + files::text_json(pair.id);
-  text += ",\"a\":" + files::body_json(pair.a) + ",\"b\":" + files::body_json(pair.b);
-  if (!comment.empty()) text += ",\"comment\":" + files::text_json(comment);
-  return text + "}\n";
-}
-
 std::string write_case(const std::string& directory, const std::string& stem, const Case& pair, const std::string& comment) {
   make_folder(directory);
   const std::string path = (std::filesystem::path(directory) / (stem + ".case.json")).string();
-  write_whole(path, case_line(pair, comment));
+  write_whole(path, files::case_json(pair, comment) + '\n');
   return path;
 }
 

@@ -27,8 +27,4 @@ std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk
 /// Writes <stem>.case.json, the case with a comment, in the same way. Returns its path.
 std::string write_case(const std::string& directory, const std::string& stem, const Case& pair, const std::string& comment);
 
-/// The case as one line of schema fathom/case/1: JSON numbers in the shortest text that reads back; what is not a binary64 number is a
-/// string. Ends in a line feed.
-std::string case_line(const Case& pair, const std::string& comment = "");
-
 }  // namespace fathom::harness

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/files/case_json.hpp"
+
+#include <array>
+#include <stdexcept>
+
+namespace fathom::files {
+namespace {
+
+using text::Json;
+
+Json exact(const mpq_class& value) { return Json::exact(value); }
+Json exact_point(const Point& p) { return Json::exact(p); }
+
+Json matrix_json(const Pose& pose) {
+  return Json::array_of(pose, [](const auto& row) { return Json::array_of(row, exact); });
+}
+
+/// Of a NamedBody or a GivenPose.
+Json pose_json(const auto& given) {
+  if (given.matrix) return matrix_json(*given.matrix);
+  const Quaternion& turn = given.turn;
+  return {{"quaternion", Json::array({exact(turn.w), exact(turn.x), exact(turn.y), exact(turn.z)})},
+          {"translation", Json::exact(given.place)}};
+}
+
+bool is_unmoved(const NamedBody& body) { return !body.matrix && body.turn == Quaternion{1, 0, 0, 0} && body.place == Point{}; }
+
+}  // namespace
+
+Json body_json(const Body& body, const std::optional<Pose>& pose) {
+  if (body.words && !pose) return body_json(*body.words);
+  if (body.shape) throw std::invalid_argument("a shape without words has no text");
+  const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, exact_point)}}; };
+  Json result = body.pieces ? Json{{"pieces", Json::array_of(*body.pieces, vertices)}} : vertices(body.points);
+  if (pose) result["pose"] = matrix_json(*pose);
+  return result;
+}
+
+Json body_json(const Body& body, const GivenPose& pose) {
+  Json result = body_json(body);
+  result["pose"] = pose_json(pose);
+  return result;
+}
+
+Json body_json(const NamedBody& body, Defaults defaults) {
+  const ShapeName& shape = *named_shape(body.shape).shape;
+  const bool all = defaults == Defaults::written;
+  Json result{{"shape", body.shape}};
+  const auto numbers = [&](std::string_view name) {
+    const auto found = body.fields.numbers.find(name);
+    if (found == body.fields.numbers.end()) return;
+    result[name] = found->second.size() == 1 ? exact(found->second.front()) : Json::array_of(found->second, exact);
+  };
+  for (const NumberField& known : shape.numbers) numbers(known.name);
+  if (shape.part == ShapePart::axis && (all || body.fields.axis != Axis::z))
+    result["axis"] = body.fields.axis == Axis::x ? "x" : body.fields.axis == Axis::y ? "y" : "z";
+  if (!body.fields.vertices.empty()) result["vertices"] = Json::array_of(body.fields.vertices, exact_point);
+  if (!body.terms.empty()) result["terms"] = Json::array_of(body.terms, [&](const NamedBody& term) { return body_json(term, defaults); });
+  numbers("margin");
+  if (all || !is_unmoved(body)) result["pose"] = pose_json(body);
+  return result;
+}
+
+std::string case_json(const CaseText& text) {
+  Json result{{"schema", case_schema}, {"id", text.id}, {"a", text.a}, {"b", text.b}};
+  if (text.pose_rounding) result["pose_rounding"] = "binary64";
+  if (!text.source.empty()) {
+    Json source = Json::object();
+    for (const auto& [key, value] : text.source) source[key] = value;
+    result["source"] = source;
+  }
+  if (!text.comment.empty()) result["comment"] = text.comment;
+  return result.text();
+}
+
+std::string case_json(const Case& pair, const std::string& comment) {
+  return case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, comment});
+}
+
+}  // namespace fathom::files
