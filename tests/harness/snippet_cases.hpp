@@ -50,8 +50,11 @@ inline Case real_case(const std::string& id) {
 inline harness::Outcome claimed(const Case& pair, double depth) {
   harness::Outcome outcome;
   outcome.id = pair.id;
-  outcome.reply = Reply{true, depth, Triple{0, 0, 1}, {}, {}};
-  outcome.judgement = judge(truth_about(pair.a.points, pair.b.points), *outcome.reply);
+  Reply& reply = outcome.reply.emplace();
+  reply.overlap = true;
+  reply.depth = depth;
+  reply.direction = Triple{0, 0, 1};
+  outcome.judgement = judge(truth_about(pair.a.points, pair.b.points), reply);
   outcome.verdict = outcome.judgement->verdict;
   return outcome;
 }
