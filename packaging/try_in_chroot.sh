@@ -2,34 +2,50 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # try_in_chroot.sh DEBS                        installs the packages of the folder DEBS in a bare Debian, and uses each of them.
 # try_in_chroot.sh DEBS --keep TARBALL         writes such a system, without fathom: `podman import` makes a base of it for packaging/Containerfile.
-# try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte;
-#                                              the sources of all else are parsed by the compiler of SUITE.
-# try_in_chroot.sh --check [SUITE] [ARGUMENTS] the same of the whole program and of the data of L0, and every test, by ./check ARGUMENTS.
+# try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte.
+# try_in_chroot.sh --parse [SUITE]             the compilers of SUITE, g++ and clang, parse all sources but tests; a warning is an error.
+# try_in_chroot.sh --check [SUITE] [ARGUMENTS] --depth of the whole program, the data of L0, and every test, by ./check ARGUMENTS.
 #
 # SUITE is the name of a release, bookworm or trixie, this machine's unless given. The bare system is made by mmdebstrap from the archives of
-# this machine's apt; that needs root, and some minutes. No step may take longer than its limit; whatever ends the script, nothing is left.
+# this machine's apt; that needs root, their network, and some minutes. What compilers made for a SUITE is kept in ~/.cache/fathom for the
+# next time. No step may take longer than its limit; whatever ends the script, nothing else is left.
+#
+# Exit codes: 0 all works; 2 usage, or not root; 3 no bare system can be made; others are of the step that failed.
 set -euo pipefail
 root=$(cd "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 usage() {
   sed -n 's/^# \(try_in_chroot.sh .*\)/usage: \1/p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
+say() { printf '== %s\n' "$*"; }
+die() {
+  local code=$1
+  shift
+  printf 'try_in_chroot.sh: %s\n' "$*" >&2
+  exit "$code"
+}
 [[ $# -ge 1 ]] || usage
 own=$(. /etc/os-release && echo "$VERSION_CODENAME")
 mode=$1 suite=$own debs=''
 case $mode in
-  --depth | --check)
+  --depth | --parse | --check)
     shift
     if [[ ${1-} =~ ^[a-z]+$ ]]; then
       suite=$1
       shift
     fi
+    [[ $mode == --check || $# == 0 ]] || usage
     ;;
   *)
     [[ -d $mode ]] || usage
     debs=$(cd "$mode" && pwd)
+    compgen -G "$debs/*.deb" >/dev/null || [[ ${2-} == --keep ]] || die 2 "no packages in $debs: packaging/build_debs.sh makes them"
     ;;
 esac
+((!EUID)) || die 2 "only root can make a bare system"
+unshare --pid --mount --fork true || die 3 "root may mount nothing here (in a container: --cap-add SYS_ADMIN)"
+(me=try_in_chroot.sh && . "$root/cmake/launcher.sh" && lock && start_log && install_packages chroot) || exit
+
 mapfile -t archives < <(apt-get indextargets --no-release-info --format 'deb $(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
   sort -u | sed -nE "s/ $own(-updates|-security)? / $suite\1 /p")
 mapfile -t proxies < <(env | grep -iE '^[a-z]+_proxy=' || true)
@@ -38,14 +54,14 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 chmod 755 "$work"
 
-say() { printf '== %s\n' "$*"; }
 limited() { timeout --foreground --kill-after=10 "$@"; }
 
 # bare TARGET OPTIONS...: a folder or tarball with the smallest system. Options are mmdebstrap's, or further archives.
 bare() {
   local target=$1
   shift
-  limited 20m mmdebstrap --quiet --variant=minbase "$@" "$suite" "$target" "${archives[@]}"
+  limited 20m mmdebstrap --quiet --variant=minbase --dpkgopt=force-unsafe-io "$@" "$suite" "$target" "${archives[@]}" ||
+    die 3 "mmdebstrap could not make a bare $suite; the archives were${archives[*]/#/$'\n  '}"
 }
 
 # inside FOLDER COMMAND...: runs it there, where /proc is mounted: fathom finds its adapters by it. What it started ends with it.
@@ -53,7 +69,7 @@ inside() {
   local target=$work/$1
   shift
   limited "${limit:-30m}" unshare --kill-child --pid --mount --root="$target" --mount-proc \
-    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "${proxies[@]}" "$@"
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CCACHE_DIR=/ccache CCACHE_MAXSIZE=2G "${proxies[@]}" "$@"
 }
 
 if [[ ${2-} == --keep ]]; then
@@ -61,70 +77,82 @@ if [[ ${2-} == --keep ]]; then
   exit
 fi
 
-# bare_with_sources FOLDER OPTIONS...: the same with our sources in /fathom, and the network as it is here.
+# bare_with_sources OPTIONS...: the same in $work/there, with our sources in /fathom, the network as it is here, and what was compiled before.
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/fathom/ccache-$suite
 bare_with_sources() {
-  local target=$work/$1
-  shift
+  local target=$work/there
   bare "$target" "$@"
   cp -L /etc/resolv.conf /etc/hosts "$target/etc"
   apt-config dump | grep -E '^Acquire::(https?|Retries)' >"$target/etc/apt/apt.conf.d/99as-there" || true
   mkdir "$target/fathom" "$target/data"
   tar -C "$root" --exclude-vcs --exclude=./build -c . | tar -C "$target/fathom" --no-same-owner -x
+  if [[ -d $cache ]]; then cp -a "$cache" "$target/ccache"; fi
 }
 
-# The catalogues, the real cases and L0 as one stream of cases; and what this machine's fathom answers, with every proof.
-ask_here() {
-  local target=$work/$1/data catalogue
-  for catalogue in '' --shapes --unions; do "$root/fathom" cases $catalogue --catalogue; done >"$target/cases.jsonl"
-  zstd -dcq "$root"/tests/data/golden/golden-L0-*.jsonl.zst | cat "$root/tests/data/real_cases.jsonl" - >>"$target/cases.jsonl"
-  "$root/fathom" depth --json --embed-certificate - <"$target/cases.jsonl" >"$target/here.jsonl" 2>/dev/null
+keep_compiled() {
+  mkdir -p "${cache%/*}"
+  rm -rf "$cache"
+  mv "$work/there/ccache" "$cache"
 }
 
-# same_answers FOLDER PROGRAM...
+# same_answers PROGRAM...: the catalogues, the real cases and L0 are one stream of cases, which the program there and this machine's fathom
+# answer, with every proof. The bytes are the same, and the checker accepts each proof.
 same_answers() {
-  local folder=$1 data=$work/$1/data
-  shift
-  inside "$folder" "$@" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/there.jsonl" 2>/dev/null
+  local data=$work/there/data catalogue
+  for catalogue in '' --shapes --unions; do "$root/fathom" cases $catalogue --catalogue; done >"$data/cases.jsonl"
+  zstd -dcq "$root"/tests/data/golden/golden-L0-*.jsonl.zst | cat "$root/tests/data/real_cases.jsonl" - >>"$data/cases.jsonl"
+  "$root/fathom" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/here.jsonl" 2>"$data/here.log"
+  inside there "$@" depth --json --embed-certificate - <"$data/cases.jsonl" >"$data/there.jsonl" 2>"$data/there.log" ||
+    die $? "the program there ended with $?: $(tail -n 3 "$data/there.log")"
   cmp "$data/here.jsonl" "$data/there.jsonl"
-  say "the same bytes: $(wc -l <"$data/there.jsonl") answers with their proofs"
+  cmp "$data/here.log" "$data/there.log"
+  "$root/fathom" check --results "$data/there.jsonl" >"$data/checked" || die 1 "refused: $(grep -v VERIFIED "$data/checked" | head -n 3)"
+  say "the same bytes: $(wc -l <"$data/there.jsonl") answers; their proofs are accepted"
 }
 
-# same_l0 FOLDER PROGRAM...: makes L0 there. Contents are compared: what zstd makes of them changes with its version.
+# same_l0 PROGRAM...: makes L0 there. Contents are compared: what zstd makes of them changes with its version.
 same_l0() {
-  local folder=$1 name
-  shift
-  inside "$folder" "$@" golden generate --level L0 --seed 1 --out /data/L0
+  local name
+  inside there "$@" golden generate --level L0 --seed 1 --out /data/L0
   for name in "$root"/tests/data/golden/*.zst; do
-    cmp <(zstd -dcq "$name") <(zstd -dcq "$work/$folder/data/L0/${name##*/}")
+    cmp <(zstd -dcq "$name") <(zstd -dcq "$work/there/data/L0/${name##*/}")
   done
   say "the same bytes: L0"
 }
 
 # Each file of the preset release is parsed; Ninja does not ask whether an object was made.
 parse_all() {
-  printf '#!/bin/sh\nexec "$@" -fsyntax-only\n' >"$work/$1/data/parse"
-  chmod +x "$work/$1/data/parse"
-  inside "$1" bash -euc 'root=/fathom me=parse && . /fathom/cmake/launcher.sh && start_log && install_packages depth build && cd /fathom
-    cmake --preset release -B /data/parsed -DFATHOM_TESTS=OFF -DCMAKE_CXX_COMPILER_LAUNCHER=/data/parse >>"$log"
-    ninja -C /data/parsed -t targets all | sed -n "s/^\(.*\.o\): CXX_COMPILER.*/\1/p" >/data/objects
-    xargs ninja -C /data/parsed -k 0 -j "$(jobs)" --quiet </data/objects && wc -l </data/objects'
+  printf '#!/bin/sh\nexec "$@" -fsyntax-only\n' >"$work/there/data/parse"
+  chmod +x "$work/there/data/parse"
+  inside there bash -euc 'root=/fathom me=parse && . /fathom/cmake/launcher.sh && lock && start_log && install_packages depth build && cd /fathom
+    apt-get -qq install -y --no-install-recommends clang >>"$log" 2>&1
+    for compiler in g++ clang++; do
+      cmake --preset release -B "/data/$compiler" -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
+        "-DCMAKE_CXX_COMPILER=$compiler" -DCMAKE_CXX_COMPILER_LAUNCHER=/data/parse >>"$log"
+      ninja -C "/data/$compiler" -t targets all | sed -n "s/^\(.*\.o\): CXX_COMPILER.*/\1/p" >/data/objects
+      xargs ninja -C "/data/$compiler" -k 0 -j "$(jobs)" --quiet </data/objects
+      echo "$compiler: $(wc -l </data/objects) files"
+    done'
 }
 
 if [[ -z $debs ]]; then
   say "$suite: a bare system with the sources"
-  bare_with_sources native
-  say "$suite: the launcher builds depth"
-  inside native /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
-  ask_here native
-  same_answers native /fathom/fathom
-  if [[ $mode == --depth ]]; then
+  bare_with_sources
+  if [[ $mode == --parse ]]; then
     say "$suite: all sources are parsed"
-    parse_all native
+    limit=3h parse_all
   else
+    say "$suite: the launcher builds depth"
+    inside there /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
+    keep_compiled
+    same_answers /fathom/fathom
+  fi
+  if [[ $mode == --check ]]; then
     limit=6h
-    inside native /fathom/fathom --version
-    same_l0 native /fathom/fathom
-    inside native /fathom/check "$@"
+    inside there /fathom/fathom --version
+    same_answers /fathom/fathom
+    same_l0 /fathom/fathom
+    inside there /fathom/check "$@"
   fi
   say "all of it works"
   exit
