@@ -168,7 +168,7 @@ void judge_by(const TheTruth& truth, const fathom_claim& claim, fathom_judgement
   const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
                             policy_of(claim)};
   const Judgement found = judge(truth, reply_of(claim), conventions_of(claim), format_of(claim), tolerance);
-  judgement = judgement_of(found, status_of(truth.depth), rounded(truth.depth));
+  judgement = judgement_of(found, status_of({truth.depth}), rounded({truth.depth}));
   sentence = found.sentence;
 }
 
