@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "c/boundary.hpp"
-#include "cli/output/answer.hpp"
-#include "cli/output/json_result.hpp"
-#include "cli/output/shape_output.hpp"
-#include "cli/output/union_output.hpp"
+#include "cli/output/answer_output.hpp"
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "verify/check/unreadable.hpp"
 
@@ -74,32 +70,11 @@ std::string exact_of(const Answer& answer, int quantity) {
   }
 }
 
-/// The answer in JSON.
-struct Json {
-  const fathom_answer& answer;
-  const std::string& id;
-  cli::Request request;
-
-  [[nodiscard]] cli::AboutBodies bodies() const { return cli::about_bodies(Case{id, *answer.a, *answer.b}, false); }
-
-  std::string operator()(const Depth& depth) const { return cli::json_result({id, depth, {}, bodies()}, request); }
-  std::string operator()(const SignedDepth& depth) const {
-    BodyFacts facts;
-    facts.flat_a = is_flat(files::shape_of(*answer.a));
-    facts.flat_b = is_flat(files::shape_of(*answer.b));
-    return cli::shape_json({id, depth, facts, {}, bodies()}, request);
-  }
-  std::string operator()(UnionDepth depth) const {
-    if (answer.listed && *answer.listed < depth.optima.size()) depth.optima.resize(*answer.listed);
-    return cli::union_json({id, std::move(depth), bodies()}, request);
-  }
-};
-
-std::string json_of(const fathom_answer& answer, const std::string& id) {
+std::string json_of(const fathom_answer& asked, const std::string& id) {
   cli::Request request;
   request.json = true;
-  request.optima = answer.listed;
-  return std::visit(Json{answer, id, request}, answer.answer.found);
+  request.optima = asked.listed;
+  return cli::answer_json({id, asked.answer, cli::about_bodies(Case{id, *asked.a, *asked.b}, false)}, request);
 }
 
 std::string certificate_of(const fathom_answer& asked, const std::string& id, const fathom_options& options) {

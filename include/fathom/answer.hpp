@@ -56,6 +56,7 @@ struct SurdWitness {
 /// The answer about two bodies, by what was found.
 struct Answer {
   std::variant<Depth, SignedDepth, UnionDepth> found;  ///< of two polytopes; if one is another shape; if one is a union
+  BodyFacts facts = {};                                ///< which of the bodies are flat
 
   /// nullopt if bounds leave it open.
   [[nodiscard]] std::optional<Status> status() const;

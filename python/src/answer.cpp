@@ -105,14 +105,9 @@ py::object method(const PairAnswer& answer) {
   return depth && depth->method ? py::object(py::str(std::string(name(*depth->method)))) : py::object(py::none());
 }
 
-py::object flatness(const PairAnswer& answer) {
-  if (const Depth* const depth = answer.depth()) return py::make_tuple(depth->flat_a, depth->flat_b);
-  return py::make_tuple(is_flat(files::shape_of(answer.a)), is_flat(files::shape_of(answer.b)));
-}
+py::tuple flatness(const PairAnswer& asked) { return py::make_tuple(asked.answer.facts.flat_a, asked.answer.facts.flat_b); }
 
-py::object contact_in_python(const PairAnswer& answer) {
-  return contact(answer.answer.contact());
-}
+py::object contact_in_python(const PairAnswer& answer) { return contact(answer.answer.contact()); }
 
 py::dict counters_in_python(const PairAnswer& answer) {
   const Counters counters = answer.depth() ? answer.depth()->counters : answer.of_shapes().counters();
