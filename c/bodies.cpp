@@ -3,10 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "c/boundary.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
@@ -60,6 +63,20 @@ files::GivenPose pose_from(const double* numbers) {
   return {pose};
 }
 
+fathom_body union_of(Pieces pieces) {
+  Body body;
+  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+  return handle(std::move(body));
+}
+
+const std::vector<Point>& piece_from(const fathom_body* piece, const std::string& name) {
+  require(piece, name.c_str());
+  require_convex(*piece->body, name);
+  if (piece->body->shape)
+    throw std::invalid_argument(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
+  return piece->body->points.exact();
+}
+
 }  // namespace
 }  // namespace fathom::c
 
@@ -84,6 +101,23 @@ int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body) {
   return make_handle(body, [&] {
     require(path, "path");
     return handle(fathom::read_mesh(path, decimals_from(decimals)));
+  });
+}
+
+int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_body** body) {
+  return make_handle(body, [&] {
+    require_count(count, "pieces");
+    require(pieces, "pieces");
+    fathom::Pieces points;
+    for (std::size_t i = 0; i < count; ++i) points.push_back(piece_from(pieces[i], "piece " + std::to_string(i)));
+    return union_of(std::move(points));
+  });
+}
+
+int fathom_body_from_piece_files(const char* path, int decimals, fathom_body** body) {
+  return make_handle(body, [&] {
+    require(path, "path");
+    return handle(fathom::files::read_union(path, decimals_from(decimals)));
   });
 }
 

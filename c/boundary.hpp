@@ -10,12 +10,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
+#include "fathom/answer.hpp"
 #include "fathom/fathom.h"
 #include "fathom/files.hpp"
-#include "fathom/signed_depth.hpp"
-#include "fathom/union.hpp"
 #include "kernels/float_environment.hpp"
 
 struct fathom_body {
@@ -24,8 +22,7 @@ struct fathom_body {
 
 struct fathom_answer {
   std::shared_ptr<const fathom::Body> a, b;
-  /// The first of two polytopes, the last if one is a union of pieces.
-  std::variant<fathom::Depth, fathom::SignedDepth, fathom::UnionDepth> found;
+  fathom::Answer answer;
   std::optional<std::size_t> listed;  ///< how many optima were asked for
 };
 
@@ -125,26 +122,13 @@ class CallersMonitor final : public Monitor {
 /// The options that are given, or the usual ones. Throws std::invalid_argument.
 fathom_options options_from(const fathom_options* options);
 
+/// FATHOM_PENETRATING and so on.
+int status_of(const Answer& answer);
+
 /// A signed depth, rounded: `nearest` is NaN if bounds leave it open.
 struct RoundedDepth {
   double nearest, low, high;
 };
-RoundedDepth rounded(const Depth& depth);
-RoundedDepth rounded(const SignedDepth& depth);
-RoundedDepth rounded(const UnionDepth& depth);
-
-/// FATHOM_PENETRATING and so on.
-int status_of(const Depth& depth);
-int status_of(const SignedDepth& depth);
-int status_of(const UnionDepth& depth);
-
-/// How many shortest ways out the answer lists.
-std::size_t ways_out(const fathom_answer& answer);
-
-/// Throws std::invalid_argument unless there are more ways out than this.
-void require_way_out(const fathom_answer& answer, std::size_t index);
-
-/// The bounds beside the depth. Throws Absence if no body is a union of pieces.
-const UnionBounds& bounds_of(const fathom_answer& answer);
+RoundedDepth rounded(const Answer& answer);
 
 }  // namespace fathom::c

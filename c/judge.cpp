@@ -232,7 +232,7 @@ void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom
                             policy_of(claim)};
   const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
   const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance);
-  judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(known.depth); }, truth));
+  judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(Answer{known.depth}); }, truth));
   sentence = found.sentence;
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "cli/io/output.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/approx_output.hpp"
-#include "cli/output/json_result.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/numbers.hpp"
 
@@ -40,9 +40,7 @@ Replies approximate_replies(const Request& request) {
     return {is_stream(request) ? approx_line(id, depth, request) : approx_block(depth, asked.bodies, request)};
   };
   if (request.json)
-    replies.error_line = [&request](const CaseItem& item, const std::string& fault) {
-      return json_error(request, item.id, item.line, fault);
-    };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
   return replies;
 }
 

@@ -38,12 +38,13 @@ class Walk {
     const mpq_class share = quotient(number, request_.along.steps);
     const Point& t = *request_.along.translation;
     const files::GivenPose pose{.place = {mpq_class(share * t.x), mpq_class(share * t.y), mpq_class(share * t.z)}};
+    const Question question = question_of(request_, monitor_, workspace_);
     if (a_)
       return along_step(number, share,
-                        signed_depth(moved(*a_, files::exact_pose(pose)), *b_, shape_options_of(request_, monitor_, workspace_)));
+                        signed_depth(moved(*a_, files::exact_pose(pose)), *b_, {.cores = question.options, .bits = question.bits}));
     Body a = pair_.a;
     files::place(a, pose);
-    return along_step(number, share, penetration_depth(a, pair_.b, options_of(request_, monitor_, workspace_)));
+    return along_step(number, share, penetration_depth(a, pair_.b, question.options));
   }
 
  private:

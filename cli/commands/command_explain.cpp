@@ -6,7 +6,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/output/union_output.hpp"
+#include "cli/output/answer_output.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
@@ -19,15 +19,6 @@
 namespace fathom::cli {
 namespace {
 
-/// What `fathom depth --json` prints about the case.
-std::string depth_json(const AskedCase& asked, const Request& request, Monitor& monitor) {
-  Request of_depth = request;
-  of_depth.command = Command::depth;
-  of_depth.json = true;
-  Workspace workspace;
-  return exact_replies(of_depth).reply(asked, monitor, workspace).text;
-}
-
 std::vector<std::string> notes_on(const AboutBodies& bodies) {
   std::vector<std::string> notes;
   if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
@@ -35,36 +26,23 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
   return notes;
 }
 
-/// The bodies, seen across the way out.
-std::string picture_of(const Case& single, Monitor& monitor) {
-  constexpr const char *name = "still", *label = "A and B, and the way out of A";
-  if (!has_shape(single)) {
-    const Depth depth = penetration_depth(single.a, single.b, {.monitor = &monitor});
-    return picture::scene_panels(picture::scene_of(picture::Pair{single.a.points, single.b.points, depth}), name, label);
-  }
-  const Shape a = files::shape_of(single.a), b = files::shape_of(single.b);
-  SignedDepthOptions options;
-  options.cores.monitor = &monitor;
-  return picture::scene_panels(picture::scene_of(a, b, signed_depth(a, b, options)), name, label);
-}
-
 std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
+  Request of_depth = request;  // the page has what `fathom depth --json` prints
+  of_depth.command = Command::depth;
+  Workspace workspace;
   const AskedCase asked = looked_at(single, request);
-  const std::string depth = depth_json(asked, request, monitor);
-  stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
-  stages.id = single.id;
-  return page::html_page({FATHOM_VERSION, depth, stages, files::case_json(single), notes_on(asked.bodies), picture_of(single, monitor)});
-}
-
-std::string page_of_unions(const Case& single, const Request& request, Monitor& monitor) {
-  const AskedCase asked = looked_at(single, request);
-  const UnionAnswer answer{single.id, union_depth_of(single, monitor), asked.bodies};
-  if (!answer.depth.complete) throw Interrupted();
-  const Pieces a = pieces_of(single.a), b = pieces_of(single.b);
-  stages::UnionStages stages = stages::stages_of(a, b, answer.depth, &monitor);
-  stages.id = single.id;
-  const std::string picture = picture::scene_panels(picture::scene_of(a, b, answer.depth), "still", "A and B, and the way out of A");
-  return page::html_page({FATHOM_VERSION, union_json(answer, request), stages, files::case_json(single), notes_on(asked.bodies), picture});
+  const AnsweredCase answered = answered_by(asked, of_depth, question_of(of_depth, monitor, workspace));
+  const Answer& answer = answered.answer;
+  if (!answer.complete()) throw Interrupted();
+  const std::string picture = picture::scene_panels(answer_scene(single, answer), "still", "A and B, and the way out of A");
+  const auto page = [&](auto stages) {
+    stages.id = single.id;
+    return page::html_page(
+        {FATHOM_VERSION, answer_json(answered, of_depth), stages, files::case_json(single), notes_on(asked.bodies), picture});
+  };
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found))
+    return page(stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor));
+  return page(stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor}));
 }
 
 }  // namespace
@@ -77,7 +55,7 @@ ExitCode run_explain(const Request& request) {
   {
     const Working working;
     Progress progress;
-    page = has_union(single) ? page_of_unions(single, request, progress) : page_of(single, request, progress);
+    page = page_of(single, request, progress);
   }
   file.write(page);
   return fine;

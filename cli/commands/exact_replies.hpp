@@ -3,17 +3,16 @@
 #pragma once
 
 #include "cli/commands/replies.hpp"
-#include "fathom/signed_depth.hpp"
-#include "fathom/union.hpp"
+#include "cli/output/answer_output.hpp"
 
 namespace fathom::cli {
 
-/// How the request wants depths to be found; of shapes too.
-Options options_of(const Request& request, Monitor& monitor, Workspace& workspace);
-SignedDepthOptions shape_options_of(const Request& request, Monitor& monitor, Workspace& workspace);
+/// How the request wants depths to be found.
+Question question_of(const Request& request, Monitor& monitor, Workspace& workspace);
 
-/// Returns the depth of the bodies of a case as unions of pieces. Throws InputError for pieces without an interior.
-UnionDepth union_depth_of(const Case& single, Monitor& monitor);
+/// Returns the answer to a case, without its certificate. Throws InputError if the request asks for what bodies of these kinds do not have,
+/// and for pieces without an interior. A search that is interrupted answers between which bounds the depth lies.
+AnsweredCase answered_by(const AskedCase& asked, const Request& request, const Question& question);
 
 /// Answers with the method of the request, and with a certificate if it asks for one. `request` must outlive the replies. Throws InputError
 /// if certificates cannot be written where they should go.

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/surd_output.hpp"
-#include "cli/output/text_result.hpp"
 #include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
 

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/output/json_result.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/surd_output.hpp"
-#include "cli/output/text_result.hpp"
 
 namespace fathom::cli {
 

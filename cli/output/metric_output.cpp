@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
-#include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include "cli/io/terminal.hpp"
+#include "cli/output/answer_output.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/study_words.hpp"
 #include "cli/output/surd_output.hpp"
-#include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"

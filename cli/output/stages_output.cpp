@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "cli/output/answer_output.hpp"
 #include "cli/output/study_output.hpp"
-#include "cli/output/text_result.hpp"
 #include "cli/output/text_rows.hpp"
 
 namespace fathom::cli {

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/output/study_output.hpp"
-#include "cli/output/text_result.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom::cli {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
-#include "cli/output/json_result.hpp"
 #include "cli/output/json_values.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"

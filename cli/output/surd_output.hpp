@@ -12,6 +12,8 @@ namespace fathom::cli {
 
 using text::Json;
 
+inline Surd negated(const Surd& value) { return {-value.rational, -value.root}; }
+
 /// As root_text: the shortest decimal that reads back as the nearest binary64; 17 digits beyond that range.
 std::string surd_text(const Surd& value);
 

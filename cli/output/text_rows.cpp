@@ -6,10 +6,11 @@
 
 #include <algorithm>
 
+#include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
 #include "cli/output/coordinates.hpp"
-#include "cli/output/text_result.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -40,6 +41,8 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
 std::string case_line(const std::string& id, const std::vector<std::string>& parts) {
   return fitted(fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; ")), behind_first);
 }
+
+std::string safe_id(const std::string& id) { return without_controls(id) == id ? id : text::Json(id).text(); }
 
 std::string contact_text(const Contact& contact, bool same_body) {
   return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a), indices_text(contact.b),

@@ -25,6 +25,9 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows);
 /// Returns the line for a case of a stream, "id: first; second", broken on a terminal as above.
 std::string case_line(const std::string& id, const std::vector<std::string>& parts);
 
+/// Returns the id, or as a JSON string if it holds control characters.
+std::string safe_id(const std::string& id);
+
 /// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);
 

@@ -3,6 +3,7 @@
 // and fathom/fathom.h, the library for C.
 #pragma once
 
+#include "fathom/answer.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"

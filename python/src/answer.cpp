@@ -20,61 +20,33 @@
 namespace fathom::python {
 namespace {
 
-/// The value as rational + signed root.
-Surd value_of(const Depth& depth) { return {0, signed_square(depth)}; }
+py::str status(const PairAnswer& asked) { return std::string(asked.answer.status_name()); }
 
-std::optional<Surd> exact_value_of(const PairAnswer& answer) {
-  if (const Depth* const depth = answer.depth()) return value_of(*depth);
-  const Surd* const exact = answer.of_shapes().exact();
-  return exact ? std::optional(*exact) : std::nullopt;
-}
+py::object nearest(const PairAnswer& asked) { return py::cast(asked.answer.nearest_binary64()); }
 
-py::str status(const PairAnswer& answer) {
-  const std::optional<Status> known = answer.depth() ? answer.depth()->status() : answer.of_shapes().status();
-  return std::string(known ? name(*known) : "undecided");
-}
-
-double low(const PairAnswer& answer) {
-  return answer.depth() ? round_binary64(value_of(*answer.depth()), Rounding::rd) : answer.of_shapes().low_binary64();
-}
-double high(const PairAnswer& answer) {
-  return answer.depth() ? round_binary64(value_of(*answer.depth()), Rounding::ru) : answer.of_shapes().high_binary64();
-}
-
-/// None if the bounds have not the same nearest float.
-py::object nearest(const PairAnswer& answer) {
-  if (const std::optional<Surd> value = exact_value_of(answer)) return py::float_(round_binary64(*value));
-  const Bounds& bounds = *answer.of_shapes().bounds();
-  const double least = round_binary64(bounds.low), most = round_binary64(bounds.high);
-  return least == most ? py::object(py::float_(least)) : py::object(py::none());
-}
-
-py::object exact_value_in_python(const PairAnswer& answer) {
-  const std::optional<Surd> value = exact_value_of(answer);
+py::object exact_value(const PairAnswer& asked) {
+  const Part<Surd> value = asked.answer.exact();
   return value ? py::object(py::make_tuple(fraction(value->rational), fraction(value->root))) : py::object(py::none());
 }
 
-py::object bounds_in_python(const PairAnswer& answer) {
-  const Bounds* const bounds = answer.depth() ? nullptr : answer.of_shapes().bounds();
+py::object bounds(const PairAnswer& asked) {
+  const Bounds* const bounds = asked.depth() ? nullptr : asked.of_shapes().bounds();
   return bounds ? py::object(py::make_tuple(fraction(bounds->low), fraction(bounds->high))) : py::object(py::none());
 }
 
-Vector direction(const PairAnswer& answer) { return answer.depth() ? answer.depth()->direction() : answer.of_shapes().direction(); }
+Vector direction(const PairAnswer& asked) { return *asked.answer.direction(); }
 
 Point translation_of(const Depth& depth) { return depth.distance() ? depth.distance()->translation : depth.translation(); }
 
 std::optional<Witness> witness_of(const Depth& depth) { return depth.distance() ? depth.distance()->witness : depth.witness(); }
 
-py::object translation(const PairAnswer& answer, bool exact) {
-  if (const Depth* const depth = answer.depth()) {
-    const Point t = translation_of(*depth);
-    return exact ? py::object(fractions(t)) : py::object(array(t));
-  }
-  const std::vector<AlongNormal> all = answer.of_shapes().translations();
-  if (all.empty()) return py::none();
-  const AlongNormal& t = all.front();
-  if (exact) return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
-  return array(rounded::nearest_binary64(rounded::coordinates(t)));
+py::object translation(const PairAnswer& asked, bool exact) {
+  const Part<SurdPoint> rounding = asked.answer.translation();
+  if (!rounding) return py::none();
+  if (!exact) return array(rounded::nearest_binary64(*rounding));
+  if (const Depth* const depth = asked.depth()) return fractions(translation_of(*depth));
+  const AlongNormal t = asked.of_shapes().translations().front();
+  return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
 }
 
 py::object rounded_point(const RoundedPoint& p, bool exact) {
@@ -89,9 +61,6 @@ py::object witness_in_python(const PairAnswer& answer, bool exact) {
   return py::make_tuple(rounded_point(found->a, exact), rounded_point(found->b, exact));
 }
 
-/// The cores' depth of shapes, if they are polytopes.
-const Depth* core_depth(const PairAnswer& answer) { return answer.depth() ? answer.depth() : std::get_if<Depth>(&answer.of_shapes().core); }
-
 py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> translation, py::object exact) {
   using py::literals::operator""_a;
   return py::dict("direction"_a = unit(n), "normal"_a = integers(n), "translation"_a = std::move(translation),
@@ -100,7 +69,7 @@ py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> t
 
 py::list optima(const PairAnswer& answer) {
   py::list list;
-  const Depth* const core = core_depth(answer);
+  const Depth* const core = answer.answer.core();
   if (const Depth* const depth = answer.depth()) {
     for (const Optimum& o : depth->optima()) {
       const Point t = o.translation();
@@ -119,35 +88,26 @@ py::list optima(const PairAnswer& answer) {
 }
 
 std::size_t optima_count(const PairAnswer& answer) {
-  if (const Depth* const core = core_depth(answer); core && core->optima_count() > 0) return core->optima_count();
+  if (const Depth* const core = answer.answer.core(); core && core->optima_count() > 0) return core->optima_count();
   return answer.depth() ? 0 : answer.of_shapes().translations().size();
 }
 
 std::string certificate(const PairAnswer& answer, const std::string& id) {
   return watched([&](Monitor& monitor) {
-    const Depth* const depth = answer.depth();
-    std::string text = depth ? certificate_text(answer.a, answer.b, *depth, id, &monitor)
-                             : certificate_text(files::shape_of(answer.a), files::shape_of(answer.b), answer.of_shapes(), id,
-                                                ShapeFormat::shortest, &monitor);
+    std::string text = certificate_text(answer.a, answer.b, answer.answer, id, &monitor);
     fathom_check::require_readable(text);
     return text;
   });
 }
 
 py::object method(const PairAnswer& answer) {
-  const Depth* const depth = core_depth(answer);
+  const Depth* const depth = answer.answer.core();
   return depth && depth->method ? py::object(py::str(std::string(name(*depth->method)))) : py::object(py::none());
 }
 
-py::object flatness(const PairAnswer& answer) {
-  if (const Depth* const depth = answer.depth()) return py::make_tuple(depth->flat_a, depth->flat_b);
-  return py::make_tuple(is_flat(files::shape_of(answer.a)), is_flat(files::shape_of(answer.b)));
-}
+py::tuple flatness(const PairAnswer& asked) { return py::make_tuple(asked.answer.facts.flat_a, asked.answer.facts.flat_b); }
 
-py::object contact_in_python(const PairAnswer& answer) {
-  const Depth* const depth = answer.depth();
-  return contact(depth ? depth->contact() : answer.of_shapes().contact());
-}
+py::object contact_in_python(const PairAnswer& answer) { return contact(answer.answer.contact()); }
 
 py::dict counters_in_python(const PairAnswer& answer) {
   const Counters counters = answer.depth() ? answer.depth()->counters : answer.of_shapes().counters();
@@ -180,16 +140,6 @@ py::dict checked(const std::string& text) {
                   "verdict"_a = fathom_check::verdict_line(verdict, ""));
 }
 
-/// Depth or SignedDepth, as the bodies are.
-std::variant<Depth, SignedDepth> found_of(const Body& a, const Body& b, const Question& question, Monitor& monitor) {
-  thread_local Workspace workspace;
-  Options options = question.options;
-  options.monitor = &monitor;
-  if (a.shape || b.shape) return signed_depth(files::shape_of(a), files::shape_of(b), {.cores = options, .bits = question.bits});
-  options.workspace = &workspace;
-  return penetration_depth(a, b, options);
-}
-
 /// What makes the answer again: arguments of `depth`.
 py::tuple question_of(const PairAnswer& answer) {
   const Options& options = answer.question.options;
@@ -211,12 +161,16 @@ Question question(const std::string& method, const std::optional<std::size_t>& o
   throw py::value_error("expected method 'automatic', 'exact', 'naive' or 'certificate', found '" + method + "'");
 }
 
-PairAnswer answer(Asked asked, const Question& question, Monitor& monitor) {
+PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor) {
+  thread_local Workspace workspace;
   std::vector<std::string> notes;
   std::string dents = shapes::dents_text({hull_fact(asked.a), hull_fact(asked.b)});
   Body a = posed(std::move(asked.a), asked.pose_a, "a", &notes), b = posed(std::move(asked.b), asked.pose_b, "b", &notes);
-  std::variant<Depth, SignedDepth> found = found_of(a, b, question, monitor);
-  return {std::move(a), std::move(b), question, std::move(found), std::move(notes), std::move(dents)};
+  Question of_call = question;
+  of_call.options.monitor = &monitor;
+  of_call.options.workspace = &workspace;
+  Answer answer = exact_answer(a, b, of_call);
+  return {std::move(a), std::move(b), question, std::move(answer), std::move(notes), std::move(dents)};
 }
 
 py::dict predicates(const PredicateCounts& counts) {
@@ -251,11 +205,11 @@ void bind_answers(py::module_& module) {
   using py::arg;
   py::class_<PairAnswer>(module, "Answer")
       .def_property_readonly("status", status)
-      .def_property_readonly("low", low)
-      .def_property_readonly("high", high)
+      .def_property_readonly("low", [](const PairAnswer& asked) { return asked.answer.low_binary64(); })
+      .def_property_readonly("high", [](const PairAnswer& asked) { return asked.answer.high_binary64(); })
       .def_property_readonly("nearest", nearest)
-      .def_property_readonly("exact_value", exact_value_in_python)
-      .def_property_readonly("bounds", bounds_in_python)
+      .def_property_readonly("exact_value", exact_value)
+      .def_property_readonly("bounds", bounds)
       .def_property_readonly("direction", [](const PairAnswer& found) { return unit(direction(found)); })
       .def_property_readonly("normal", [](const PairAnswer& found) { return integers(direction(found)); })
       .def_property_readonly("translation", [](const PairAnswer& found) { return translation(found, false); })
@@ -278,14 +232,14 @@ void bind_answers(py::module_& module) {
          const std::optional<std::size_t>& optima, unsigned bits) {
         Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b"), pose_from(pose_a, "a"), pose_from(pose_b, "b")};
         const Question how = question(method, optima, bits);
-        return watched([&](Monitor& monitor) { return answer(std::move(asked), how, monitor); });
+        return watched([&](Monitor& monitor) { return answer_to(std::move(asked), how, monitor); });
       },
       arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("method"), arg("optima"), arg("bits"));
   module.def(
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
         const Body one = body_from(body, pose, "body");
-        return watched([&](Monitor& monitor) { return answer({one, one}, {.options = {}, .bits = bits}, monitor); });
+        return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },
       arg("body"), arg("pose"), arg("bits"));
   module.def("check", checked, arg("text"));

@@ -4,18 +4,12 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "fathom/signed_depth.hpp"
+#include "fathom/answer.hpp"
 #include "python/src/bodies.hpp"
 
 namespace fathom::python {
-
-struct Question {
-  Options options;
-  unsigned bits = SignedDepthOptions{}.bits;  ///< of bounds, for shapes
-};
 
 /// Two bodies, and where they are.
 struct Asked {
@@ -26,20 +20,20 @@ struct Asked {
 struct PairAnswer {
   Body a, b;  ///< where they are
   Question question;
-  std::variant<Depth, SignedDepth> found;
+  Answer answer;
   std::vector<std::string> notes = {};  ///< on the poses
   std::string dents = {};               ///< what is said of meshes that are not convex; else empty
 
   /// Null if a body is a shape.
-  [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&found); }
-  [[nodiscard]] const SignedDepth& of_shapes() const { return std::get<SignedDepth>(found); }
+  [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&answer.found); }
+  [[nodiscard]] const SignedDepth& of_shapes() const { return std::get<SignedDepth>(answer.found); }
 };
 
 /// Of arguments that Python has checked. Throws py::value_error for a method that there is not.
 Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits);
 
 /// May be called without Python's lock.
-PairAnswer answer(Asked asked, const Question& question, Monitor& monitor);
+PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
 
 /// Answer, depth, width, check.
 void bind_answers(py::module_& module);

@@ -63,7 +63,7 @@ class Batch {
 
   PairAnswer answered(std::size_t i, Monitor& monitor) {
     if (const auto* const wrong = std::get_if<std::exception_ptr>(&pairs_[i])) std::rethrow_exception(*wrong);
-    return named("pair " + std::to_string(i), [&] { return answer(std::get<Asked>(std::move(pairs_[i])), question_, monitor); });
+    return named("pair " + std::to_string(i), [&] { return answer_to(std::get<Asked>(std::move(pairs_[i])), question_, monitor); });
   }
 
   void end_before(std::size_t place) {

@@ -43,6 +43,7 @@ ORDER = [
     ["reference/curved"],
     ["reference/rounded"],
     ["reference/certificate"],
+    ["reference/answer"],
     ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/reports",
      "verify/examples", "examples"],
     ["view/picture"],

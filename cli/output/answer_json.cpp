@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of answer_output.hpp that writes JSON: fields as in the schemas, and in their order.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "cli/output/answer_output.hpp"
+#include "cli/output/coordinates.hpp"
+#include "cli/output/json_values.hpp"
+#include "cli/output/surd_output.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/counts.hpp"
+#include "kernels/number/infinitesimal.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::string_view result_schema = "fathom/result/2";
+
+Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+// ---- lengths ----
+
+/// The lengths of an answer about two polytopes or shapes.
+struct Lengths {
+  Json signed_depth, depth, distance;  ///< distance: of disjoint bodies
+};
+
+/// Of polytopes: sign * sqrt(root), rounded in all ways by one integer root.
+Lengths lengths_of(const Depth& depth, const std::optional<unsigned>& digits) {
+  const mpq_class squared = depth.squared();
+  const kernels::Roundings rounded = kernels::roundings_of_root(squared);
+  Lengths lengths{{}, length(squared, rounded, digits), {}};
+  if (const Distance* const apart = depth.distance()) {
+    const kernels::Roundings rounded_distance = kernels::roundings_of_root(apart->squared);
+    lengths.signed_depth = signed_depth_object(apart_by(rounded_distance));
+    lengths.distance = length(apart->squared, rounded_distance, digits);
+  } else {
+    lengths.signed_depth = signed_depth_object(penetrating_by(rounded));
+  }
+  lengths.signed_depth["exact"] = exact_object({0, signed_square(depth)});
+  return lengths;
+}
+
+/// What of an enclosed length is certain: nothing but its bounds, unless both round to the same number.
+Json enclosed_length(const Bounds& bounds, const std::optional<unsigned>& digits) {
+  const mpq_class low = bounds.low > 0 ? bounds.low : mpq_class(0), high = bounds.high > 0 ? bounds.high : mpq_class(0);
+  if (low == high) return length(low * low, digits);
+  const double nearest = round_binary64(low);
+  const bool known = nearest == round_binary64(high) && std::isfinite(nearest) && nearest != 0;
+  Json result{{"squared", Json()}, {"value", known ? Json(nearest) : Json()}, {"rounded", Json()}};
+  if (digits) result["enclosure"] = Json::array({enclose(Surd{low, 0}, *digits).low, enclose(Surd{high, 0}, *digits).high});
+  return result;
+}
+
+Json length_of(const SignedDepth& depth, bool of_distance, const std::optional<unsigned>& digits) {
+  if (!depth.status()) return {{"squared", Json()}, {"value", Json()}, {"rounded", Json()}};
+  if (const Bounds* const bounds = depth.bounds())
+    return enclosed_length(of_distance ? Bounds{-bounds->high, -bounds->low} : *bounds, digits);
+  const Surd value = of_distance ? negated(*depth.exact()) : *depth.exact();
+  return surd_length(sign(value) > 0 ? value : Surd{0, 0}, digits);
+}
+
+Lengths lengths_of(const SignedDepth& depth, const std::optional<unsigned>& digits) {
+  return {signed_depth_object(depth), length_of(depth, false, digits), length_of(depth, true, digits)};
+}
+
+// ---- places: of polytopes rational, of shapes rational but for a root ----
+
+Json place(const Point& point) { return exact(point); }
+Json place(const AlongNormal& vector) { return vector_object(vector); }
+Json place(const RoundedPoint& point) { return point_object(point); }
+
+/// For each listed optimum, or of the distance: moving A by it, the bodies touch.
+std::vector<Point> ways_of(const Depth& depth) {
+  if (depth.distance()) return {depth.distance()->translation};
+  std::vector<Point> ways;
+  for (const Optimum& optimum : depth.optima()) ways.push_back(optimum.translation());
+  return ways;
+}
+std::vector<AlongNormal> ways_of(const SignedDepth& depth) { return depth.translations(); }
+
+/// What A is moved by where nothing is in the way.
+Point staying(const Depth&) { return {}; }
+AlongNormal staying(const SignedDepth& depth) { return {depth.direction(), 0, 0}; }
+
+std::optional<Witness> witness_of(const Depth& depth) { return depth.distance() ? depth.distance()->witness : depth.witness(); }
+std::optional<RoundedWitness> witness_of(const SignedDepth& depth) { return depth.witness(); }
+
+template <class SomeWitness>
+Json witness_json(const std::optional<SomeWitness>& witness) {
+  return witness ? Json{{"a", place(witness->a)}, {"b", place(witness->b)}} : Json();
+}
+
+Counters counters_of(const Depth& depth) { return depth.counters; }
+Counters counters_of(const SignedDepth& depth) { return depth.counters(); }
+
+Json counters_object(const Counters& counters) {
+  Json result;
+  Json stages = Json::array();
+  for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
+    if (stage.ran()) stages.push_back(stage.stage);
+    for (const kernels::Count& count : stage.counts) result[count.name] = count.value;
+  }
+  result["stages"] = stages;
+  Json predicates = Json::object();
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = counters.predicates[i];
+    Json decided = Json::object();
+    for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
+    predicates[predicate_names[i]] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
+  }
+  result["predicates"] = predicates;
+  return result;
+}
+
+Json cone_object(const OptimalCone& cone) {
+  constexpr std::string_view names[] = {"none", "line", "plane", "all"};
+  Json rays = Json::array();
+  for (const Vector& ray : cone.rays) rays.push_back(exact(ray));
+  const bool has_axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
+  return {{"lineality", names[static_cast<std::size_t>(cone.lineality)]}, {"axis", has_axis ? exact(cone.axis) : Json()}, {"rays", rays}};
+}
+
+// ---- polytopes and shapes ----
+
+/// `found`: what `answered` holds, Depth or SignedDepth.
+template <class Found>
+std::string pair_json(const AnsweredCase& answered, const Found& found, const Request& request) {
+  const std::optional<Status> status = found.status();
+  const Depth* const core = answered.answer.core();
+  const Penetration* const cores = core ? core->penetration() : nullptr;
+  const Lengths lengths = lengths_of(found, request.digits);
+  const auto ways = ways_of(found);
+  const auto first = ways.empty() ? std::nullopt : std::optional(ways.front());
+  const auto translation = status == Status::touching || status == Status::disjoint ? std::optional(staying(found)) : first;
+  const Json translation_json = translation ? place(*translation) : Json();
+  const auto witness = witness_of(found);
+  const auto shown_witness = status == Status::disjoint ? std::nullopt : witness;
+  const Vector direction = found.direction();
+  const Json direction_json = exact(direction);
+  const Json contact = found.contact() ? contact_object(*found.contact()) : Json();
+
+  Json optima = Json::array();
+  for (std::size_t i = 0; status == Status::penetrating && i < ways.size(); ++i)
+    optima.push_back({{"direction", i == 0 || !cores ? direction_json : exact(cores->optima[i].direction)},
+                      {"translation", i == 0 ? translation_json : place(ways[i])},
+                      {"contact", cores ? contact_object(cores->optima[i].contact) : contact}});
+
+  Json result = result_head(answered.id, answered.answer.status_name());
+  result["signed_depth"] = lengths.signed_depth;
+  result["depth"] = lengths.depth;
+  result["translation"] = translation_json;
+  result["direction"] = direction_json;
+  result["contact"] = contact;
+  result["witness"] = witness_json(shown_witness);
+  add_rounded(result, direction, translation ? std::optional(coordinates(*translation)) : std::nullopt, coordinates_of(shown_witness));
+  result["optima"] = optima;
+  if (request.optima)
+    result["optima_count"] = cores ? cores->optima.size() + cores->unlisted : status == Status::penetrating ? ways.size() : 0;
+  if constexpr (std::is_same_v<Found, SignedDepth>)
+    if (found.cone) result["optimal_cone"] = cone_object(*found.cone);
+  if (status == Status::disjoint) {
+    Json distance = lengths.distance;
+    distance["direction"] = direction_json;
+    distance["translation"] = first ? place(*first) : Json();
+    distance["witness"] = witness_json(witness);
+    add_rounded(distance, direction, first ? std::optional(coordinates(*first)) : std::nullopt, coordinates_of(witness));
+    result["distance"] = distance;
+  }
+  add_bodies(result, answered.bodies);
+  result["flat"] = flat_array(answered.answer.facts);
+  result["method"] = method_name(found);
+  if (request.counters) result["counters"] = counters_object(counters_of(found));
+  if (request.embed_certificate) result["certificate"] = answered.certificate;
+  if (has_one_body(request)) result["width"] = lengths.depth;
+  return result.text();
+}
+
+// ---- unions ----
+
+Json contact_json(const PieceContact& c) {
+  return {{"pieces", std::vector<std::uint32_t>{c.a, c.b}}, {"direction", exact(c.direction)}, {"contact", contact_object(c.contact)}};
+}
+
+Json optimum_json(const UnionOptimum& optimum) {
+  Json contacts = Json::array();
+  for (const PieceContact& c : optimum.contacts) contacts.push_back(contact_json(c));
+  return {{"translation", exact(optimum.translation)}, {"clearance", Json::boolean(optimum.clearance)}, {"contacts", contacts}};
+}
+
+Json distance_json(const UnionDistance& apart, const Request& request) {
+  const Distance& d = apart.distance;
+  return {{"distance", length(d.squared, request.digits)},
+          {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
+          {"translation", exact(d.translation)},
+          {"witness", witness_object(d.witness)},
+          {"contact", contact_object(d.contact)}};
+}
+
+std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
+  Json optima = Json::array();
+  for (std::size_t i = 0; i < depth.optima.size() && (!request.optima || i < *request.optima); ++i)
+    optima.push_back(optimum_json(depth.optima[i]));
+  const UnionBounds& bounds = *depth.bounds;
+  const UnionCounters& c = depth.counters;
+  Json result{
+      {"schema", "fathom/union/1"},
+      {"fathom", FATHOM_VERSION},
+      {"id", answered.id},
+      {"status", name(depth.status)},
+      {"complete", Json::boolean(depth.complete)},
+      {"depth", depth.complete ? length(depth.low, request.digits) : Json()},
+      {"low", length(depth.low, request.digits)},
+      {"high", length(depth.high, request.digits)},
+      {"optima", optima},
+      {"apart", depth.apart ? distance_json(*depth.apart, request) : Json()},
+      {"deepest_pair",
+       Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
+      {"hulls", length(bounds.hulls, std::nullopt)},
+      {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
+  add_hull(result, answered.bodies.hull);
+  if (request.embed_certificate && depth.complete) result["certificate"] = answered.certificate;
+  return result.text();
+}
+
+}  // namespace
+
+Json result_head(const std::string& id, std::string_view status) {
+  return {{"schema", result_schema}, {"fathom", FATHOM_VERSION}, {"id", id}, {"status", status}};
+}
+
+SignedDepthBounds penetrating_by(const kernels::Roundings& depth) { return {depth.binary64.rd, depth.binary64.ru}; }
+
+SignedDepthBounds apart_by(const kernels::Roundings& distance) { return {-distance.binary64.ru, 0 - distance.binary64.rd}; }
+
+Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}}; }
+
+std::string answer_json(const AnsweredCase& answered, const Request& request) {
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_json(answered, *unions, request);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_json(answered, *depth, request);
+  return pair_json(answered, std::get<SignedDepth>(answered.answer.found), request);
+}
+
+std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
+  return error_object(result_schema, id, line, error);
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The accessors of an answer, for every kind of bodies: whatever differs between the kinds stands here.
+#include "fathom/answer.hpp"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "fathom/certificate.hpp"
+#include "kernels/number/surd.hpp"
+#include "kernels/point_algebra.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/rounded/coordinates.hpp"
+
+namespace fathom {
+namespace {
+
+using rounded::coordinates;
+
+constexpr std::string_view only_bounds = "only bounds of the signed depth are known: nothing follows from them exactly";
+constexpr std::string_view stopped = "the search was stopped: only bounds of the depth are known";
+constexpr std::string_view no_one_direction = "the unions touch: there is no one direction, but one for each two pieces";
+constexpr std::string_view witness_if_disjoint = "unions have a pair of witness points only if they are disjoint";
+constexpr std::string_view no_union = "no body is a union of pieces: there is one pair, and the hulls are the bodies";
+constexpr std::string_view not_asked = "the bounds beside the depth were not asked for";
+
+template <class... Functions>
+struct ByKind : Functions... {
+  using Functions::operator()...;
+};
+
+SurdWitness surds(const rounded::CoordinatePair& pair) { return {pair[0], pair[1]}; }
+
+Surd negated_root(const mpq_class& squared) { return {0, mpq_class(-squared)}; }
+
+}  // namespace
+
+std::optional<Status> Answer::status() const {
+  return std::visit(ByKind{[](const UnionDepth& unions) { return std::optional(unions.status); },
+                           [](const auto& pair) { return std::optional<Status>(pair.status()); }},
+                    found);
+}
+
+std::string_view Answer::status_name() const {
+  const std::optional<Status> known = status();
+  return known ? name(*known) : "undecided";
+}
+
+bool Answer::complete() const {
+  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
+  return unions == nullptr || unions->complete;
+}
+
+Part<Surd> Answer::exact() const {
+  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
+  if (shapes != nullptr && !shapes->exact()) return {{}, only_bounds};
+  if (!complete()) return {{}, stopped};
+  return {low()};
+}
+
+Surd Answer::low() const {
+  return std::visit(ByKind{[](const Depth& depth) {
+                             return Surd{0, signed_square(depth)};
+                           },
+                           [](const SignedDepth& shapes) {
+                             return shapes.exact() ? *shapes.exact() : Surd{shapes.bounds()->low, 0};
+                           },
+                           [](const UnionDepth& unions) {
+                             return unions.apart ? negated_root(unions.apart->distance.squared) : Surd{0, unions.low};
+                           }},
+                    found);
+}
+
+Surd Answer::high() const {
+  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
+  if (shapes != nullptr && !shapes->exact()) return {shapes->bounds()->high, 0};
+  return complete() ? low() : Surd{0, std::get<UnionDepth>(found).high};
+}
+
+double Answer::low_binary64() const { return round_binary64(low(), Rounding::rd); }
+
+double Answer::high_binary64() const { return round_binary64(high(), Rounding::ru); }
+
+std::optional<double> Answer::nearest_binary64() const {
+  const double least = round_binary64(low());
+  return exact() || least == round_binary64(high()) ? std::optional(least) : std::nullopt;
+}
+
+Part<Vector> Answer::direction() const {
+  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
+  if (unions == nullptr) {
+    const Depth* const depth = std::get_if<Depth>(&found);
+    return {depth != nullptr ? depth->direction() : std::get<SignedDepth>(found).direction()};
+  }
+  if (unions->apart) return {unions->apart->distance.direction};
+  if (!unions->complete) return {{}, stopped};
+  if (unions->status == Status::touching) return {{}, no_one_direction};
+  return {primitive_along(unions->optima.front().translation)};
+}
+
+Part<SurdPoint> Answer::translation() const {
+  if (const Depth* const depth = std::get_if<Depth>(&found))
+    return {coordinates(depth->distance() ? depth->distance()->translation : depth->translation())};
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
+    const std::vector<AlongNormal> all = shapes->translations();
+    if (all.empty()) return {{}, only_bounds};
+    return {coordinates(all.front())};
+  }
+  const UnionDepth& unions = std::get<UnionDepth>(found);
+  if (unions.apart) return {coordinates(unions.apart->distance.translation)};
+  if (!unions.complete) return {{}, stopped};
+  return {coordinates(unions.optima.front().translation)};
+}
+
+Part<SurdWitness> Answer::witness() const {
+  if (const Depth* const depth = std::get_if<Depth>(&found))
+    return {surds(coordinates(depth->distance() ? depth->distance()->witness : depth->witness().value()))};
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
+    const std::optional<RoundedWitness> witness = shapes->witness();
+    if (!witness) return {{}, only_bounds};
+    return {surds(coordinates(*witness))};
+  }
+  const UnionDepth& unions = std::get<UnionDepth>(found);
+  if (!unions.apart) return {{}, witness_if_disjoint};
+  return {surds(coordinates(unions.apart->distance.witness))};
+}
+
+const Contact* Answer::contact() const {
+  return std::visit(ByKind{[](const UnionDepth& unions) { return unions.apart ? &unions.apart->distance.contact : nullptr; },
+                           [](const auto& pair) { return pair.contact(); }},
+                    found);
+}
+
+std::size_t Answer::ways_out() const {
+  if (status() != Status::penetrating || !exact()) return 0;
+  return std::visit(
+      ByKind{[](const SignedDepth& shapes) { return shapes.translations().size(); },
+             [](const UnionDepth& unions) { return unions.optima.size(); }, [](const Depth& depth) { return depth.optima().size(); }},
+      found);
+}
+
+WayOut Answer::way_out(std::size_t index) const {
+  if (const Depth* const depth = std::get_if<Depth>(&found)) {
+    const Optimum& way = depth->optima()[index];
+    return {way.direction, coordinates(way.translation())};
+  }
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
+    const AlongNormal way = shapes->translations()[index];
+    return {way.normal, coordinates(way)};
+  }
+  const Point& way = std::get<UnionDepth>(found).optima[index].translation;
+  return {primitive_along(way), coordinates(way)};
+}
+
+const Depth* Answer::core() const {
+  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
+  return shapes != nullptr ? std::get_if<Depth>(&shapes->core) : std::get_if<Depth>(&found);
+}
+
+Part<UnionBounds> Answer::union_bounds() const {
+  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
+  if (unions == nullptr) return {{}, no_union};
+  return {unions->bounds, not_asked};
+}
+
+Answer exact_answer(const Body& a, const Body& b, const Question& question) {
+  if (a.pieces || b.pieces) return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
+  if (!a.shape && !b.shape) {
+    Depth depth = penetration_depth(a, b, question.options);
+    const BodyFacts facts = depth;
+    return {std::move(depth), facts};
+  }
+  const Shape shape_a = files::shape_of(a), shape_b = files::shape_of(b);
+  SignedDepth depth = signed_depth(shape_a, shape_b, {.cores = question.options, .bits = question.bits});
+  return {std::move(depth), {is_flat(shape_a), is_flat(shape_b)}};
+}
+
+std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id, Monitor* monitor) {
+  return std::visit(ByKind{[&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
+                           [&](const SignedDepth& shapes) {
+                             return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest, monitor);
+                           },
+                           [&](const UnionDepth& unions) { return certificate_text(pieces_of(a), pieces_of(b), unions, id, monitor); }},
+                    answer.found);
+}
+
+}  // namespace fathom
