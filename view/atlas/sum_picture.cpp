@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fathom/numbers.hpp"
+#include "kernels/point_algebra.hpp"
 #include "view/atlas/atlas.hpp"
 #include "view/atlas/limits.hpp"
 #include "view/picture/markup.hpp"
@@ -24,7 +25,7 @@ Point unscaled(const Place& place, const stages::StagedScale& scale) {
   mpq_class unit = 1;
   if (scale.exponent >= 0) unit >>= static_cast<mp_bitcnt_t>(scale.exponent);
   else unit <<= static_cast<mp_bitcnt_t>(-scale.exponent);
-  return picture::scaled({exact_value(place[0]), exact_value(place[1]), exact_value(place[2])}, unit);
+  return unit * Point{exact_value(place[0]), exact_value(place[1]), exact_value(place[2])};
 }
 
 std::vector<Point> corners_of(const picture::Mesh& mesh, const stages::Indices& facet) {
@@ -72,7 +73,7 @@ Point way_out(const stages::Stages& stages) {
   constexpr unsigned bits = 128;
   const Place& n = stages.contact.optima.front().direction;
   const mpf_class root = sqrt(mpf_class(stages.sum.facets.front().squared, bits));
-  return picture::scaled({exact_value(n[0]), exact_value(n[1]), exact_value(n[2])}, mpq_class(root));
+  return mpq_class(root) * Point{exact_value(n[0]), exact_value(n[1]), exact_value(n[2])};
 }
 
 std::string edges_note(const picture::Mesh& mesh) {
