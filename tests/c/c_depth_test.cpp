@@ -14,6 +14,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "tests/c/handles.hpp"
+#include "tests/support/stated_cases.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom {
@@ -111,6 +112,38 @@ TEST(CDepth, EqualsTheCppInterface) {
     ASSERT_EQ(fathom_answer_certificate(answer.get(), "one", nullptr, &certificate), FATHOM_OK) << fathom_last_error();
     EXPECT_EQ(taken(certificate), certificate_text(made.a, made.b, expected, "one")) << family.name;
   }
+}
+
+TEST(CDepth, RealCasesHaveTheStatedAnswers) {
+  using Json = nlohmann::json;
+  std::size_t cases = 0;
+  for (const auto& [pair, line, stated] : stated_cases()) {
+    SCOPED_TRACE(pair.id);
+    fathom_body *first = nullptr, *second = nullptr;
+    ASSERT_EQ(fathom_bodies_from_case(line.c_str(), &first, &second), FATHOM_OK) << fathom_last_error();
+    const AnswerHandle answer = answer_about(BodyHandle(first), BodyHandle(second));
+    char* text = nullptr;
+    ASSERT_EQ(fathom_answer_json(answer.get(), pair.id.c_str(), &text), FATHOM_OK) << fathom_last_error();
+    const Json json = Json::parse(taken(text));
+    EXPECT_EQ(json["status"], stated["status"]);
+    EXPECT_EQ(json["depth"]["squared"], stated["depth_squared"]);
+    Json translations = Json::array();
+    for (const Json& optimum : json["optima"]) translations.push_back(optimum["translation"]);
+    std::sort(translations.begin(), translations.end());
+    if (!translations.empty()) {
+      EXPECT_EQ(translations, stated["translations"]);
+    }
+    if (stated.contains("signed_depth")) {
+      const Rounded depth = depth_of(answer);
+      EXPECT_EQ((Json{{"low", depth.low}, {"high", depth.high}}),
+                (Json{{"low", stated["signed_depth"]["low"]}, {"high", stated["signed_depth"]["high"]}}));
+      if (json.contains("signed_depth")) {
+        EXPECT_EQ(json["signed_depth"], stated["signed_depth"]);
+      }
+    }
+    ++cases;
+  }
+  EXPECT_EQ(cases, 63U + 141U);
 }
 
 TEST(CDepth, RoundBodiesAreExact) {

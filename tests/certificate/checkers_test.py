@@ -1,34 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every case of every family, the catalogue and the real cases: `fathom depth` certifies it, and all checkers accept the certificate, with
-the answer that was printed. The programs come in the environment; FATHOM_CHECK_PROVED, extracted from the Coq development, may be
-absent."""
+the answer that was printed. So they do with the cases of public reports."""
 import json
 import os
 import pathlib
-import subprocess
-import sys
 import tempfile
 import unittest
 
-FATHOM = os.environ["FATHOM_EXECUTABLE"]
-ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
-CHECKERS = {
-    "fathom-check": [os.environ["FATHOM_CHECK"]],
-    "check.py": [sys.executable, "-B", str(ROOT / "verify" / "check" / "check.py")],
-}
-if os.path.exists(os.environ.get("FATHOM_CHECK_PROVED", "")):
-    CHECKERS["fathom-check-proved"] = [os.environ["FATHOM_CHECK_PROVED"]]
-
-
-def run(*arguments, stdin=""):
-    done = subprocess.run(list(map(str, arguments)), input=stdin, capture_output=True, text=True, timeout=600, check=False)
-    assert done.returncode == 0, f"{arguments[0]} ended with {done.returncode}: {done.stdout[-500:]}{done.stderr[-500:]}"
-    return done.stdout
-
-
-def families():
-    return [line.split()[0] for line in run(FATHOM, "cases", "--list").splitlines() if line.strip()]
+from pairs import CHECKERS, FATHOM, ROOT, accepted_answers, families, run
 
 
 def all_cases():
@@ -87,6 +67,12 @@ class Checkers(unittest.TestCase):
         for result in map(json.loads, lines.splitlines()):
             other = dict(self.results[result["id"]], method=result["method"])
             self.assertEqual(result, other)
+
+    def test_reports_of_all_kinds_of_bodies(self):
+        cases = (ROOT / "tests" / "data" / "report_cases.jsonl").read_text()
+        results = accepted_answers(self, cases)
+        self.assertEqual([(result["id"], result["status"]) for result in results],
+                         [(case["id"], case["answer"]["status"]) for case in map(json.loads, cases.splitlines())])
 
 
 if __name__ == "__main__":

@@ -1,15 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers about many pairs, each with its proof, for every checker."""
+"""What the tests of certificates share: running the program and every checker; answers about many pairs, each with its proof. The
+programs come in the environment; FATHOM_CHECK_PROVED, extracted from the Coq development, may be absent."""
 import json
+import os
 import pathlib
+import subprocess
+import sys
 import tempfile
 
-from checkers_test import CHECKERS, FATHOM, run
+FATHOM = os.environ["FATHOM_EXECUTABLE"]
+ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
+CHECKERS = {
+    "fathom-check": [os.environ["FATHOM_CHECK"]],
+    "check.py": [sys.executable, "-B", str(ROOT / "verify" / "check" / "check.py")],
+}
+if os.path.exists(os.environ.get("FATHOM_CHECK_PROVED", "")):
+    CHECKERS["fathom-check-proved"] = [os.environ["FATHOM_CHECK_PROVED"]]
 
 
-def families(kind):
-    """The names of all families of that kind, an option of fathom cases."""
-    return {line.split()[0] for line in run(FATHOM, "cases", "--list", kind).splitlines() if line.strip()}
+def run(*arguments, stdin=""):
+    done = subprocess.run(list(map(str, arguments)), input=stdin, capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0, f"{arguments[0]} ended with {done.returncode}: {done.stdout[-500:]}{done.stderr[-500:]}"
+    return done.stdout
+
+
+def families(*kind):
+    """The names of all families, or of those of a kind, an option of fathom cases; in order."""
+    return [line.split()[0] for line in run(FATHOM, "cases", "--list", *kind).splitlines() if line.strip()]
 
 
 def family(result):

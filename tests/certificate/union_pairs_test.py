@@ -3,8 +3,7 @@
 """Random pairs of unions of every family, and the catalogue: each answer carries its proof, and all checkers accept it with that answer."""
 import unittest
 
-from checkers_test import FATHOM, run
-from pairs import accepted_answers, families, family
+from pairs import FATHOM, accepted_answers, families, family, run
 
 ROUNDS = 30  # of all families
 
@@ -13,7 +12,7 @@ class UnionPairs(unittest.TestCase):
     maxDiff = None
 
     def test_all_checkers_accept_the_answers(self):
-        names = families("--unions")
+        names = set(families("--unions"))
         cases = run(FATHOM, "cases", "--family", "all", "--unions", "--count", ROUNDS * len(names), "--seed", 2, "--size", 4)
         cases += run(FATHOM, "cases", "--catalogue", "--unions")
         results = accepted_answers(self, cases)

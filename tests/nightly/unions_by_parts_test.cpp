@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "tests/support/stated_cases.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/families/union_catalogue.hpp"
 #include "verify/harness/random_cases.hpp"
@@ -56,6 +57,20 @@ TEST(UnionsByParts, KnowsTheCatalogue) {
     EXPECT_EQ(found.squared, entry.squared);
     EXPECT_EQ(found.translations.size(), entry.status == Status::penetrating ? entry.optima : 0);
   }
+}
+
+TEST(UnionsByParts, KnowsTheAnswersOfRealCases) {
+  std::size_t cases = 0;
+  for (const auto& [pair, line, answer] : testing::stated_cases()) {
+    if (!pair.a.pieces && !pair.b.pieces) continue;
+    SCOPED_TRACE(pair.id);
+    const UnionsFound found = unions_by_parts(pair, nullptr);
+    EXPECT_EQ(name(found.status), answer["status"]);
+    EXPECT_EQ(found.squared.get_str(), answer["signed_depth"]["exact"]["root"]);
+    EXPECT_EQ(testing::translation_texts(found.translations), answer["translations"]);
+    ++cases;
+  }
+  EXPECT_EQ(cases, 9U);
 }
 
 TEST(UnionsByParts, AgreesWithTheSearchOnEveryFamily) {

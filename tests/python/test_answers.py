@@ -142,6 +142,40 @@ def test_the_program_says_the_same():
     assert found > 100
 
 
+def ways_out(translations):
+    """As case files have them: (0, 0, 0) if there is none."""
+    return sorted([str(x) for x in t] for t in translations) or [["0"] * 3]
+
+
+@pytest.mark.parametrize(("name", "count"), [("real_cases", 63), ("report_cases", 141)])
+def test_real_cases_have_the_stated_answers(name, count):
+    path = f"tests/data/{name}.jsonl"
+    with open(path, encoding="utf-8") as file:
+        lines = list(map(json.loads, file))
+    for line, case in zip(lines, fathom.cases(path), strict=True):
+        stated = line.get("answer") or line["expected"]
+        squared, value = stated["depth_squared"], stated.get("signed_depth")
+        assert case.id == line["id"]
+        if case.a.pieces or case.b.pieces:
+            hit = fathom.union_depth(case.a, case.b)
+            signed = -hit.apart.distance if hit.apart else hit.depth
+            assert (hit.status, str(hit.squared), ways_out(o.exact for o in hit.optima)) == (
+                stated["status"], squared, stated["translations"]), case.id
+            assert value["low"] <= signed <= value["high"], case.id
+            continue
+        for method in ("automatic", "exact", "naive"):
+            hit = fathom.depth(case.a, case.b, method=method, bits=40)
+            assert hit.status == stated["status"], case.id
+            if not case.a.is_shape and not case.b.is_shape:
+                assert (str(hit.exact.depth_squared), ways_out(o.exact for o in hit.optima)) == (
+                    squared, sorted(stated["translations"])), case.id
+            if value:
+                exact = value.get("exact")
+                root = exact and (Fraction(exact["plus"]), exact["sign"] * Fraction(exact["root"]))
+                assert (hit.low, hit.high, hit._answer.exact_value) == (value["low"], value["high"], root), case.id
+    assert len(lines) == count
+
+
 def test_other_questions():
     box, other = fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved(fathom.pose(translation=(1, 0, 0)))
     ray = fathom.ray(box, other, (-2, 0, 0))
