@@ -48,7 +48,7 @@ class Proofs {
 }  // namespace
 
 ExitCode judge_claims(const Request& request) {
-  const std::string& path = request.certify.claims;
+  const std::string &path = request.certify.claims, name = path == "-" ? "<stdin>" : path;
   const Working working;
   Proofs proofs(request.certify.certificates);
   std::ifstream file;
@@ -59,12 +59,13 @@ ExitCode judge_claims(const Request& request) {
   std::istream& input = path == "-" ? std::cin : file;
   std::map<std::string_view, std::size_t> counts;
   ExitCode code = fine;
-  std::size_t line = 0, judged_claims = 0;
+  std::size_t line = 0, found = 0, judged_claims = 0;
   for (std::string text; std::getline(input, text);) {
     ++line;
     if (interrupt_requested()) throw Interrupted();
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const auto claim = claims::parse_claim(text, path == "-" ? "<stdin>" : path, line);
+    ++found;
+    const auto claim = claims::parse_claim(text, name, line);
     if (const InputError* const fault = std::get_if<InputError>(&claim)) {
       talk(fault->what());
       code = bad_input;
@@ -78,7 +79,7 @@ ExitCode judge_claims(const Request& request) {
     ++judged_claims;
     if (judged.finding() == Finding::wrong) code = std::max(code, judged_wrong);
   }
-  if (line == 0) throw InputError(path, 0, "expected claims, one JSON object a line, found nothing");
+  if (found == 0) throw InputError(name, 1, "expected at least one claim, found an empty input");
   if (!request.json)
     print(fmt::format("{} claims: {} right, {} wrong, {} undecided, {} not judgeable", judged_claims, counts["right"], counts["wrong"],
                       counts["undecided"], counts["not-judgeable"]));

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fathom certify --claims`: what was published, against the truth."""
+import collections
 import json
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, CliTest
 
-FILE = ROOT / "verify" / "claims" / "claims.jsonl"
+FOLDER = ROOT / "verify" / "claims"
+FILES = {FOLDER / "claims.jsonl": {"right": 89, "wrong": 7, "not-judgeable": 4}, FOLDER / "reports.jsonl": {"right": 33, "wrong": 9}}
 SCHEMAS = {f"{name}.schema.json": json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text()) for name in ("claim", "result")}
 VALIDATOR = jsonschema.Draft202012Validator(
     SCHEMAS["claim.schema.json"],
@@ -17,14 +19,23 @@ def ball(radius, x=0, y=0, z=0):
     return {"shape": "sphere", "radius": radius, "pose": {"quaternion": [1, 0, 0, 0], "translation": [x, y, z]}}
 
 
+def line_of(claim, a=None, b=None):
+    """Without bodies: two balls, 3 - sqrt(5) = 0.76393202 deep along (2, 1, 0). The claim may be text, to say how it is written."""
+    line = json.dumps({"id": "x", "source": "nowhere", "kind": "test", "a": a or ball(1), "b": b or ball(2, 2, 1, 0), "claim": "?"})
+    return line.replace('"?"', claim if isinstance(claim, str) else json.dumps(claim)) + "\n"
+
+
 class Claims(CliTest):
-    def judged(self, claim, a=None, b=None):
-        """The verdict on the claim, and on each statement. Without bodies: two balls, 3 - sqrt(5) = 0.76393202 deep along (2, 1, 0)."""
-        line = json.dumps({"id": "x", "source": "nowhere", "kind": "test", "a": a or ball(1), "b": b or ball(2, 2, 1, 0), "claim": claim})
-        code, out, err = self.run_cli("certify", "--claims", "-", "--json", stdin=line + "\n")
+    def result_of(self, claim, a=None, b=None):
+        code, out, err = self.run_cli("certify", "--claims", "-", "--json", stdin=line_of(claim, a, b))
         result = json.loads(out)
         VALIDATOR.validate(result)
         self.assertEqual((code, err), (1 if result["verdict"] == "wrong" else 0, ""))
+        return result
+
+    def judged(self, claim, a=None, b=None):
+        """The verdict on the claim, and on each statement."""
+        result = self.result_of(claim, a, b)
         return [result["verdict"], *(statement["finding"] for statement in result["statements"])]
 
     def test_status(self):
@@ -42,6 +53,28 @@ class Claims(CliTest):
         for depth, verdict in ((0.764, "right"), (0.7639, "right"), (0.763, "wrong"), (0.76, "right"), (1, "right"), (0.765, "wrong"),
                                (7.6e-1, "right")):
             self.assertEqual(self.judged({"depth": depth}), [verdict] * 2, depth)
+
+    def test_digits_are_those_that_were_written(self):
+        for number, verdict in (("0.7600", "wrong"), ("0.76", "right"), ("76e-2", "right"), ("760E-3", "wrong"), ("7.639e-1", "right"),
+                                ("0.763932022500210303590826", "right"), ("0.763932022500210303590827", "wrong"), ("1", "right"),
+                                ("1.0", "wrong"), ("1e0", "right")):
+            result = self.result_of(f'{{"depth": {number}}}')
+            self.assertEqual([result["statements"][0][field] for field in ("text", "finding")], ["depth " + number, verdict])
+        apart = {"a": ball(1), "b": ball(1, 3, 4)}
+        texts = [statement["text"] for statement in self.result_of(
+            '{"distance": 3.00, "depth_below": 1.0E-4, "direction": [3.0, 4.000, -1.03648825], "direction/0": 7.5}', **apart)["statements"]]
+        self.assertEqual(texts, ["distance 3.00", "depth below 1.0E-4", "direction [3.0,4.000,-1.03648825]"])
+
+    def test_blank_lines_are_passed_over(self):
+        bad = '{"claim": 1}\n'
+        code, out, err = self.run_cli("certify", "--claims", "-", stdin="\n \r\n" + line_of({"depth": 0.76}) + "\t\n\n" + bad + "\n")
+        self.assertEqual((code, out.splitlines()[-1]), (2, "1 claims: 1 right, 0 wrong, 0 undecided, 0 not judgeable"))
+        self.assertTrue(err.startswith("fathom: <stdin>:6: "), err)
+        for blank in ("", "\n", " \n\r\n\n"):
+            self.assertEqual(self.refused("certify", "--claims", "-", stdin=blank),
+                             "fathom: <stdin>:1: expected at least one claim, found an empty input\n")
+        path = self.file("blank.jsonl", "\n\n")
+        self.assertIn(f"{path}:1: expected at least one claim", self.refused("certify", "--claims", path))
 
     def test_distance_and_bound(self):
         apart = {"a": ball(1), "b": ball(1, 3, 4)}
@@ -61,6 +94,24 @@ class Claims(CliTest):
         for direction, verdict in (("x", "right"), ("-x", "right"), ("+-x", "right"), ("y", "wrong"), ("axis", "right")):
             self.assertEqual(self.judged({"direction": direction}, **boxes), [verdict] * 2, direction)
 
+    def test_a_direction_beside_a_half_space(self):
+        """Along a line at an angle to its normal the way is longer; within what rounding explains it is none."""
+        half = {"shape": "halfspace", "normal": [1, 2, 3], "offset": 0}
+        unit = [x / 14 ** 0.5 for x in (1, 2, 3)]
+        for body in (ball(1), ball(1, 1, 1, 1), ball(1, -7, 0, 1)):  # they overlap, are apart, and lie deep inside
+            for claim, verdict in (([1, 2, 3], "right"), ([-1, -2, -3], "right"), (unit, "right"), ([1, 2, 3.001], "wrong"), ("z", "wrong"),
+                                   ([2, -1, 0], "wrong"), ("axis", "wrong")):
+                self.assertEqual(self.judged({"direction": claim}, body, half), [verdict] * 2, (body, claim))
+                self.assertEqual(self.judged({"direction": claim}, half, body), [verdict] * 2, (body, claim))
+        floor = {"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}
+        for x, tolerance, verdict in ((3, 0.1249, "wrong"), (3, 0.1251, "right"), (0, 0, "right")):  # 1/2 deep: 5/8 along (3, 0, 4)
+            self.assertEqual(self.judged({"direction": [x, 0, 4], "tol": tolerance}, ball(1, 0, 0, 0.5), floor), [verdict] * 2)
+        result = self.result_of({"depth": 0.5, "direction": [3, 0, 4]}, ball(1, 0, 0, 0.5), floor)
+        self.assertEqual([statement["truth"] for statement in result["statements"]],
+                         ["the depth is 0.5", "the way along it is 0.625, 0.125 more than the least"])
+        self.assertEqual(self.judged({"direction": "z"}, ball(1, 0, 0, 1), floor), ["right"] * 2, "they touch")
+        self.assertEqual(self.judged({"direction": [0, 1e-3, 1]}, ball(1, 0, 0, 1), floor), ["wrong"] * 2)
+
     def test_a_direction_whose_price_is_the_depth_with_too_many_digits(self):
         """9.9 in binary64 has 47 decimals."""
         cone = {"shape": "cone", "radius": 5, "half_length": 5}
@@ -72,28 +123,48 @@ class Claims(CliTest):
                             (json.dumps({"a": ball(1), "b": ball(1)}), "expected a field 'claim'"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": 3}), "claim: expected an object"),
                             (json.dumps({"a": ball(1), "b": ball(1), "claim": {"depth": "x"}}), "claim.depth: expected a number"),
-                            (json.dumps({"a": ball(1), "b": ball(1), "claim": {"direction": "up"}}), "claim.direction: expected")):
-            code, _, err = self.run_cli("certify", "--claims", "-", stdin=line + "\n")
-            self.assertEqual(code, 2)
+                            (line_of({"direction": "up"}), "claim.direction: expected"),
+                            (line_of({"direction": [0, 0, 0]}), "found [0,0,0]"), (line_of({"direction": [1, "2", 3]}), "found [1,"),
+                            (line_of({"direction": "u\n" * 5000}), "or 'axis', found u\\x0au\\x0a"),
+                            (line_of({"direction": ["u\n" * 5000, 1, 2]}), "or 'axis', found ["),
+                            (line_of('{"depth": 1e-999999999}'), "claim.depth: "),
+                            (line_of({"depth": 1}, {"pieces": [{"shape": "box", "half": [1, 1, 1]}]}), "found a union of pieces"),
+                            (line_of({"depth": 1}, *2 * [{"shape": "halfspace", "normal": [0, 0, 1], "offset": 0}]), "found two")):
+            code, out, err = self.run_cli("certify", "--claims", "-", stdin="\n" + line.strip("\n") + "\n" + line_of({"depth": 0.76}))
+            self.assertEqual((code, out.splitlines()[-1]), (2, "1 claims: 1 right, 0 wrong, 0 undecided, 0 not judgeable"))
+            self.assertTrue(err.startswith("fathom: <stdin>:2: ") and err.count("\n") == 1 and len(err) < 200, err)
             self.assertIn(words, err)
-        self.assertIn("found nothing", self.refused("certify", "--claims", "-"))
-        self.assertIn("takes no subject", self.refused("certify", "--claims", FILE, "--subject", "x"))
+        self.assertIn("takes no subject", self.refused("certify", "--claims", *FILES, "--subject", "x"))
 
     def test_what_was_published(self):
         """The page beside the claims is what the program says of them."""
-        code, out, err = self.run_cli("certify", "--claims", FILE, "--json")
-        self.assertEqual((code, err), (1, ""))
+        page = (FOLDER / "RESULTS.md").read_text()
         verdicts = {}
-        for line in out.splitlines():
-            result = json.loads(line)
-            VALIDATOR.validate(result)
-            verdicts[result["id"]] = result["verdict"]
-        self.assertEqual(list(verdicts), [json.loads(line)["id"] for line in FILE.read_text().splitlines()])
-        page = (FILE.parent / "RESULTS.md").read_text()
+        for path, counts in FILES.items():
+            code, out, err = self.run_cli("certify", "--claims", path, "--json")
+            self.assertEqual((code, err), (1, ""))
+            found = {}
+            for line in out.splitlines():
+                result = json.loads(line)
+                VALIDATOR.validate(result)
+                found[result["id"]] = result["verdict"]
+                for statement in result["statements"]:
+                    if statement["finding"] == result["verdict"]:
+                        self.assertTrue(statement["text"] in page and statement["truth"] in page, result["id"])
+            self.assertEqual(list(found), [json.loads(line)["id"] for line in path.read_text().splitlines()])
+            self.assertEqual(collections.Counter(found.values()), counts)
+            verdicts.update(found)
         for identity, verdict in verdicts.items():
             self.assertRegex(page, rf"(?m)^\| {identity} \|.*\| {verdict} \|")
+        self.assertEqual(len(verdicts), 142)
         # FCL and Coal assert different normals for the same two cones: one of them is wrong.
         self.assertEqual((verdicts["fcl-cone-cone-9.9"], verdicts["coal-cylinder-cone-9.9"]), ("wrong", "right"))
+
+    def test_each_report_says_what_it_shows(self):
+        for line in (FOLDER / "reports.jsonl").read_text().splitlines():
+            claim = json.loads(line)
+            self.assertRegex(claim["shows"], r"^[a-z].{9,98}[^.]$", claim["id"])
+            self.assertRegex(claim["source"], r"#[0-9]+|@[0-9a-f]{7}|test", claim["id"])
 
 
 if __name__ == "__main__":

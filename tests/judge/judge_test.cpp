@@ -83,6 +83,10 @@ TEST(Judge, OnTheBorderOfEachToleranceAnAnswerPasses) {
   }
   EXPECT_EQ(findings(half, overlap({}), {}, {-1, -1, 0}), Findings{}) << "tolerances below 0 count as 0";
   EXPECT_EQ(findings(half, overlap(std::nextafter(0.5, 1)), {}, {-1, -1, 0}), Findings{Verdict::too_deep});
+  // Half an ulp at 1/2 is the distance of the number below it, as VERDICTS.md says; the class tells it from a right one.
+  const double below = std::nextafter(0.5, 0);
+  EXPECT_EQ(judge(half, overlap(below), {}, {}, {0, 0, 0}).accuracy, Accuracy::ulps_4);
+  EXPECT_EQ(findings(half, overlap(std::nextafter(below, 0)), {}, {0, 0, 0}), Findings{Verdict::too_shallow});
 }
 
 TEST(Judge, SignsOfTheDepth) {

@@ -20,12 +20,13 @@ using Interval = Bounds;
 
 mpq_class rational(const std::string& decimal) { return *parse_number(decimal, Decimals::exact).value; }
 
-Interval interval(const SignedDepth& depth) {
-  if (const Bounds* const bounds = depth.bounds()) return *bounds;
-  if (const std::optional<mpq_class> value = kernels::rational_value(*depth.exact())) return {*value, *value};
-  const Enclosure enclosure = enclose(*depth.exact(), digits);
+Interval interval(const Surd& exact) {
+  if (const std::optional<mpq_class> value = kernels::rational_value(exact)) return {*value, *value};
+  const Enclosure enclosure = enclose(exact, digits);
   return {rational(enclosure.low), rational(enclosure.high)};
 }
+
+Interval interval(const SignedDepth& depth) { return depth.bounds() ? *depth.bounds() : interval(*depth.exact()); }
 
 Interval positive_part(const Interval& x) { return {std::max(x.low, mpq_class(0)), std::max(x.high, mpq_class(0))}; }
 Interval operator-(const Interval& x, const Interval& y) { return {x.low - y.high, x.high - y.low}; }
@@ -54,13 +55,12 @@ std::string text(const Interval& x) {
   return low == high ? low : fmt::format("between {} and {}", low, high);
 }
 
-Statement length(const std::string& what, const Interval& truth, const mpq_class& claimed, const mpq_class& unit,
-                 const std::optional<mpq_class>& tolerance) {
-  const Interval excess{truth.low - claimed, truth.high - claimed};
+Statement length(const std::string& what, const Interval& truth, const WrittenNumber& claimed, const std::optional<mpq_class>& tolerance) {
+  const Interval excess{truth.low - claimed.value, truth.high - claimed.value};
   std::string said = fmt::format("the {} is {}", what, text(truth));
   if (excess.low > 0) said += fmt::format(", {} more", text(excess));
   if (excess.high < 0) said += fmt::format(", {} less", text(negated(excess)));
-  return {fmt::format("{} {}", what, text(claimed)), within(truth, claimed, tolerance.value_or(unit / 2)), said};
+  return {fmt::format("{} {}", what, claimed.text), within(truth, claimed.value, tolerance.value_or(claimed.unit / 2)), said};
 }
 
 /// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a half-space across u.
@@ -93,7 +93,31 @@ Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b,
   return {"direction " + claim.line_text, at_most(excess, allowed), said};
 }
 
-bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
+mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
+/// Along a line at the angle t to the half-space's normal the way is 1 / cos t times the least one.
+Statement direction(const PublishedClaim& claim, const HalfSpace& half, const Interval& truth) {
+  const mpq_class explained(1, mpz_class(1) << 104);  // sin^2 t, if both unit vectors were rounded: proofs/judge.md
+  mpq_class cosine = 0;                               // squared, of the line that is nearest to the normal
+  for (const Point& line : claim.lines) {
+    const mpq_class along = product(line, half.normal);
+    cosine = std::max(cosine, mpq_class(along * along / (product(line, line) * product(half.normal, half.normal))));
+  }
+  const Interval least = truth.high < 0 ? negated(truth) : truth;
+  Statement judged{"direction " + claim.line_text, Finding::right, fmt::format("the way along it is {}", text(least))};
+  if (1 - cosine <= explained) return judged;
+  if (cosine == 0 || least.low <= 0) return {judged.text, Finding::wrong, "it is not across the plane"};
+  const Interval factor = interval(Surd{0, 1 / cosine});
+  const Interval excess{least.low * (factor.low - 1), least.high * (factor.high - 1)};
+  judged.finding = at_most(excess, claim.tolerance.value_or(0));
+  judged.truth = fmt::format("the way along it is {}, {} more than the least", text(least + excess), text(excess));
+  return judged;
+}
+
+const HalfSpace* half_space(const Shape& a, const Shape& b) {
+  const auto* const half = std::get_if<HalfSpace>(&a.core);
+  return half ? half : std::get_if<HalfSpace>(&b.core);
+}
 
 /// Judges with bounds of the truth that are so many bits apart.
 JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
@@ -109,16 +133,17 @@ JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
     judged.statements.push_back(
         {std::string(name(*claim.status)), finding, fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
   }
-  if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.depth_unit, claim.tolerance));
-  if (claim.distance)
-    judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.distance_unit, claim.tolerance));
+  if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.tolerance));
+  if (claim.distance) judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.tolerance));
   if (claim.below)
-    judged.statements.push_back({"depth below " + text(*claim.below),
-                                 truth.high < *claim.below   ? Finding::right
-                                 : truth.low >= *claim.below ? Finding::wrong
-                                                             : Finding::open,
+    judged.statements.push_back({"depth below " + claim.below->text,
+                                 truth.high < claim.below->value   ? Finding::right
+                                 : truth.low >= claim.below->value ? Finding::wrong
+                                                                   : Finding::open,
                                  "the signed depth is " + text(truth)});
-  if (!claim.lines.empty() && !is_halfspace(a) && !is_halfspace(b)) judged.statements.push_back(direction(claim, a, b, truth));
+  if (const HalfSpace* const half = half_space(a, b); half && !claim.lines.empty())
+    judged.statements.push_back(direction(claim, *half, truth));
+  else if (!claim.lines.empty()) judged.statements.push_back(direction(claim, a, b, truth));
   return judged;
 }
 
