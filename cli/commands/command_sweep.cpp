@@ -37,9 +37,11 @@ const families::Family& family_named(const std::string& name) {
     throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose shapes are not", kernels::shown(name)));
   if (families::find_union_family(name) != nullptr)
     throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose unions are not", kernels::shown(name)));
+  std::vector<std::string_view> of_polytopes;
+  for (const families::Family& family : families::families()) of_polytopes.push_back(family.name);
   throw InputError("--sweep", 0,
                    fmt::format("{} is unknown (nearest: {}; `fathom cases --list` lists all)", kernels::shown(name),
-                               fmt::join(nearest_families(name), ", ")));
+                               fmt::join(nearest_families(name, std::move(of_polytopes)), ", ")));
 }
 
 SweepRow row_of(const families::Family& family, unsigned size, const Request& request, Monitor& monitor) {

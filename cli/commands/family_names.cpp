@@ -23,8 +23,7 @@ std::vector<std::string_view> family_names() {
   return names;
 }
 
-std::vector<std::string_view> nearest_families(std::string_view name) {
-  std::vector<std::string_view> names = family_names();
+std::vector<std::string_view> nearest_families(std::string_view name, std::vector<std::string_view> names) {
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {
     return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);

@@ -10,7 +10,7 @@ namespace fathom::cli {
 /// The names of all families: of polytopes, then of shapes, then of unions.
 std::vector<std::string_view> family_names();
 
-/// A few names of families, of polytopes, of shapes and of unions. Those that hold `name` come first, then those by the fewest slips.
-std::vector<std::string_view> nearest_families(std::string_view name);
+/// A few of these names. Those that hold `name` come first, then those by the fewest slips.
+std::vector<std::string_view> nearest_families(std::string_view name, std::vector<std::string_view> names = family_names());
 
 }  // namespace fathom::cli

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
@@ -29,6 +30,14 @@ std::string bar_text(double share, std::size_t room) {
   const std::size_t length = std::clamp(room, shortest_bar, longest_bar);
   const auto filled = static_cast<std::size_t>(share * static_cast<double>(length));
   return fmt::format("[{:#<{}}{:.<{}}] {:3.0f}% ", "", filled, "", length - filled, 100 * share);
+}
+
+/// The first part, and of the others those that fit: half a number says another one.
+std::string whole_parts(const std::vector<std::string>& parts, std::size_t room) {
+  std::string text = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    if (text.size() + parts[i].size() <= room) text += parts[i];
+  return text;
 }
 
 }  // namespace
@@ -66,7 +75,7 @@ void Progress::about(std::string what) {
 void Progress::report(std::string_view stage, double share) {
   const std::lock_guard lock(mutex_);
   stage_ = stage;
-  share_ = std::min(share, 1.0);
+  share_ = share > 0 ? std::min(share, 1.0) : -1;
   active_ = true;
 }
 
@@ -100,15 +109,16 @@ void Progress::keep_drawing() {
   }
 }
 
-/// "12 of 500 cases, 3.2/s, 2 min 30 s left".
-std::string Progress::counted_text(double seconds) const {
+/// "12 of 500 cases", ", 3.2/s", ", 2 min 30 s left".
+std::vector<std::string> Progress::counted_parts(double seconds) const {
   const auto& [done, of, before] = *count_;
   const double rate = static_cast<double>(done - std::min(before, done)) / seconds;
-  std::string text = of ? fmt::format("{} of {} {}", done, *of, units_) : fmt::format("{} {}", done, units_);
-  if (rate > 0) text += fmt::format(", {:.3g}/s", rate);
-  if (rate > 0 && of) text += fmt::format(", {} left", duration_text(static_cast<double>(*of - done) / rate));
-  if (!of) text += ", " + duration_text(seconds);
-  return text + (more_.empty() ? "" : ", " + more_);
+  std::vector<std::string> parts{of ? fmt::format("{} of {} {}", done, *of, units_) : fmt::format("{} {}", done, units_)};
+  if (rate > 0) parts.push_back(fmt::format(", {:.3g}/s", rate));
+  if (rate > 0 && of) parts.push_back(fmt::format(", {} left", duration_text(std::ceil(static_cast<double>(*of - done) / rate))));
+  if (!of) parts.push_back(", " + duration_text(seconds));
+  if (!more_.empty()) parts.push_back(", " + more_);
+  return parts;
 }
 
 /// "line 12: hull of all differences 40%, 3 s" of a case that takes its time, or "".
@@ -125,16 +135,19 @@ void Progress::draw() {
   line_is_open(true);
   drawn_ = true;
   double share = share_;
-  std::string text;
+  std::vector<std::string> parts;
   if (count_) {
     share = count_->of && *count_->of > 0 ? static_cast<double>(count_->done) / static_cast<double>(*count_->of) : -1;
-    text = counted_text(seconds);
-    if (const std::string stage = stage_text(); !stage.empty()) text += "; " + stage;
+    parts = counted_parts(seconds);
+    if (const std::string stage = stage_text(); !stage.empty()) parts.push_back("; " + stage);
   } else {
-    text = what_ + (what_.empty() ? "" : ": ") + stage_ + (stage_.empty() ? "" : ", ") + duration_text(seconds);
+    parts.push_back(what_ + (what_.empty() ? "" : ": ") + stage_ + (stage_.empty() ? "" : ", ") + duration_text(seconds));
   }
   const std::size_t width = terminal_columns(STDERR_FILENO) - 1;  // a full line would scroll
-  if (share >= 0) text.insert(0, bar_text(share, width - std::min(width, text.size() + around_bar)));
+  const std::size_t of_bar = shortest_bar + around_bar;
+  const bool has_bar = share >= 0 && parts.front().size() + of_bar <= width;
+  std::string text = whole_parts(parts, has_bar ? width - of_bar : width);
+  if (has_bar) text.insert(0, bar_text(share, width - text.size() - around_bar));
   put("\r\033[K" + std::string(cut(text, width)));
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "cli/io/interrupt.hpp"
 
@@ -38,7 +39,7 @@ class Progress : public StopOnInterrupt {
   [[nodiscard]] bool is_seen() const { return painter_.joinable(); }
   /// Names what the next reports are about: "line 12". Restarts its clock, not that of the run.
   void about(std::string what);
-  /// The stage of what is being worked on. A share below 0 is unknown, and has no bar.
+  /// The stage of what is being worked on. A share of 0 or less says nothing yet, and has no bar.
   void report(std::string_view stage, double share) override;
   /// From now on the bar is about the whole run. `more`: what else there is to say of it.
   void count(const ProgressCount& count, std::string more = "");
@@ -54,7 +55,7 @@ class Progress : public StopOnInterrupt {
   void keep_drawing();
   void draw();
   void erase();
-  [[nodiscard]] std::string counted_text(double seconds) const;
+  [[nodiscard]] std::vector<std::string> counted_parts(double seconds) const;
   [[nodiscard]] std::string stage_text() const;
 
   Clock::time_point begin_ = Clock::now(), begin_of_case_ = begin_;

@@ -65,6 +65,17 @@ class Families(CasesTest):
         usual, = self.cases("--family", "all")
         self.assertEqual(self.cases("--family", names[0]), [usual])
 
+    def test_lists_and_patterns(self):
+        def families(*words):
+            return [case["id"].rsplit("-n", 1)[0] for case in self.cases(*words)]
+
+        three = ["spheres", "cones", "near_ties"]
+        self.assertEqual(families("--family", "spheres,cones,near_ties", "--count", 3), three)
+        self.assertEqual(families("--family", "spheres", "--family", "cones,near_ties", "--count", 3), three)
+        every = {line.split()[0] for line in self.answer("cases", "--list", "--shapes").splitlines()}
+        self.assertEqual(set(families("--family", "capsul*", "--count", 20)), {name for name in every if name.startswith("capsul")})
+        self.assertEqual(set(families("--family", "cone?", "--count", 5)), {"cones"})
+
     def test_numbers_are_exact_for_every_reader(self):
         """What a program in doubles reads is the coordinate itself: a number when it is one, a string when it is not."""
         kinds = set()
@@ -221,6 +232,8 @@ class FromMeshes(CasesTest):
             posed, direct = self.result("depth", "-", stdin=json.dumps(case)), self.result("depth", unit, turned)
             for field in ("depth", "optima", "witness", "contact"):
                 self.assertEqual(posed[field], direct[field])
+        case, = self.cases("--from", unit, unit, "--pose-b", "xyz=1/3,0,0 quat=1,2,3,4")  # as it was given, where a matrix is of fractions
+        self.assertEqual(case["b"]["pose"], {"quaternion": [1, 2, 3, 4], "translation": ["1/3", 0, 0]})
         tenth = "1 0 0 0.1; 0 1 0 0; 0 0 1 0"
         self.assertEqual(self.cases("--from", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], 0.1)
         self.assertEqual(self.cases("--from", "--exact-decimals", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], "1/10")
@@ -244,6 +257,7 @@ class Misuse(CasesTest):
         self.assertIn("--family: 'near_tie' is unknown (nearest: near_ties, near_tie_boxes, ", err)
         self.assertIn("nearest: touching_edge_edge, ", self.refused("cases", "--family", "toching_edge_egde"))
         self.assertNotIn("\x1b", self.refused("cases", "--family", "\x1b[2J"))
+        self.assertIn("'capsulle*' is unknown", self.refused("cases", "--family", "spheres,capsulle*"))
         for name in ("", "x" * 5000, "RANDOM_BALL"):
             self.assertIn("is unknown" if name else "--family", self.refused("cases", "--family", name))
 

@@ -182,6 +182,7 @@ class Reports(CliTest):
         fixed = [reply("a::1"), reply("a::2"), reply("an id", DEEP), reply(HOSTILE, "nan")]
         _, err = self.certify(fixed, "--expect-fail", known, "--junit", junit, code=1)
         self.assertIn("known.txt:3: a::2 is listed as too-deep, but passes now", err)
+        self.assertEqual(err.count(f"--write-expect-fail {known} brings the list up to date\n"), 1, err)
         self.assertIn("an%20id is listed as too-shallow, but is too-deep now", err)
         self.assertEqual([f.get("type") for f in self.junit(junit).iter("failure")], ["too-deep", "unexpected-pass"])
         _, err = self.certify(replies[:2], "--expect-fail", known, "--junit", junit, code=1)

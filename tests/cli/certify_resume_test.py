@@ -223,6 +223,13 @@ class Resumed(CertifyTest):
             self.assertIn("r:1: this report is of another subject, version, setting, tolerance or policy", err)
         self.assertEqual((self.folder / "r").read_text(), before)
 
+    def test_a_report_may_be_replaced(self):
+        self.run_again(resume=False, cases=boxes(0) + boxes(1))
+        code, _, err = self.run_again("--overwrite", resume=False, cases=boxes(2))
+        lines = [json.loads(line) for line in (self.folder / "r").read_text().splitlines()]
+        self.assertEqual((code, [line["id"] for line in lines if line["type"] == "case"], lines[-1]["cases"]), (0, ["box::2"], 1), err)
+        self.assertIn("--overwrite", self.run_again(resume=False, cases=boxes(2))[2], "the refusal names the way out")
+
 
 if __name__ == "__main__":
     unittest.main()

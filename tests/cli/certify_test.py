@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom certify: its options, its exit codes, its bar of progress."""
+import json
 import os
 import pty
 import shutil
@@ -72,6 +73,27 @@ class Runs(CertifyTest):
                                         liar("too-deep"), "-", stdin=stream)
         self.assertEqual((code, lines[-1]["failed"]), (1, 2), err)
         self.assertEqual(len(list((self.folder / "proofs").iterdir())), 2)
+
+    def test_one_case_as_lines_to_paste(self):
+        """--print-input writes what the subject would read, and the subject answers it."""
+        path = self.file("cases.jsonl", boxes(1) + boxes(2))
+        code, out, err = self.run_cli("certify", "--subject", liar("honest"), "--print-input", "box::2", path)
+        hello, run, stop = map(json.loads, out.splitlines())
+        self.assertEqual((code, hello["type"], run["type"], stop), (0, "hello", "run", {"type": "stop"}), err)
+        self.assertEqual([run[body]["vertices"] for body in "ab"], [json.loads(boxes(2))[body]["vertices"] for body in "ab"])
+        done = subprocess.run(liar("honest"), shell=True, input=out, stdout=subprocess.PIPE, text=True, timeout=PATIENCE, check=False)
+        answer = json.loads(done.stdout.splitlines()[-1])
+        self.assertEqual((answer["id"], answer["depth"]), (run["id"], 0.498))
+        code, _, err = self.run_cli("certify", "--subject", liar("honest"), "--print-input", "box::3", path)
+        self.assertEqual(code, 2)
+        self.assertIn("box::3", err)
+
+    def test_it_says_why_no_case_was_judged(self):
+        wide = boxes(0).replace("[[1,", "[[1e39,")
+        self.assertNotEqual(wide, boxes(0))
+        code, _, err = self.run_cli("certify", "--subject", liar("binary32"), "-", stdin=wide)
+        self.assertEqual((code, err), (4, "fathom: no case was judged: none could be put to the subject: a coordinate overflows binary32, "
+                                          "the precision of the subject\n"))
 
     def test_long_time_outs(self):
         for seconds in ("1e6", "1e9", "1e30", "1e400"):

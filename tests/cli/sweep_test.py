@@ -123,6 +123,10 @@ class Misuse(CliTest):
     def test_refusals(self):
         err = self.refused("study", "--sweep", "crossed_fan")
         self.assertIn("crossed_fans", err)
+        self.assertIn("(nearest: boxes_posed, boxes_aligned, near_tie_boxes;", self.refused("study", "--sweep", "box"))
+        taken = {line.split()[0] for line in self.answer("cases", "--list").splitlines()}
+        nearest = re.search(r"nearest: ([^;]+);", self.refused("study", "--sweep", "cubes")).group(1).split(", ")
+        self.assertLessEqual(set(nearest), taken, "no family of shapes, which would be refused")
         self.assertIn("expected a family of polytopes", self.refused("study", "--sweep", "inverse_rim_on_face"))
         for sizes in ("", "0..5", "5..3", "x", "10..", "5,5", "5,3", "1..2000000", "5,,6"):
             self.assertIn("--sizes", self.refused("study", "--sweep", "random_ball", f"--sizes={sizes}"))

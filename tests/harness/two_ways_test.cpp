@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/harness/fake_subject.hpp"
+#include "verify/check/unreadable.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/judgement_difference.hpp"
 #include "verify/harness/proof.hpp"
@@ -63,6 +64,13 @@ TEST(TwoWays, AProofOfAnotherAnswerIsNone) {
   ASSERT_TRUE(inner);
   inner->facets.pop_back();
   EXPECT_THROW(accepted_certificate(pair, flat), std::logic_error);
+}
+
+TEST(TwoWays, AProofThatNoCheckerWouldReadIsNone) {
+  Case pair = family_case("random_ball", 8, 4);
+  mpz_ui_pow_ui(pair.a.points.edit().front().x.get_num_mpz_t(), 10, 200000);
+  pair.a.points.edit().front().x.canonicalize();
+  EXPECT_THROW(accepted_certificate(pair, nullptr), fathom_check::Unreadable);
 }
 
 TEST(TwoWays, TheDistanceIsProvedToo) {

@@ -10,6 +10,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/check/check.hpp"
+#include "verify/check/unreadable.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -19,12 +20,19 @@ std::string surd_text(const Surd& value) {
   return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)), exact_text(value.rational));
 }
 
+/// What the checker finds. Throws fathom_check::Unreadable if none would read the text, std::logic_error if it refuses the proof.
+fathom_check::Verdict acceptance(const std::string& id, const std::string& text) {
+  fathom_check::require_readable(text);
+  fathom_check::Verdict verdict = fathom_check::verify(text);
+  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  return verdict;
+}
+
 }  // namespace
 
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor) {
   std::string text = certificate_text(pair.a.points, pair.b.points, answer, pair.id, monitor);
-  const fathom_check::Verdict verdict = fathom_check::verify(text);
-  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", pair.id, verdict.reason));
+  const fathom_check::Verdict verdict = acceptance(pair.id, text);
   const Distance* const apart = answer.distance();
   const bool same = apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
   if (!same || verdict.status != name(answer.status()) || verdict.optima != answer.optima().size())
@@ -34,8 +42,7 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
 
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor) {
   std::string text = certificate_text(truth.a, truth.b, truth.depth, id, ShapeFormat::richest, monitor);
-  const fathom_check::Verdict verdict = fathom_check::verify(text);
-  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  const fathom_check::Verdict verdict = acceptance(id, text);
   const Bounds* const bounds = truth.depth.bounds();
   const bool same = bounds ? verdict.at_least == exact_text(bounds->low) && verdict.at_most == exact_text(bounds->high)
                            : verdict.signed_depth == surd_text(*truth.depth.exact());
@@ -48,8 +55,7 @@ std::string accepted_certificate(const std::string& id, const ShapeTruth& truth,
 std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor) {
   const UnionDepth& depth = truth.depth;
   std::string text = certificate_text(truth.a, truth.b, depth, id, monitor);
-  const fathom_check::Verdict verdict = fathom_check::verify(text);
-  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  const fathom_check::Verdict verdict = acceptance(id, text);
   const bool same = depth.apart ? verdict.distance_squared == exact_text(depth.apart->distance.squared)
                                 : verdict.depth_squared == exact_text(depth.squared());
   const std::size_t optima = depth.status == Status::penetrating ? depth.optima.size() : 0;

@@ -12,7 +12,7 @@ namespace fathom::harness {
 
 /// Returns the text of the certificate of an answer, which the independent checker has accepted as a proof of that very answer: of its
 /// status, its depth or distance, and how many optima it has. Throws std::logic_error if the checker refuses it or finds another answer
-/// proved, and Interrupted.
+/// proved, fathom_check::Unreadable if the text passes a limit of checkers, and Interrupted.
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
 /// The same for shapes: of the signed depth, or of its bounds.
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
