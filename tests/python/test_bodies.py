@@ -2,7 +2,12 @@
 """Bodies: what they are called, how large they are, whether a mesh is its hull; and what pickle keeps of them."""
 import copy
 import json
+import os
+import pathlib
 import pickle
+import shutil
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -89,6 +94,23 @@ def test_descriptions(body, description, tmp_path):
             other = fathom.box((3, 3, 3)).moved("xyz=4,1/5,1/7")
             one, two = fathom.depth(again, other), fathom.depth(body, other)
             assert (one.low, one.high, one.exact.normal, one.exact.witness) == (two.low, two.high, two.exact.normal, two.exact.witness)
+
+
+@pytest.mark.parametrize("name, size", [("capsules", None), ("near_ties", 20), ("shapes_mixed", None), ("box_unions", 3)])
+def test_families_are_those_of_the_program(name, size, tmp_path):
+    sized = [] if size is None else ["--size", str(size)]
+    words = [os.environ["FATHOM_EXECUTABLE"], "cases", "--family", name, "--count", "5", "--seed", "7", *sized]
+    (tmp_path / "cases.jsonl").write_bytes(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
+    told = [(case.id, case.a.description, case.b.description) for case in fathom.cases(tmp_path / "cases.jsonl")]
+    assert [(case.id, case.a.description, case.b.description) for case in fathom.family(name, count=5, seed=7, size=size)] == told
+    assert len(told) == 5
+
+
+def test_a_module_that_is_not_built_says_so(tmp_path):
+    shutil.copytree(pathlib.Path(fathom.__file__).parent, tmp_path / "fathom", ignore=shutil.ignore_patterns("_fathom*"))
+    done = subprocess.run([sys.executable, "-c", "import fathom"], env={**os.environ, "PYTHONPATH": str(tmp_path)}, stderr=subprocess.PIPE,
+                          text=True, check=False)
+    assert done.returncode == 1 and done.stderr.splitlines()[-1].startswith("ImportError: fathom._fathom cannot be loaded: is it built")
 
 
 def test_meshes_and_poses_can_be_pickled():
