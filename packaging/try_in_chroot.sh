@@ -181,7 +181,7 @@ inside program sh -c 'fathom cases --family random_ball --count 3 | fathom certi
 say "libfathom-dev: projects with CMake and with pkg-config, in C++ and in C"
 install library libfathom-dev g++ cmake ninja-build pkg-config
 mkdir "$work/library/tmp/project"
-cp "$root"/packaging/consumer/* "$work/library/usr/share/doc/libfathom-dev/examples/depth.cpp" "$work/library/tmp/project"
+cp "$root"/packaging/consumer/* "$root/examples/depth.cpp" "$work/library/tmp/project"
 inside library sh -ec 'cd /tmp/project
   cmake -G Ninja -S . -B build && cmake --build build && ./build/depth
   g++ -std=c++20 depth.cpp -o depth $(pkg-config --cflags --libs fathom) && ./depth
