@@ -2,12 +2,14 @@
 """fathom depth --pieces: unions of convex pieces, from OBJ files with groups; the same as text and JSON; bad input."""
 import json
 import pathlib
+import re
 import unittest
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, CliTest, box, changed
+from terminals import run_on_terminal
 
 SCHEMA = json.loads((ROOT / "schemas" / "union.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -264,6 +266,18 @@ class Pieces(CliTest):
         code, out, err = self.run_cli("depth", "--schema", "1", "--json", path)
         self.assertEqual(code, 2)
         self.assertIn("--schema 1 has no unions of pieces", out + err)
+
+    def test_an_interrupt_prints_the_bounds_that_are_proved(self):
+        """Of a union in a stream, and of one case of it."""
+        path = self.file("cases.jsonl", self.answer("cases", "--family", "clusters", "--size", 300))
+        number = rb"([0-9.]+)"
+        for words, pattern in (([path], rb"clusters-n300-s1: interrupted; depth at least %s; at most %s\n" % (number, number)),
+                               (["--case", "clusters-n300-s1", path], rb"interrupted\nat least +%s\nat most +%s\n" % (number, number))):
+            code, out, _ = run_on_terminal("depth", *words, stop_at=b"depth between", columns=160)
+            self.assertEqual(code, 130)
+            self.assertRegex(out, b"^" + pattern)
+            low, high = map(float, re.match(pattern, out).groups())
+            self.assertTrue(0 < low <= high, out)
 
     def test_bad_input(self):
         good = self.file("good.obj", PLATE)
