@@ -24,6 +24,16 @@ install(PROGRAMS verify/check/check.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fath
 install(DIRECTORY verify/subjects/kit DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom PATTERN "*.md" EXCLUDE)
 install(DIRECTORY verify/golden/kit/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden
   PATTERN "*.md" EXCLUDE PATTERN make.sh EXCLUDE)  # that makes the sample from the tree
+if(TARGET fathom)
+  set(sample ${PROJECT_BINARY_DIR}/golden_sample)
+  file(GLOB golden_data CONFIGURE_DEPENDS tests/data/golden/*)
+  add_custom_command(OUTPUT ${sample}/fathom_golden_sample.rs
+    COMMAND ${PROJECT_SOURCE_DIR}/verify/golden/kit/make.sh ${sample} $<TARGET_FILE:fathom>
+    DEPENDS fathom verify/golden/kit/make.sh ${golden_data} VERBATIM)
+  add_custom_target(golden_sample DEPENDS ${sample}/fathom_golden_sample.rs)
+  add_dependencies(installed golden_sample)
+  install(DIRECTORY ${sample}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/fathom/golden)
+endif()
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE PATTERN "*.md" EXCLUDE)
 install(DIRECTORY verify/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/verify PATTERN __pycache__ EXCLUDE PATTERN "*.md" EXCLUDE)
 install(EXPORT fathom NAMESPACE fathom:: FILE fathomTargets.cmake DESTINATION ${package_dir})

@@ -1,22 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """How a project that computes penetration depths tests itself with golden cases and pytest.
 
-fathom_golden.py and the sample, both from verify/golden/kit, are copied beside this file; `fathom golden export --format json` makes
-other cases.
+fathom_golden.py and the sample, both from the golden kit, are copied beside this file; `fathom golden export --format json` makes other
+cases.
 """
 import itertools
 import math
 import pathlib
-import sys
 
+import fathom_golden
 import pytest
 
-HERE = pathlib.Path(__file__).resolve().parent
-KIT = HERE if (HERE / "fathom_golden.py").exists() else HERE.parents[1] / "golden" / "kit"
-sys.path.insert(0, str(KIT))
-import fathom_golden  # noqa: E402
-
-CASES = fathom_golden.read(KIT / "fathom_golden_sample.json")
+CASES = fathom_golden.read(pathlib.Path(__file__).parent / "fathom_golden_sample.json")
 TOLERANCE = {"relative": 1e-9, "absolute": 1e-12}
 
 

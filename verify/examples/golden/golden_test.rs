@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a project that computes penetration depths tests itself with golden cases in Rust, without crates. The sample is copied from
-// verify/golden/kit; `fathom golden export --format rust` makes other cases. In a crate: `mod fathom_golden_sample;`. Alone:
+// How a project that computes penetration depths tests itself with golden cases in Rust, without crates. The sample,
+// from the golden kit, is copied beside this file; `fathom golden export --format rust` makes other cases. Alone:
 //   rustc --test golden_test.rs && ./golden_test
 #![cfg(test)]
 
-#[path = "../../golden/kit/fathom_golden_sample.rs"]
+#[path = "fathom_golden_sample.rs"]
 #[allow(dead_code)]
 mod golden;
 
