@@ -100,8 +100,11 @@ TEST_F(Snippets, CompileForShapes) {
     const Case pair = families::find_shape_family(name)->make(1, 8).read();
     Outcome outcome;
     outcome.id = pair.id;
-    outcome.reply = Reply{true, 1.0, Triple{0, 0, 1}, {}, {}};
-    outcome.judgement = judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), *outcome.reply);
+    Reply& reply = outcome.reply.emplace();
+    reply.overlap = true;
+    reply.depth = 1;
+    reply.direction = Triple{0, 0, 1};
+    outcome.judgement = judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), reply);
     outcome.verdict = outcome.judgement->verdict;
     const std::string text = snippet(subject("", "mine"), pair, outcome);
     EXPECT_NE(text.find("const fathom::Shape a = "), std::string::npos) << text;
