@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
+#include "verify/families/shape_families.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
 namespace fathom::harness {
@@ -90,6 +92,25 @@ TEST_F(Snippets, CompileForASubjectThatRounds) {
     EXPECT_NE(text.find(line), std::string::npos) << text;
   const Ran ran = compile(info, text, "-fsyntax-only");
   EXPECT_EQ(ran.code, 0) << ran.said;
+}
+
+TEST_F(Snippets, CompileForShapes) {
+  for (const char* name : {"capsule_hull", "tapered_capsule_box", "cylinder_capsule", "cone_cylinder", "frusta", "ellipsoid_box", "sums",
+                           "rounded_boxes", "shapes_halfspace"}) {
+    const Case pair = families::find_shape_family(name)->make(1, 8).read();
+    Outcome outcome;
+    outcome.id = pair.id;
+    Reply& reply = outcome.reply.emplace();
+    reply.overlap = true;
+    reply.depth = 1;
+    reply.direction = Triple{0, 0, 1};
+    outcome.judgement = judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), reply);
+    outcome.verdict = outcome.judgement->verdict;
+    const std::string text = snippet(subject("", "mine"), pair, outcome);
+    EXPECT_NE(text.find("const fathom::Shape a = "), std::string::npos) << text;
+    const Ran ran = compile(subject("", "mine"), text, "-fsyntax-only");
+    EXPECT_EQ(ran.code, 0) << pair.id << '\n' << ran.said << text;
+  }
 }
 
 struct Wrong {
