@@ -16,11 +16,11 @@
 #include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
-#include "reference/files/unread_cases.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/io/interruptible_input.hpp"
-#include "reference/files/unread_cases.hpp"
+#include "reference/files/cases.hpp"
 
 namespace fathom::cli {
 

@@ -23,7 +23,7 @@
 #include "cli/io/passage.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
-#include "reference/files/unread_cases.hpp"
+#include "reference/files/cases.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/io/exit_code.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
-#include "reference/files/unread_cases.hpp"
+#include "reference/files/cases.hpp"
 
 namespace fathom::cli {
 

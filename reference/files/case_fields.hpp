@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of one case, read from JSON; poses are not applied yet. For cases.cpp alone.
+// The fields of one case, read from JSON; poses are not applied yet.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "fathom/body.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/text/json_value.hpp"
 
 namespace fathom::files {
 
@@ -17,8 +19,8 @@ struct BodyFields {
   GivenPoints vertices;
   std::optional<Pose> pose;
   bool rounded = false;    ///< "pose_rounding": "binary64"
-  bool has_faces = false;  ///< case_faces.hpp reads them
-  bool is_shape = false;   ///< it has a shape's name, a margin, or a pose that is no 3 x 4 matrix: shape_fields.hpp reads it
+  bool has_faces = false;  ///< body_fields.hpp reads them
+  bool is_shape = false;   ///< it has a shape's name, a margin, or a pose that is no 3 x 4 matrix: body_fields.hpp reads it
 };
 
 /// The fields of a case, or the first error in it.
@@ -31,8 +33,26 @@ struct CaseFields {
   std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
 };
 
-/// Reads the JSON text of one case. Never throws on bad input. White space alone may follow the object, and at most 64 objects and arrays
-/// may be nested, in skipped fields too.
-CaseFields read_case_fields(std::string_view text);
+/// Reads the JSON text of one case. `read` is what read_json finds in it. White space alone may follow the object, and at most 64 objects
+/// and arrays may be nested, in skipped fields too.
+CaseFields read_case_fields(std::string_view text, const text::JsonRead& read);
+
+/// Reads the fields of good cases in a fraction of the time, one case after another, each in the memory of the one before. One for each
+/// thread.
+class QuickCaseReader {
+ public:
+  QuickCaseReader();
+  QuickCaseReader(QuickCaseReader&&) noexcept;
+  QuickCaseReader& operator=(QuickCaseReader&&) noexcept;
+  ~QuickCaseReader();
+
+  /// Returns what read_case_fields, its naive twin, returns for the text; or nullopt, and read_case_fields has to read it. It does so for
+  /// every text with a fault, and for a few good ones. Call it while rounding is to nearest.
+  std::optional<CaseFields> fields(std::string_view text);
+
+ private:
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
+};
 
 }  // namespace fathom::files

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // simdjson finds where values begin, and checks UTF-8, quotes and brackets. What a value is, is decided here from its text, which is why
 // fields that are not ours are looked at too. Each function returns false if the twin has to read the case.
-#include "reference/files/quick_case_fields.hpp"
-
 #include <simdjson.h>
 
 #include <algorithm>
@@ -15,9 +13,10 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/dyadic.hpp"
-#include "reference/files/case_places.hpp"
+#include "reference/files/case_fields.hpp"
+#include "reference/files/case_json.hpp"
+#include "reference/files/case_names.hpp"
 #include "reference/files/collected_points.hpp"
-#include "reference/files/misspelt_fields.hpp"
 
 namespace fathom::files {
 namespace {
@@ -240,7 +239,7 @@ bool read_case(Value value, CaseFields& result) {
     }
     if (!fields.first(place)) return false;
     switch (place) {
-      case CasePlace::schema: return token_of(field) == "\"fathom/case/1\"";
+      case CasePlace::schema: return content_of(token_of(field)) == case_schema;
       case CasePlace::id: return read_id(field, result.id);
       case CasePlace::rounding: return read_rounding(field, result.rounded);
       default: result.misspelt = result.misspelt || looks_misspelt(key, false); return is_value(field, 0);

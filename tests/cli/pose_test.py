@@ -102,6 +102,9 @@ class Notes(CliTest):
         code, _, err = self.run_cli("depth", "-", stdin='{"a":{"vertice":[[0,0,0]]},"b":{"vertices":[[0,0,0]]}}')
         self.assertEqual(code, 2)
         self.assertIn("expected a field 'vertices', found none; a: the field 'vertice' is not read: is 'vertices' meant?", err)
+        two = {"vertces": "x", "vertices": UNIT, "pose": {"xyz": [0, 0, 0]}}, {"poze": [1], "vertices": UNIT, "more": {}}
+        self.assertEqual(self.notes({"a": two[0], "b": two[1]}), ["fathom: <stdin>:1: b: the field 'poze' is not read: is 'pose' meant?"],
+                         "arrays are fields too: vertices are there, a pose is not")
 
     def test_poses_of_cases(self):
         def scaled(s):

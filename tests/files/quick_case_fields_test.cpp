@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quick reader of cases against its naive twin: on good cases, bad ones, and each with one character changed. It may leave a text to
 // the twin, but not the usual ones; what it reads, the twin reads too, and finds the same.
-#include "reference/files/quick_case_fields.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +10,8 @@
 #include <random>
 #include <string>
 #include <vector>
+
+#include "reference/files/case_fields.hpp"
 
 namespace fathom::files {
 namespace {
@@ -25,7 +25,7 @@ bool agree(const std::string& text) {
   static QuickCaseReader reader;  // one for all texts: what a faulty one leaves behind must not matter
   const std::optional<CaseFields> quick = reader.fields(text);
   if (!quick) return false;
-  const CaseFields twin = read_case_fields(text);
+  const CaseFields twin = read_case_fields(text, text::read_json(text));
   EXPECT_EQ(twin.fault, "") << text;
   EXPECT_EQ(quick->fault, "") << text;
   EXPECT_EQ(quick->id, twin.id) << text;

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fathom/files.hpp"
-#include "reference/files/quick_case_fields.hpp"
+#include "reference/files/case_fields.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::files {

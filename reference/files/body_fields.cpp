@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unlike cases of vertices, which come by millions, shapes are read from a document: their objects are small, and some hold others.
-#include "reference/files/shape_fields.hpp"
+// Unlike vertices, which come by millions, these are read from a document: their objects are small, and some hold others.
+#include "reference/files/body_fields.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -14,9 +14,8 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
-#include "reference/files/case_faces.hpp"
-#include "reference/files/case_places.hpp"
-#include "reference/files/misspelt_fields.hpp"
+#include "reference/files/case_names.hpp"
+#include "reference/files/mesh_formats.hpp"
 #include "reference/files/named_body.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
@@ -26,16 +25,23 @@
 namespace fathom::files {
 namespace {
 
-using Json = nlohmann::json;
+using Json = text::JsonValue;
 
 constexpr std::size_t readable = 40;  // what a message shows of a text
 constexpr const char* expected_pose =
     "three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\"";
 
+std::string shown(const Json& value) { return kernels::printable(value.written().text(), readable); }
+
 std::string found(const Json& value) {
   if (value.is_object()) return "an object";
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  return kernels::printable(value.dump(-1, ' ', true, Json::error_handler_t::replace), readable);
+  return value.is_array() ? "an array of " + std::to_string(value.items().size()) : shown(value);
+}
+
+/// The value of the field; null if it is not there, or if null is its value.
+const Json* given(const Json& object, std::string_view name) {
+  const Json* const value = object.find(name);
+  return value && !value->is_null() ? value : nullptr;
 }
 
 /// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
@@ -43,22 +49,18 @@ bool is_ours(std::string_view key) {
   return is_field_of_shapes(key) || key == "pose" || key == "pose_rounding" || key == "unit" || pose_word(key);
 }
 
-/// Finds repeated fields, which a document does not show.
-struct Repetitions {
-  std::vector<std::vector<std::string>> open;  // the keys of ours in the objects that are being read
-  std::string repeated;
-
-  bool note(Json::parse_event_t event, const Json& value) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && is_ours(value.get_ref<const std::string&>())) {
-      const std::string& key = value.get_ref<const std::string&>();
-      if (std::ranges::find(open.back(), key) != open.back().end() && repeated.empty()) repeated = key;
-      open.back().push_back(key);
+/// A field of ours that an object in the document has twice, the first by its second place; or "".
+std::string repeated_field(const Json& value) {
+  std::vector<std::string_view> seen;
+  for (std::size_t i = 0; i < value.items().size(); ++i) {
+    if (value.is_object() && is_ours(value.key(i))) {
+      if (std::ranges::find(seen, value.key(i)) != seen.end()) return std::string(value.key(i));
+      seen.push_back(value.key(i));
     }
-    return true;
+    if (std::string within = repeated_field(value.items()[i]); !within.empty()) return within;
   }
-};
+  return "";
+}
 
 /// Reads one object, and those in it. After the first fault what is returned means nothing.
 class Reader {
@@ -91,41 +93,34 @@ class Reader {
   bool is_rounded(const Json& json, const std::string& path);
 };
 
-// A JSON number means the nearest binary64, an integer too.
 mpq_class Reader::number(const Json& value, const std::string& path) {
-  if (value.is_string()) {
-    ParsedNumber parsed = parse_number(value.get_ref<const std::string&>(), Decimals::exact);
-    if (parsed.value) return *std::move(parsed.value);
-    refuse(path + ": " + parsed.error);
-    return 1;
-  }
-  if (value.is_number_float()) return exact_value(value.get<double>());
-  if (value.is_number_unsigned()) return exact_value(static_cast<double>(value.get<std::uint64_t>()));
-  if (value.is_number_integer()) return exact_value(static_cast<double>(value.get<std::int64_t>()));
-  report(path, "a number, or an exact number in quotes", found(value));
+  ParsedNumber parsed = text::exact_number(value);
+  if (parsed.value) return *std::move(parsed.value);
+  if (!parsed.error.empty()) refuse(path + ": " + parsed.error);
+  else report(path, "a number, or an exact number in quotes", found(value));
   return 1;
 }
 
 std::vector<mpq_class> Reader::numbers(const Json& value, std::size_t count, const std::string& path) {
   if (count == 1) return {number(value, path)};
   std::vector<mpq_class> result;
-  if (!value.is_array() || value.size() != count) {
+  if (!value.is_array() || value.items().size() != count) {
     report(path, count == 3 ? "three numbers" : "four numbers", found(value));
     result.resize(count, 1);
     return result;
   }
-  for (std::size_t i = 0; i < count; ++i) result.push_back(number(value[i], path + "[" + std::to_string(i) + "]"));
+  for (std::size_t i = 0; i < count; ++i) result.push_back(number(value.items()[i], path + "[" + std::to_string(i) + "]"));
   return result;
 }
 
 std::vector<Point> Reader::points(const Json& value, const std::string& path) {
-  if (!value.is_array() || value.empty()) {
+  if (!value.is_array() || value.items().empty()) {
     report(path, "an array of points", found(value));
     return {{}};
   }
   std::vector<Point> result;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::vector<mpq_class> p = numbers(value[i], 3, path + "[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < value.items().size(); ++i) {
+    const std::vector<mpq_class> p = numbers(value.items()[i], 3, path + "[" + std::to_string(i) + "]");
     result.push_back({p[0], p[1], p[2]});
   }
   return result;
@@ -133,7 +128,7 @@ std::vector<Point> Reader::points(const Json& value, const std::string& path) {
 
 Axis Reader::axis(const Json& value, const std::string& path) {
   for (const auto& [name, axis] : {std::pair("x", Axis::x), std::pair("y", Axis::y), std::pair("z", Axis::z)})
-    if (value == name) return axis;
+    if (value.is_string() && value.text() == name) return axis;
   report(path, R"("x", "y" or "z")", found(value));
   return Axis::z;
 }
@@ -142,11 +137,11 @@ std::optional<GivenPose> Reader::pose(const Json& value, const std::string& path
   std::string wrong;
   GivenPose result;
   if (value.is_string()) {
-    result = parse_pose(value.get_ref<const std::string&>(), Decimals::exact, wrong);
-  } else if (value.is_array() && (value.size() == 3 || value.size() == 4)) {
-    std::vector<std::array<mpq_class, 4>> rows(value.size());
+    result = parse_pose(value.text(), Decimals::exact, wrong);
+  } else if (value.is_array() && (value.items().size() == 3 || value.items().size() == 4)) {
+    std::vector<std::array<mpq_class, 4>> rows(value.items().size());
     for (std::size_t row = 0; row < rows.size(); ++row)
-      std::ranges::copy(numbers(value[row], 4, path + "[" + std::to_string(row) + "]"), rows[row].begin());
+      std::ranges::copy(numbers(value.items()[row], 4, path + "[" + std::to_string(row) + "]"), rows[row].begin());
     result = pose_of(rows, wrong);
   } else if (value.is_object()) {
     result = pose_of_words(value, path, wrong);
@@ -161,16 +156,17 @@ std::optional<GivenPose> Reader::pose(const Json& value, const std::string& path
 GivenPose Reader::pose_of_words(const Json& value, const std::string& path, std::string& wrong) {
   PoseWords words;
   std::vector<std::string> keys;
-  for (const auto& [key, numbers_of_it] : value.items()) {
+  for (const auto& [key, numbers_of_it] : value.fields()) {
     const std::optional<PoseWord> word = pose_word(key);
-    keys.push_back(key);
-    if (!word || numbers_of_it.is_null()) continue;
-    std::vector<mpq_class> read = numbers(numbers_of_it, numbers_of(*word), path + "." + key);
+    keys.emplace_back(key);
+    if (!word || numbers_of_it->is_null()) continue;
+    std::vector<mpq_class> read = numbers(*numbers_of_it, numbers_of(*word), path + "." + std::string(key));
     if (!words.emplace(*word, std::move(read)).second) wrong = "expected one " + std::string(name(*word)) + ", found two";
   }
   if (const std::string sentence = misspelt_in_pose(keys); !sentence.empty()) notes.push_back({CaseNote::field, path + ": " + sentence});
   if (words.empty()) report(path, expected_pose, found(value));
-  const std::string unit = words.contains(PoseWord::rpy) ? value.value("unit", Json()).dump() : R"("deg")";
+  const Json* const unit_given = value.find("unit");
+  const std::string unit = !words.contains(PoseWord::rpy) ? R"("deg")" : unit_given ? unit_given->written().text() : "null";
   if (unit != R"("deg")" && unit != R"("rad")") report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, readable));
   return fault.empty() && wrong.empty() ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong) : GivenPose{};
 }
@@ -179,32 +175,34 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
   const ShapeName& shape = *named.shape;
   ShapeFields result;
   const auto require = [&](std::string_view name) {
-    const bool there = json.contains(name);
+    const Json* const there = json.find(name);
     if (!there) report(path, "a field '" + std::string(name) + "'", "none");
     return there;
   };
-  for (const auto& [key, value] : json.items()) {
-    if (!is_field_of_shapes(key) || value.is_null()) continue;
-    if (!has_field(shape, key)) report(path + "." + key, "no such field of a " + std::string(shape.name), "one");
-    else if (const NumberField* const field = number_field(key)) result.numbers[key] = numbers(value, field->count, path + "." + key);
+  for (const auto& [key, value] : json.fields()) {
+    if (!is_field_of_shapes(key) || value->is_null()) continue;
+    const std::string place = path + "." + std::string(key);
+    if (!has_field(shape, key)) report(place, "no such field of a " + std::string(shape.name), "one");
+    else if (const NumberField* const field = number_field(key)) result.numbers[std::string(key)] = numbers(*value, field->count, place);
   }
   for (const NumberField& field : shape.numbers)
     if (!result.numbers.contains(field.name)) report(path, "a field '" + std::string(field.name) + "'", "none");
   if (named.rounded && !result.numbers.contains("margin")) report(path, "a field 'margin'", "none");
-  if (shape.part == ShapePart::axis && json.contains("axis")) result.axis = axis(json["axis"], path + ".axis");
-  if (shape.part == ShapePart::vertices && require("vertices")) result.vertices = points(json["vertices"], path + ".vertices");
-  if (shape.part == ShapePart::terms && require("terms")) {
-    const Json& terms = json["terms"];
-    if (!terms.is_array()) report(path + ".terms", "an array of shapes", found(terms));
-    else
-      for (std::size_t i = 0; i < terms.size(); ++i) {
-        const std::string place = path + ".terms[" + std::to_string(i) + "]";
-        NamedBody& of_term = words.terms.emplace_back();
-        Shape term = unplaced(terms[i], place, of_term);
-        if (!fault.empty()) break;
-        if (terms[i].contains("pose_rounding")) report(place + ".pose_rounding", "no such field of a term", "one");
-        result.terms.push_back(placed_shape(std::move(term), terms[i], place, of_term));
-      }
+  if (shape.part == ShapePart::axis)
+    if (const Json* const value = json.find("axis")) result.axis = axis(*value, path + ".axis");
+  if (shape.part == ShapePart::vertices)
+    if (const Json* const value = require("vertices")) result.vertices = points(*value, path + ".vertices");
+  if (shape.part != ShapePart::terms) return result;
+  const Json* const terms = require("terms");
+  if (terms && !terms->is_array()) report(path + ".terms", "an array of shapes", found(*terms));
+  for (std::size_t i = 0; terms && terms->is_array() && i < terms->items().size(); ++i) {
+    const std::string place = path + ".terms[" + std::to_string(i) + "]";
+    const Json& json_of_term = terms->items()[i];
+    NamedBody& of_term = words.terms.emplace_back();
+    Shape term = unplaced(json_of_term, place, of_term);
+    if (!fault.empty()) break;
+    if (json_of_term.find("pose_rounding")) report(place + ".pose_rounding", "no such field of a term", "one");
+    result.terms.push_back(placed_shape(std::move(term), json_of_term, place, of_term));
   }
   return result;
 }
@@ -215,11 +213,10 @@ Shape Reader::unplaced(const Json& json, const std::string& path, NamedBody& wor
     return {};
   }
   NamedShape named = named_shape("hull");
-  if (json.contains("shape")) {
-    const Json& name = json["shape"];
-    named = name.is_string() ? named_shape(name.get_ref<const std::string&>()) : NamedShape{};
+  if (const Json* const name = json.find("shape")) {
+    named = name->is_string() ? named_shape(name->text()) : NamedShape{};
     if (!named.shape) {
-      report(path + ".shape", list_of_shapes() + ", or one of them after 'rounded_'", found(name));
+      report(path + ".shape", list_of_shapes() + ", or one of them after 'rounded_'", found(*name));
       return {};
     }
   }
@@ -238,8 +235,9 @@ Shape Reader::unplaced(const Json& json, const std::string& path, NamedBody& wor
 
 // The shape where its field "pose" puts it, if it has one.
 Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words) {
-  if (!fault.empty() || !json.contains("pose") || json["pose"].is_null()) return shape;
-  const std::optional<GivenPose> placing = pose(json["pose"], path + ".pose");
+  const Json* const there = given(json, "pose");
+  if (!fault.empty() || !there) return shape;
+  const std::optional<GivenPose> placing = pose(*there, path + ".pose");
   if (!fault.empty()) return shape;
   if (const std::string note = pose_note(*placing, shape.radius > 0); !note.empty())
     notes.push_back({CaseNote::pose, path + ".pose: " + note});
@@ -268,28 +266,29 @@ Body Reader::piece(const Json& json, const std::string& path) {
   NamedBody words;
   const Shape shape = placed_shape(unplaced(json, path, words), json, path, words);
   if (!fault.empty()) return {};
-  if (json.contains("pose_rounding")) report(path + ".pose_rounding", "no such field of a piece", "one");
+  if (json.find("pose_rounding")) report(path + ".pose_rounding", "no such field of a piece", "one");
   std::optional<std::vector<Point>> points = points_of(shape);
   if (!points) refuse(path + ": expected a hull, a box or a triangle, found another shape");
   else if (shape.radius != 0) refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
   Body body{std::move(points).value_or(std::vector<Point>())};
-  if (fault.empty() && json.contains("faces")) refuse(read_array_of_faces(json["faces"].dump(), path + ".faces", body));
+  if (const Json* const faces = json.find("faces"); faces && fault.empty()) refuse(read_faces(*faces, path + ".faces", body));
   return body;
 }
 
 // Its pieces, each where its own pose puts it, all of them where the body's does.
 Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
-  for (const auto& [key, value] : json.items())
-    if (is_field_of_shapes(key) && key != "pieces" && !value.is_null()) report(path + "." + key, "no such field beside 'pieces'", "one");
-  const Json& pieces = json["pieces"];
-  if (!pieces.is_array() || pieces.empty()) report(path + ".pieces", "an array of convex pieces", found(pieces));
+  for (const auto& [key, value] : json.fields())
+    if (is_field_of_shapes(key) && key != "pieces" && !value->is_null())
+      report(path + "." + std::string(key), "no such field beside 'pieces'", "one");
+  const Json& pieces = *json.find("pieces");
+  if (!pieces.is_array() || pieces.items().empty()) report(path + ".pieces", "an array of convex pieces", found(pieces));
   rounded = is_rounded(json, path) || rounded;
   std::optional<GivenPose> placing;
-  if (fault.empty() && json.contains("pose") && !json["pose"].is_null()) placing = pose(json["pose"], path + ".pose");
+  if (const Json* const there = given(json, "pose"); there && fault.empty()) placing = pose(*there, path + ".pose");
   std::vector<Body> read;
-  for (std::size_t i = 0; fault.empty() && i < pieces.size(); ++i) {
+  for (std::size_t i = 0; fault.empty() && i < pieces.items().size(); ++i) {
     const std::string place = path + ".pieces[" + std::to_string(i) + "]";
-    read.push_back(piece(pieces[i], place));
+    read.push_back(piece(pieces.items()[i], place));
     for (Point& p : read.back().points.edit()) {
       if (placing) p = placed(p, exact_pose(*placing));
       if (rounded && !round_to_binary64(p)) report(place, "points within binary64 once placed", "a larger one");
@@ -302,13 +301,14 @@ Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
 }
 
 bool Reader::is_rounded(const Json& json, const std::string& path) {
-  if (!json.contains("pose_rounding") || json["pose_rounding"].is_null()) return false;
-  if (json["pose_rounding"] != "binary64") report(path + ".pose_rounding", "\"binary64\"", found(json["pose_rounding"]));
-  return true;
+  const Json* const rounding = given(json, "pose_rounding");
+  if (rounding && (!rounding->is_string() || rounding->text() != "binary64"))
+    report(path + ".pose_rounding", "\"binary64\"", found(*rounding));
+  return rounding != nullptr;
 }
 
 Body Reader::body(const Json& json, const std::string& path, bool rounded) {
-  if (json.contains("pieces") && !json["pieces"].is_null()) return union_of(json, path, rounded);
+  if (given(json, "pieces")) return union_of(json, path, rounded);
   NamedBody words;
   Shape shape = unplaced(json, path, words);
   shape = placed_shape(std::move(shape), json, path, words);
@@ -321,27 +321,44 @@ Body Reader::body(const Json& json, const std::string& path, bool rounded) {
     words.fields.numbers["margin"] = {shape.radius};
   }
   Body body = body_of(std::move(shape));
-  const bool named = json.contains("shape") && !rounded;
+  const bool named = json.find("shape") && !rounded;
   if (named || body.shape) body.words = std::make_shared<const NamedBody>(std::move(words));
   return body;
 }
 
 }  // namespace
 
-ShapesOfCase read_shapes(std::string_view text, bool a, bool b, bool rounded) {
-  Repetitions repetitions;
-  const Json document = Json::parse(text, [&](int, Json::parse_event_t event, Json& value) { return repetitions.note(event, value); });
+ShapesOfCase read_shapes(const Json& document, bool a, bool b, bool rounded) {
   ShapesOfCase result;
-  if (!repetitions.repeated.empty()) {
-    result.fault = "expected one field '" + repetitions.repeated + "' in an object, found a second one";
+  if (const std::string repeated = repeated_field(document); !repeated.empty()) {
+    result.fault = "expected one field '" + repeated + "' in an object, found a second one";
     return result;
   }
   Reader reader;
-  if (a) result.a = reader.body(document["a"], "a", rounded);
-  if (b) result.b = reader.body(document["b"], "b", rounded);
+  if (a) result.a = reader.body(*document.find("a"), "a", rounded);
+  if (b) result.b = reader.body(*document.find("b"), "b", rounded);
   result.fault = std::move(reader.fault);
   result.notes = std::move(reader.notes);
   return result;
+}
+
+std::string read_faces(const Json& faces, const std::string& path, Body& body) {
+  if (faces.is_null()) return "";
+  if (!faces.is_array()) return path + ": expected an array of faces, found " + shown(faces);
+  MeshFaces read;
+  for (std::size_t i = 0; i < faces.items().size(); ++i) {
+    const std::string place = path + "[" + std::to_string(i) + "]";
+    const Json& face = faces.items()[i];
+    if (!face.is_array()) return place + ": expected an array of vertex indices, found " + shown(face);
+    for (const Json& index : face.items()) {
+      if (!index.is_natural() || index.number() >= static_cast<double>(body.points.size()))
+        return place + ": expected vertex indices below " + std::to_string(body.points.size()) + ", found " + shown(index);
+      read.corners.push_back(static_cast<std::uint32_t>(index.number()));
+    }
+    read.ends.push_back(static_cast<std::uint32_t>(read.corners.size()));
+  }
+  body.faces = faces_of(std::move(read));
+  return "";
 }
 
 }  // namespace fathom::files
