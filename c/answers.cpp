@@ -14,7 +14,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "verify/check/unreadable.hpp"

@@ -8,6 +8,7 @@
 
 #include "cli/output/surd_output.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -46,7 +47,7 @@ std::string place_text(const Point& p, bool exact) { return exact ? in_full(p) :
 
 std::string place_text(const AlongNormal& vector, bool exact) {
   const auto& [n, alpha, beta] = vector;
-  return exact ? in_full({alpha * n.x, alpha * n.y, alpha * n.z}, beta, n) : decimals(coordinates(vector));
+  return exact ? in_full(alpha * n, beta, n) : decimals(coordinates(vector));
 }
 
 std::string place_text(const RoundedPoint& point, bool exact) {

@@ -3,6 +3,7 @@
 
 #include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/position.hpp"
 
@@ -16,10 +17,7 @@ BodyPair::BodyPair(kernels::Context& context, std::span<const Point> a, std::spa
   else separation_ = Separation{*origin.normal, origin.position == polytope::Position::boundary};
 }
 
-Point BodyPair::translation(const mpq_class& factor, const Vector& u) const {
-  const mpq_class s = factor / placed_.denominator;
-  return {s * u.x, s * u.y, s * u.z};
-}
+Point BodyPair::translation(const mpq_class& factor, const Vector& u) const { return mpq_class(factor / placed_.denominator) * u; }
 
 BodyPair::Meeting BodyPair::meeting(const Vector& n, const Point& t) const {
   const depth::FacingFaces faces = depth::facing_faces(placed_, n);

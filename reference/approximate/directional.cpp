@@ -4,6 +4,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 
@@ -35,7 +36,7 @@ Point DirectionalDepth::translation() const { return penetration() ? penetration
 
 mpq_class DirectionalDepth::squared() const {
   const Point t = translation();
-  return t.x * t.x + t.y * t.y + t.z * t.z;
+  return dot(t, t);
 }
 
 const Vector& DirectionalDepth::normal() const { return penetration() ? penetration()->normal : separation()->normal; }

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 
 namespace fathom::certificate {
 namespace {
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 class Check {
  public:
@@ -34,9 +32,9 @@ class Check {
 
  private:
   [[nodiscard]] mpq_class support(const Vector& n) const {
-    mpq_class low = product(n, c_.a.front()), high = product(n, c_.b.front());
-    for (const Point& p : c_.a) low = std::min(low, product(n, p));
-    for (const Point& p : c_.b) high = std::max(high, product(n, p));
+    mpq_class low = dot(n, c_.a.front()), high = dot(n, c_.b.front());
+    for (const Point& p : c_.a) low = std::min(low, dot(n, p));
+    for (const Point& p : c_.b) high = std::max(high, dot(n, p));
     return high - low;
   }
 
@@ -53,7 +51,7 @@ class Check {
   bool resolve() {
     for (const auto& [i, j] : c_.inner.vertices) {
       if (!report_.expect(i < c_.a.size() && j < c_.b.size(), "a vertex of Q has an index out of range")) return false;
-      vertices_.push_back(minus(c_.b[j], c_.a[i]));
+      vertices_.push_back(c_.b[j] - c_.a[i]);
     }
     for (const std::vector<std::uint32_t>& facet : c_.inner.facets) {
       const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
@@ -75,28 +73,27 @@ class Check {
   void facet_of_q(const std::vector<std::uint32_t>& facet) {
     Point normal;
     for (std::size_t k = 0; k < facet.size(); ++k) {
-      const Point part = cross_product(vertices_[facet[k]], vertices_[facet[(k + 1) % facet.size()]]);
-      normal = {normal.x + part.x, normal.y + part.y, normal.z + part.z};
+      normal = normal + cross(vertices_[facet[k]], vertices_[facet[(k + 1) % facet.size()]]);
     }
-    const mpq_class height = product(normal, vertices_[facet.front()]), square = product(normal, normal);
+    const mpq_class height = dot(normal, vertices_[facet.front()]), square = dot(normal, normal);
     report_.expect(height > 0 && height * height >= c_.low * square, "a facet of Q is too near");
     std::size_t on_plane = 0;
     for (const Point& v : vertices_) {
-      const int order = cmp(product(normal, v), height);
+      const int order = cmp(dot(normal, v), height);
       report_.expect(order <= 0, "a vertex of Q lies above a facet");
       on_plane += order == 0 ? 1U : 0U;
     }
     report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
     for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
-      const Point side = cross_product(vertices_[facet[k]], vertices_[facet[k + 1]]);
-      report_.expect(product(side, vertices_[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
+      const Point side = cross(vertices_[facet[k]], vertices_[facet[k + 1]]);
+      report_.expect(dot(side, vertices_[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
     }
     if (height * height == c_.low * square) tight_.push_back(normal);
   }
 
   [[nodiscard]] static bool parallel(const Vector& n, const Point& m) {
     const Point p{n.x, n.y, n.z};
-    return cross_product(p, m) == Point{} && product(p, m) > 0;
+    return cross(p, m) == Point{} && dot(p, m) > 0;
   }
 
   void all_optima() {
@@ -118,9 +115,8 @@ class Check {
     mpq_class total;
     for (const Weight& w : weights) {
       if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
-      const Point& p = points[w.index];
       total += w.weight;
-      sum = {sum.x + w.weight * p.x, sum.y + w.weight * p.y, sum.z + w.weight * p.z};
+      sum = sum + w.weight * points[w.index];
     }
     report_.expect(total == 1, "weights do not sum to 1");
     return sum;
@@ -128,8 +124,8 @@ class Check {
 
   // Touching: one common point.
   void nearest_points() {
-    const Point z = minus(combined(c_.b, c_.weights_b), combined(c_.a, c_.weights_a));
-    report_.expect(product(z, z) == c_.low, "the weighted points are not as near as is said");
+    const Point z = combined(c_.b, c_.weights_b) - combined(c_.a, c_.weights_a);
+    report_.expect(dot(z, z) == c_.low, "the weighted points are not as near as is said");
   }
 
   const Certificate& c_;

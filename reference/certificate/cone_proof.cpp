@@ -8,15 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom::certificate {
 namespace {
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 // The rays of a cone without lineality in the order in which its faces go round it. Seen from the first ray the others follow each other
 // within less than half a turn.
@@ -49,12 +47,12 @@ class Prover {
   Point add(const Face& face, const Vector& w) {
     const auto farthest = [](std::span<const Point> points, const std::vector<std::uint32_t>& listed, const Vector& u) {
       return *std::max_element(listed.begin(), listed.end(),
-                               [&](std::uint32_t i, std::uint32_t j) { return product(u, points[i]) < product(u, points[j]); });
+                               [&](std::uint32_t i, std::uint32_t j) { return dot(u, points[i]) < dot(u, points[j]); });
     };
     const std::pair found{farthest(a_, face.a, -w), farthest(b_, face.b, w)};
     if (std::find(proof_.differences.begin(), proof_.differences.end(), found) == proof_.differences.end())
       proof_.differences.push_back(found);
-    return minus(b_[found.second], a_[found.first]);
+    return b_[found.second] - a_[found.first];
   }
 
   // Two neighbouring rays span a facet of the cone, whose plane is orthogonal to an edge or a line of differences.
@@ -100,7 +98,7 @@ class Rules {
       : rays_(proof.cone.rays), lines_(rounded::lineality_basis(proof.cone)) {
     for (const auto& [i, j] : proof.differences) {
       if (!report_.expect(i < a.size() && j < b.size(), "a difference has an index out of range")) continue;
-      differences_.push_back(primitive_along(minus(b[j], a[i])));
+      differences_.push_back(primitive_along(b[j] - a[i]));
       zeros_.push_back(zeros_of(differences_.back()));
     }
   }

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/certificate/cone_proof.hpp"
@@ -13,8 +13,6 @@
 
 namespace fathom::certificate {
 namespace {
-
-Point plus(const Point& p, const mpq_class& s, const Point& q) { return {p.x + s * q.x, p.y + s * q.y, p.z + s * q.z}; }
 
 // The square with the sign of x.
 mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
@@ -29,8 +27,8 @@ struct Side {
   [[nodiscard]] const HalfSpace* half() const { return std::get_if<HalfSpace>(&shape.core); }
   [[nodiscard]] mpq_class least() const {  // a lower bound of the greatest <outward,x>
     if (half() != nullptr) return *most;
-    mpq_class result = product(outward, points.front());
-    for (const Point& p : points) result = std::max(result, product(outward, p));
+    mpq_class result = dot(outward, points.front());
+    for (const Point& p : points) result = std::max(result, dot(outward, p));
     return result;
   }
 };
@@ -57,9 +55,8 @@ class ShapeCheck {
  private:
   void look_at(Side& side, const std::vector<mpq_class>& heights, const std::vector<InnerPoint>& inner) {
     if (const HalfSpace* half = side.half()) {
-      const mpq_class along = product(side.outward, half->normal), square = dot(side.outward, side.outward);
-      const Point& m = half->normal;
-      const bool parallel = along > 0 && along * along == square * (m.x * m.x + m.y * m.y + m.z * m.z);
+      const mpq_class along = dot(side.outward, half->normal), square = dot(side.outward, side.outward);
+      const bool parallel = along > 0 && along * along == square * dot(half->normal, half->normal);
       if (report_.expect(parallel, "the direction is not the normal of the half-space")) side.most = half->offset * square / along;
       return;
     }
@@ -83,9 +80,9 @@ class ShapeCheck {
     for (std::size_t i = 0; i < terms.size(); ++i) {
       *side.most += heights[i];
       for (const Atom& atom : terms[i].atoms) {
-        const mpq_class over = heights[i] - product(side.outward, atom.center);
+        const mpq_class over = heights[i] - dot(side.outward, atom.center);
         mpq_class square;
-        for (const Point& axis : atom.axes) square += product(side.outward, axis) * product(side.outward, axis);
+        for (const Point& axis : atom.axes) square += dot(side.outward, axis) * dot(side.outward, axis);
         report_.expect(signed_square(over) >= square, "a height is too low");
       }
     }
@@ -100,10 +97,10 @@ class ShapeCheck {
       const Atom& atom = terms[i].atoms[place.atom];
       if (!report_.expect(place.local.size() == atom.axes.size(), "a place has not one parameter for each axis")) return;
       mpq_class square;
-      sum = plus(sum, 1, atom.center);
+      sum = sum + atom.center;
       for (std::size_t k = 0; k < place.local.size(); ++k) {
         square += place.local[k] * place.local[k];
-        sum = plus(sum, place.local[k], atom.axes[k]);
+        sum = sum + place.local[k] * atom.axes[k];
       }
       report_.expect(square <= 1, "a place outside of its atom");
     }
@@ -148,8 +145,8 @@ class ShapeCheck {
   }
 
   [[nodiscard]] mpq_class squared_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const Point gap = plus(combined(b, c_.weights_b), -1, combined(a, c_.weights_a));
-    return gap.x * gap.x + gap.y * gap.y + gap.z * gap.z;
+    const Point gap = combined(b, c_.weights_b) - combined(a, c_.weights_a);
+    return dot(gap, gap);
   }
 
   Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
@@ -158,7 +155,7 @@ class ShapeCheck {
     for (const Weight& w : weights) {
       if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
       total += w.weight;
-      sum = plus(sum, w.weight, points[w.index]);
+      sum = sum + w.weight * points[w.index];
     }
     report_.expect(total == 1, "weights do not sum to 1");
     return sum;

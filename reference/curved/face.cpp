@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "kernels/number/ratio.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/curved/nearest.hpp"
 
 namespace fathom::curved {
@@ -13,10 +13,6 @@ namespace {
 
 constexpr unsigned face_fine = 20;  // 2^-20: points inside a face need not be near its boundary
 constexpr std::size_t most_face_calls = 60;
-
-Point moved(const Point& p, const mpq_class& factor, const Vector& n) {
-  return {p.x + factor * n.x, p.y + factor * n.y, p.z + factor * n.z};
-}
 
 // The faces of one core's terms, as terms, and where their atoms come from.
 struct FaceTerms {
@@ -63,10 +59,10 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
     TightAtom tight{i, true, {}};
     mpq_class square;
     for (const Point& axis : atom.axes) {
-      tight.local.push_back(product(n, axis));
+      tight.local.push_back(dot(n, axis));
       square += tight.local.back() * tight.local.back();
     }
-    const mpq_class root = height - product(n, atom.center);
+    const mpq_class root = height - dot(n, atom.center);
     if (root < 0 || root * root != square) continue;
     if (square != 0) {
       tight.whole = false;
@@ -83,7 +79,7 @@ std::optional<Combination> foot_in_face(kernels::Context& context, const std::ve
   FaceTerms of_b(b, n, heights.subspan(a.size()));
   mpq_class height;
   for (const TermHeight& h : heights) height += h.height;
-  for (Atom& atom : of_b.terms.front().atoms) atom.center = moved(atom.center, -height / mpq_class(dot(n, n)), n);  // the foot to O
+  for (Atom& atom : of_b.terms.front().atoms) atom.center = atom.center - (height / mpq_class(dot(n, n))) * n;  // the foot to O
   const Lattice face = lattice(of_a.terms, of_b.terms, face_fine);
   Oracle oracle(context, face, most_face_calls);
   const polytope::Difference first = oracle.ask({1, 0, 0}, face_fine);

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/curved/assembly.hpp"
 
 namespace fathom::curved {
@@ -51,7 +51,7 @@ CurvedBounds half_space_bounds(kernels::Context& context, const HalfSpace& plane
   std::vector<mpq_class> rounded = short_heights(heights, n, goal);
   const mpq_class offset = plane.offset * factor;
   mpq_class low = offset;
-  for (std::size_t t = 0; t < terms.size(); ++t) low += product(s, place(terms[t].atoms[inner[t].atom], inner[t].local));
+  for (std::size_t t = 0; t < terms.size(); ++t) low += dot(s, place(terms[t].atoms[inner[t].atom], inner[t].local));
   const mpq_class lower = signed_square(low, n), upper = signed_square(std::accumulate(rounded.begin(), rounded.end(), offset), n);
   result.low = lower == upper ? goal.exact_or_below(lower) : goal.from_below(lower);
   result.high = lower == upper ? goal.exact_or_above(upper) : goal.from_above(upper);

@@ -5,15 +5,13 @@
 #include <set>
 #include <span>
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 
 namespace fathom::curved {
 namespace {
 
-Point times(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
-Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 // The square with the sign.
 mpq_class square(const mpq_class& q) { return q * abs(q); }
 
@@ -24,9 +22,9 @@ class Check {
 
   kernels::Report run() {
     report_.expect(bounds_.low <= bounds_.high, "the bounds are in the wrong order");
-    if (!report_.expect(product(n_, n_) > 0, "the direction is zero")) return report_;
-    const mpq_class height = height_of(a_, times(-1, n_), p_.heights_a) + height_of(b_, n_, p_.heights_b);
-    report_.expect(square(height) <= square(bounds_.high - rho_) * product(n_, n_), "the direction does not show the upper bound");
+    if (!report_.expect(dot(n_, n_) > 0, "the direction is zero")) return report_;
+    const mpq_class height = height_of(a_, -n_, p_.heights_a) + height_of(b_, n_, p_.heights_b);
+    report_.expect(square(height) <= square(bounds_.high - rho_) * dot(n_, n_), "the direction does not show the upper bound");
     inner_points(a_, p_.inner_a, points_a_);
     inner_points(b_, p_.inner_b, points_b_);
     if (!report_.ok()) return report_;
@@ -39,16 +37,16 @@ class Check {
  private:
   mpq_class height_of(const Shape& shape, const Point& s, const std::vector<mpq_class>& heights) {
     if (const auto* plane = std::get_if<HalfSpace>(&shape.core)) {
-      report_.expect(cross_product(s, plane->normal) == Point{} && product(s, plane->normal) > 0, "not the direction of the half-space");
-      return plane->offset * product(s, plane->normal) / product(plane->normal, plane->normal);
+      report_.expect(cross(s, plane->normal) == Point{} && dot(s, plane->normal) > 0, "not the direction of the half-space");
+      return plane->offset * dot(s, plane->normal) / dot(plane->normal, plane->normal);
     }
     const auto& terms = std::get<std::vector<Term>>(shape.core);
     if (!report_.expect(heights.size() == terms.size(), "not one height for each term")) return 0;
     for (std::size_t t = 0; t < terms.size(); ++t) {
       for (const Atom& atom : terms[t].atoms) {
         mpq_class reach;
-        for (const Point& axis : atom.axes) reach += product(s, axis) * product(s, axis);
-        const mpq_class beyond = heights[t] - product(s, atom.center);
+        for (const Point& axis : atom.axes) reach += dot(s, axis) * dot(s, axis);
+        const mpq_class beyond = heights[t] - dot(s, atom.center);
         report_.expect(beyond >= 0 && beyond * beyond >= reach, "an atom is higher than its term");
       }
     }
@@ -66,10 +64,10 @@ class Check {
         const Atom& atom = terms[t].atoms[point[t].atom];
         if (!report_.expect(point[t].local.size() == atom.axes.size(), "an inner point with other parameters than its atom")) return;
         mpq_class length;
-        place = sum(place, atom.center);
+        place = place + atom.center;
         for (std::size_t k = 0; k < atom.axes.size(); ++k) {
           length += point[t].local[k] * point[t].local[k];
-          place = sum(place, times(point[t].local[k], atom.axes[k]));
+          place = place + point[t].local[k] * atom.axes[k];
         }
         report_.expect(length <= 1, "an inner point outside its atom");
       }
@@ -80,13 +78,13 @@ class Check {
   void half_space() {
     const bool plane_is_a = std::holds_alternative<HalfSpace>(a_.core);
     const HalfSpace& plane = std::get<HalfSpace>(plane_is_a ? a_.core : b_.core);
-    const Point s = plane_is_a ? n_ : times(-1, n_);
+    const Point s = plane_is_a ? n_ : -n_;
     const std::vector<Point>& points = plane_is_a ? points_b_ : points_a_;
     if (!report_.expect(!points.empty(), "no inner point")) return;
-    mpq_class most = product(s, points.front());
-    for (const Point& p : points) most = std::max(most, product(s, p));
-    const mpq_class low = most + plane.offset * abs(product(n_, plane.normal)) / product(plane.normal, plane.normal);
-    report_.expect(square(low) >= square(bounds_.low - rho_) * product(n_, n_), "no inner point shows the lower bound");
+    mpq_class most = dot(s, points.front());
+    for (const Point& p : points) most = std::max(most, dot(s, p));
+    const mpq_class low = most + plane.offset * abs(dot(n_, plane.normal)) / dot(plane.normal, plane.normal);
+    report_.expect(square(low) >= square(bounds_.low - rho_) * dot(n_, n_), "no inner point shows the lower bound");
   }
 
   Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
@@ -95,15 +93,15 @@ class Check {
     for (const Weight& w : weights) {
       if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
       total += w.weight;
-      result = sum(result, times(w.weight, points[w.index]));
+      result = result + w.weight * points[w.index];
     }
     report_.expect(total == 1, "weights do not sum to 1");
     return result;
   }
 
   void weights() {
-    const Point z = sum(combined(points_b_, p_.weights_b), times(-1, combined(points_a_, p_.weights_a)));
-    report_.expect(square(rho_ - bounds_.low) >= product(z, z), "the inner points are too far apart for the lower bound");
+    const Point z = combined(points_b_, p_.weights_b) - combined(points_a_, p_.weights_a);
+    report_.expect(square(rho_ - bounds_.low) >= dot(z, z), "the inner points are too far apart for the lower bound");
   }
 
   void polytope() {
@@ -111,7 +109,7 @@ class Check {
     std::vector<Point> vertices;
     for (const auto& [i, j] : p_.polytope.vertices) {
       if (!report_.expect(i < points_a_.size() && j < points_b_.size(), "a vertex of Q has an index out of range")) return;
-      vertices.push_back(sum(points_b_[j], times(-1, points_a_[i])));
+      vertices.push_back(points_b_[j] - points_a_[i]);
     }
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const std::vector<std::uint32_t>& facet : facets) {
@@ -126,20 +124,19 @@ class Check {
 
   void facet_of_q(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& facet) {
     Point normal;
-    for (std::size_t k = 0; k < facet.size(); ++k)
-      normal = sum(normal, cross_product(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]));
-    const mpq_class height = product(normal, vertices[facet.front()]), least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
-    report_.expect(height > 0 && height * height >= least * least * product(normal, normal), "a facet of Q is too near");
+    for (std::size_t k = 0; k < facet.size(); ++k) normal = normal + cross(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]);
+    const mpq_class height = dot(normal, vertices[facet.front()]), least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
+    report_.expect(height > 0 && height * height >= least * least * dot(normal, normal), "a facet of Q is too near");
     std::size_t on_plane = 0;
     for (const Point& v : vertices) {
-      const int order = cmp(product(normal, v), height);
+      const int order = cmp(dot(normal, v), height);
       report_.expect(order <= 0, "a vertex of Q lies above a facet");
       on_plane += order == 0 ? 1U : 0U;
     }
     report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
     for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
-      const Point side = cross_product(vertices[facet[k]], vertices[facet[k + 1]]);
-      report_.expect(product(side, vertices[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
+      const Point side = cross(vertices[facet[k]], vertices[facet[k + 1]]);
+      report_.expect(dot(side, vertices[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
     }
   }
 

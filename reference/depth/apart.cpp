@@ -3,6 +3,7 @@
 
 #include "kernels/number/ratio.hpp"
 #include "kernels/parallel.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/distance.hpp"
 #include "reference/polytope/position.hpp"
@@ -21,7 +22,7 @@ Distance distance(kernels::Context& context, const polytope::PlacedPair& pair, b
   const mpq_class factor = kernels::ratio(nearest.height, dot(n, n) * pair.denominator);
   return {factor * factor * dot(n, n),
           n,
-          {factor * n.x, factor * n.y, factor * n.z},
+          factor * n,
           {combination(pair, pair.a.points(), nearest.a), combination(pair, pair.b.points(), nearest.b)},
           contact_of(facing_faces(pair, n))};
 }

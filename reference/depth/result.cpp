@@ -2,26 +2,17 @@
 // Accessors of Depth for every status, and what follows from a few of an answer's numbers.
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom {
 namespace {
 
-Point plus(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-Vec3<mpq_class> rational(const Vector& v) { return {v.x, v.y, v.z}; }
-
 // The point of the edge of A that lies over the line of the edge of B, seen along n. The edges are not parallel.
 Point over_line(const CrossingEdges& edges, const Vector& n) {
-  const auto difference = [](const Point& to, const Point& from) -> Vec3<mpq_class> {
-    return {to.x - from.x, to.y - from.y, to.z - from.z};
-  };
   const Point start = edges.a[0].exact(), on_b = edges.b[0].exact();
-  const Vec3<mpq_class> along = difference(edges.a[1].exact(), start), across = cross(difference(edges.b[1].exact(), on_b), rational(n));
-  const mpq_class share = dot(difference(on_b, start), across) / dot(along, across);
-  return plus(start, {share * along.x, share * along.y, share * along.z});
+  const Point along = edges.a[1].exact() - start, across = cross(edges.b[1].exact() - on_b, rational(n));
+  const mpq_class share = dot(on_b - start, across) / dot(along, across);
+  return start + share * along;
 }
 
 // Calls the overload for the kind of meeting.
@@ -40,10 +31,7 @@ Point GivenPoint::exact() const {
   return {exact_value(x), exact_value(y), exact_value(z)};
 }
 
-Point Optimum::translation() const {
-  const mpq_class factor = support / dot(direction, direction);
-  return {factor * direction.x, factor * direction.y, factor * direction.z};
-}
+Point Optimum::translation() const { return mpq_class(support / dot(direction, direction)) * direction; }
 
 mpq_class Penetration::squared() const {
   // h(n) is in lowest terms, so only its numerator can share a factor with <n,n>.
@@ -57,13 +45,13 @@ Witness Penetration::witness() const {
   const Optimum& first = optima.front();
   return std::visit(Overloaded{[](const Witness& found) { return found; },
                                [&](const CornerOfA& a) {
-                                 return Witness{a.point.exact(), plus(a.point.exact(), first.translation())};
+                                 return Witness{a.point.exact(), a.point.exact() + first.translation()};
                                },
                                [&](const CornerOfB& b) {
-                                 return Witness{minus(b.point.exact(), first.translation()), b.point.exact()};
+                                 return Witness{b.point.exact() - first.translation(), b.point.exact()};
                                },
                                [&](const CrossingEdges& edges) {
-                                 Point p = over_line(edges, first.direction), q = plus(p, first.translation());
+                                 Point p = over_line(edges, first.direction), q = p + first.translation();
                                  return Witness{std::move(p), std::move(q)};
                                }},
                     meeting);

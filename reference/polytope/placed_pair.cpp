@@ -9,6 +9,7 @@
 #include "fathom/files.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::polytope {
 namespace {
@@ -117,7 +118,7 @@ void coarsen(Lattice& lattice) {
 std::vector<Point> offsets(kernels::Positions body, const Point& origin) {
   std::vector<Point> result;
   result.reserve(body.size());
-  for (const Point& p : body) result.push_back({p.x - origin.x, p.y - origin.y, p.z - origin.z});
+  for (const Point& p : body) result.push_back(p - origin);
   return result;
 }
 

@@ -3,7 +3,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::rounded {
 namespace {
@@ -19,15 +19,11 @@ Coordinates beyond(const Point& from, const mpq_class& length, const Vector& n) 
   return {coordinate(from.x, n.x), coordinate(from.y, n.y), coordinate(from.z, n.z)};
 }
 
-Point scaled(const Vector& n, const mpq_class& factor) { return {factor * n.x, factor * n.y, factor * n.z}; }
-
-Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-
 /// length n/|n|, if that is rational.
 std::optional<Point> along(const Vector& n, const mpq_class& length) {
   if (length == 0) return Point{};
   const std::optional<mpq_class> size = kernels::rational_root(mpq_class(dot(n, n)));
-  return size ? std::optional(scaled(n, length / *size)) : std::nullopt;
+  return size ? std::optional((length / *size) * n) : std::nullopt;
 }
 
 double nearest(const Surd& value) { return sgn(value.root) == 0 ? round_binary64(value.rational) : round_binary64(value); }
@@ -36,7 +32,7 @@ double nearest(const Surd& value) { return sgn(value.root) == 0 ? round_binary64
 
 Coordinates coordinates(const Point& p) { return {Surd{p.x, 0}, Surd{p.y, 0}, Surd{p.z, 0}}; }
 
-Coordinates coordinates(const AlongNormal& vector) { return beyond(scaled(vector.normal, vector.alpha), vector.beta, vector.normal); }
+Coordinates coordinates(const AlongNormal& vector) { return beyond(vector.alpha * vector.normal, vector.beta, vector.normal); }
 
 Coordinates coordinates(const RoundedPoint& point) { return beyond(point.core, point.distance, point.normal); }
 
@@ -49,12 +45,12 @@ std::array<double, 3> nearest_binary64(const Coordinates& values) { return {near
 
 std::optional<Point> rational_point(const AlongNormal& vector) {
   const std::optional<Point> rest = along(vector.normal, vector.beta);
-  return rest ? std::optional(sum(scaled(vector.normal, vector.alpha), *rest)) : std::nullopt;
+  return rest ? std::optional(vector.alpha * vector.normal + *rest) : std::nullopt;
 }
 
 std::optional<Point> rational_point(const RoundedPoint& point) {
   const std::optional<Point> rest = along(point.normal, point.distance);
-  return rest ? std::optional(sum(point.core, *rest)) : std::nullopt;
+  return rest ? std::optional(point.core + *rest) : std::nullopt;
 }
 
 }  // namespace fathom::rounded

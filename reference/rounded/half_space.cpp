@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rounded/half_space.hpp"
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::rounded {
@@ -14,7 +14,7 @@ Point lowest_point(std::span<const Term> terms, const Vector& u) {
     const Point* lowest = nullptr;
     mpq_class least;
     for (const Atom& atom : term.atoms) {
-      const mpq_class height = product(u, atom.center);
+      const mpq_class height = dot(u, atom.center);
       if (lowest == nullptr || height < least) (lowest = &atom.center, least = height);
     }
     sum = {sum.x + lowest->x, sum.y + lowest->y, sum.z + lowest->z};
@@ -28,10 +28,10 @@ PlaneSupport plane_support(const HalfSpace& half, Side side, std::span<const Ter
   const Point& m = half.normal;
   const Vector outward = primitive_along(m);
   // {x : <outward,x> <= height}, as outward is a positive multiple of m.
-  const mpq_class height = half.offset * (dot(outward, outward) / product(outward, m));
+  const mpq_class height = half.offset * (dot(outward, outward) / dot(outward, m));
   const Point p = lowest_point(other, outward);
-  const mpq_class support = height - product(outward, p), factor = support / dot(outward, outward);
-  const Point foot{p.x + factor * outward.x, p.y + factor * outward.y, p.z + factor * outward.z};
+  const mpq_class support = height - dot(outward, p), factor = support / dot(outward, outward);
+  const Point foot = p + factor * outward;
   if (side == Side::b) return {outward, support, {p, foot}};
   return {-outward, support, {foot, p}};
 }

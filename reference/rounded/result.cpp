@@ -2,7 +2,7 @@
 // Accessors of SignedDepth for every kind of cores.
 #include "fathom/signed_depth.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom {
 namespace {
@@ -13,9 +13,7 @@ std::optional<Status> status_of(int low_sign, int high_sign) {
 }
 
 // h(n) / <n,n>, where (h(n) / <n,n>) n is known.
-mpq_class factor(const Point& translation, const Vector& n) {
-  return (n.x * translation.x + n.y * translation.y + n.z * translation.z) / dot(n, n);
-}
+mpq_class factor(const Point& translation, const Vector& n) { return dot(n, translation) / dot(n, n); }
 
 // Points a and b of cores with b - a = (h(n) / <n,n>) n, n the direction.
 Witness witness_of(const Depth& cores) { return cores.distance() ? cores.distance()->witness : *cores.witness(); }

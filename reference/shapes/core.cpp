@@ -8,14 +8,12 @@
 
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/surd.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::shapes {
 namespace {
 
 bool is_origin(const Point& p) { return p == Point{}; }
-
-Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 
 void require_numbers(const Point& p) {
   for (const mpq_class* x : {&p.x, &p.y, &p.z}) kernels::require_lowest_terms(*x);
@@ -59,9 +57,9 @@ bool require_core(const HalfSpace& half) {
 std::optional<mpq_class> round_radius(const Atom& atom) {
   if (atom.axes.size() != 3) return std::nullopt;
   const Point &u = atom.axes[0], &v = atom.axes[1], &w = atom.axes[2];
-  const mpq_class square = product(u, u);
-  if (product(v, v) != square || product(w, w) != square) return std::nullopt;
-  if (product(u, v) != 0 || product(v, w) != 0 || product(w, u) != 0) return std::nullopt;
+  const mpq_class square = dot(u, u);
+  if (dot(v, v) != square || dot(w, w) != square) return std::nullopt;
+  if (dot(u, v) != 0 || dot(v, w) != 0 || dot(w, u) != 0) return std::nullopt;
   return kernels::rational_root(square);
 }
 
@@ -111,7 +109,7 @@ std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_
     std::vector<Point> sums;
     sums.reserve(points.size() * (*terms)[i].atoms.size());
     for (const Point& p : points)
-      for (const Atom& atom : (*terms)[i].atoms) sums.push_back(sum(p, atom.center));
+      for (const Atom& atom : (*terms)[i].atoms) sums.push_back(p + atom.center);
     points = std::move(sums);
   }
   return points;

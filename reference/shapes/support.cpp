@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::shapes {
 namespace {
@@ -15,10 +15,10 @@ using kernels::RationalInterval;
 RationalInterval support(const Atom& atom, const Point& u, unsigned bits) {
   mpq_class square = 0;
   for (const Point& axis : atom.axes) {
-    const mpq_class slope = product(u, axis);
+    const mpq_class slope = dot(u, axis);
     square += slope * slope;
   }
-  return kernels::enclosed({product(u, atom.center), square}, bits);
+  return kernels::enclosed({dot(u, atom.center), square}, bits);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ RationalInterval support(const Shape& shape, const Point& u, unsigned bits) {
     height = height + *highest;
   }
   const RationalInterval radius{shape.radius, shape.radius};
-  return quotient(height, kernels::enclosed({0, product(u, u)}, bits)) + radius;
+  return quotient(height, kernels::enclosed({0, dot(u, u)}, bits)) + radius;
 }
 
 }  // namespace fathom::shapes

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "kernels/filters/greatest.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -54,7 +54,7 @@ struct Rounded {
 
 // Of the listed points, those that maximise <u, p>.
 std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u, std::span<const std::uint32_t> listed) {
-  return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = product(u, body[i]); });
+  return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
 }
 
 // The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<con
 bool is_flat(kernels::Positions body) {
   std::vector<Vector> directions{{0, 0, 0}};
   for (const Point& p : body) {
-    const Point d{p.x - body[0].x, p.y - body[0].y, p.z - body[0].z};
+    const Point d = p - body[0];
     const mpz_class scale = lcm(lcm(d.x.get_den(), d.y.get_den()), d.z.get_den());
     directions.push_back({mpz_class(d.x * scale), mpz_class(d.y * scale), mpz_class(d.z * scale)});
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "kernels/point_algebra.hpp"
 #include "tests/support/random_shapes.hpp"
 
 namespace fathom::curved {
@@ -15,8 +16,6 @@ using testing::ShapeMaker;
 
 const std::vector<Term>& terms(const Shape& shape) { return std::get<std::vector<Term>>(shape.core); }
 
-mpq_class product(const Vector& n, const Point& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
-
 // The support of a term, rounded down and up to a multiple of `unit`: by the definition.
 struct Around {
   mpq_class low, high;
@@ -25,10 +24,10 @@ Around support(const Term& term, const Vector& n, const mpq_class& unit) {
   std::optional<Around> greatest;
   for (const Atom& atom : term.atoms) {
     mpq_class square;
-    for (const Point& axis : atom.axes) square += product(n, axis) * product(n, axis);
+    for (const Point& axis : atom.axes) square += dot(n, axis) * dot(n, axis);
     const mpq_class scaled = square / (unit * unit);
     const mpz_class whole = scaled.get_num() / scaled.get_den(), root = sqrt(whole);
-    const mpq_class low = product(n, atom.center) + root * unit, high = root * root == scaled ? low : mpq_class(low + unit);
+    const mpq_class low = dot(n, atom.center) + root * unit, high = root * root == scaled ? low : mpq_class(low + unit);
     greatest = greatest ? Around{std::max(greatest->low, low), std::max(greatest->high, high)} : Around{low, high};
   }
   return *greatest;
@@ -38,8 +37,8 @@ Around support(const Term& term, const Vector& n, const mpq_class& unit) {
 bool is_above(const Term& term, const Vector& n, const mpq_class& height) {
   return std::all_of(term.atoms.begin(), term.atoms.end(), [&](const Atom& atom) {
     mpq_class square;
-    for (const Point& axis : atom.axes) square += product(n, axis) * product(n, axis);
-    const mpq_class beyond = height - product(n, atom.center);
+    for (const Point& axis : atom.axes) square += dot(n, axis) * dot(n, axis);
+    const mpq_class beyond = height - dot(n, atom.center);
     return beyond >= 0 && beyond * beyond >= square;
   });
 }
@@ -87,13 +86,13 @@ TEST(Oracle, HeightsAreThoseOfTheDefinitionAndPointsAreInside) {
           p = {p.x + y * atom.axes[k].x, p.y + y * atom.axes[k].y, p.z + y * atom.axes[k].z};
         }
         EXPECT_LE(length, 1);
-        place = of_a ? Point{place.x - p.x, place.y - p.y, place.z - p.z} : Point{place.x + p.x, place.y + p.y, place.z + p.z};
+        place = of_a ? place - p : place + p;
       }
     }
     const Vector& integral = oracle[d];
     EXPECT_EQ(place, (Point{integral.x * both.fine_unit, integral.y * both.fine_unit, integral.z * both.fine_unit}));
-    EXPECT_LE(product(n, place), sum);
-    EXPECT_GE(product(n, place), low - size * 20 / (mpz_class(1) << 38));
+    EXPECT_LE(dot(n, place), sum);
+    EXPECT_GE(dot(n, place), low - size * 20 / (mpz_class(1) << 38));
   }
 }
 
@@ -131,7 +130,7 @@ TEST(Oracle, ManyPointsAreScannedAsFewAre) {
     const InnerPoint inner = oracle.inner_point(oracle.ask(n, 30).first, true);
     const Atom& atom = terms(many)[0].atoms[inner[0].atom];
     if (atom.axes.empty()) {
-      EXPECT_EQ(product(-n, atom.center), height.height);
+      EXPECT_EQ(dot(-n, atom.center), height.height);
     }
   }
 }

@@ -7,14 +7,11 @@
 #include <vector>
 
 #include "fathom/signed_depth.hpp"
+#include "kernels/point_algebra.hpp"
 #include "verify/families/shape_families.hpp"
 
 namespace fathom::families {
 namespace {
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Point plus(const Point& p, const mpq_class& s, const Point& v) { return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z}; }
-Point minus(const Point& p, const Point& q) { return plus(p, -1, q); }
 
 // ---- segments ----
 
@@ -28,24 +25,24 @@ Segment core(const Shape& shape) {
 }
 
 mpq_class squared_distance(const Point& point, const Segment& s) {
-  const Point along = minus(s.q, s.p), to = minus(point, s.p);
-  const mpq_class length = product(along, along);
-  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(product(to, along) / length);
+  const Point along = s.q - s.p, to = point - s.p;
+  const mpq_class length = dot(along, along);
+  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(dot(to, along) / length);
   t = std::clamp<mpq_class>(t, 0, 1);
-  const Point gap = plus(to, -t, along);
-  return product(gap, gap);
+  const Point gap = to - t * along;
+  return dot(gap, gap);
 }
 
 /// The least of: each end to the other segment; the common perpendicular, if both its feet are on the segments.
 mpq_class squared_distance(const Segment& s, const Segment& t) {
   mpq_class least = std::min({squared_distance(s.p, t), squared_distance(s.q, t), squared_distance(t.p, s), squared_distance(t.q, s)});
-  const Point u = minus(s.q, s.p), v = minus(t.q, t.p), w = minus(t.p, s.p);
-  const mpq_class uu = product(u, u), uv = product(u, v), vv = product(v, v), determinant = uu * vv - uv * uv;
+  const Point u = s.q - s.p, v = t.q - t.p, w = t.p - s.p;
+  const mpq_class uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
   if (determinant == 0) return least;
-  const mpq_class x = (product(w, u) * vv - product(w, v) * uv) / determinant, y = (product(w, u) * uv - product(w, v) * uu) / determinant;
+  const mpq_class x = (dot(w, u) * vv - dot(w, v) * uv) / determinant, y = (dot(w, u) * uv - dot(w, v) * uu) / determinant;
   if (x < 0 || x > 1 || y < 0 || y > 1) return least;
-  const Point gap = plus(plus(w, y, v), -x, u);
-  return std::min<mpq_class>(least, product(gap, gap));
+  const Point gap = w + y * v - x * u;
+  return std::min<mpq_class>(least, dot(gap, gap));
 }
 
 TEST(RandomShapes, SpheresAndCapsulesHaveTheDistanceOfTheirSegments) {
@@ -79,7 +76,7 @@ const Polygons& polygons() {
       }
     for (std::size_t i = 0; i < result.inside.size(); ++i) {
       const Point &p = result.inside[i], &q = result.inside[(i + 1) % result.inside.size()];
-      result.outside.push_back(plus({}, 1 / (1 + product(p, q)), plus(p, 1, q)));
+      result.outside.push_back((1 / (1 + dot(p, q))) * (p + q));
     }
     return result;
   }();
@@ -100,7 +97,7 @@ const Polygons& polyhedra() {
               {signs & 1 ? mpq_class(-q.x) : q.x, signs & 2 ? mpq_class(-q.y) : q.y, signs & 4 ? mpq_class(-q.z) : q.z});
     const std::vector<Point> center{{}};
     const mpq_class inner = exact_value(root_binary64(penetration_depth(result.inside, center).squared(), Rounding::rd));
-    for (const Point& p : result.inside) result.outside.push_back(plus({}, 1 / inner, p));
+    for (const Point& p : result.inside) result.outside.push_back((1 / inner) * p);
     return result;
   }();
   return both;
@@ -116,8 +113,8 @@ Shape polytope_of(const Shape& shape, std::vector<Point> Polygons::*which) {
       if (atom.axes.empty()) points.atoms.push_back(atom);
       else
         for (const Point& local : (atom.axes.size() == 2 ? polygons() : polyhedra()).*which) {
-          Point p = plus(plus(atom.center, local.x, atom.axes[0]), local.y, atom.axes[1]);
-          if (atom.axes.size() == 3) p = plus(p, local.z, atom.axes[2]);
+          Point p = atom.center + local.x * atom.axes[0] + local.y * atom.axes[1];
+          if (atom.axes.size() == 3) p = p + local.z * atom.axes[2];
           points.atoms.push_back({p, {}});
         }
     }

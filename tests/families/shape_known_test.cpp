@@ -9,13 +9,12 @@
 #include <string>
 
 #include "fathom/signed_depth.hpp"
+#include "kernels/point_algebra.hpp"
 #include "verify/families/shape_catalogue.hpp"
 #include "verify/families/shape_families.hpp"
 
 namespace fathom::families {
 namespace {
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
 /// The root of a square of a rational.
 mpq_class exact_root(const mpq_class& square) {
@@ -27,16 +26,16 @@ mpq_class exact_root(const mpq_class& square) {
 mpq_class support(const Shape& shape, const Point& u) {
   mpq_class sum = shape.radius;
   if (const auto* const half = std::get_if<HalfSpace>(&shape.core)) {
-    const mpq_class length = product(half->normal, u);
-    EXPECT_TRUE(length > 0 && length * length == product(half->normal, half->normal)) << "not bounded in that direction";
+    const mpq_class length = dot(half->normal, u);
+    EXPECT_TRUE(length > 0 && length * length == dot(half->normal, half->normal)) << "not bounded in that direction";
     return sum + half->offset / length;
   }
   for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
     std::optional<mpq_class> greatest;
     for (const Atom& atom : term.atoms) {
       mpq_class square;
-      for (const Point& axis : atom.axes) square += product(axis, u) * product(axis, u);
-      const mpq_class height = product(atom.center, u) + exact_root(square);
+      for (const Point& axis : atom.axes) square += dot(axis, u) * dot(axis, u);
+      const mpq_class height = dot(atom.center, u) + exact_root(square);
       greatest = greatest ? std::max(*greatest, height) : height;
     }
     sum += *greatest;
@@ -73,7 +72,7 @@ TEST(InverseShapes, HaveTheSignedDepthThatWasChosen) {
       seen.insert(sign(known));
       ++all;
       exact += depth.exact() != nullptr;
-      EXPECT_EQ(product(u, u), 1) << shapes.id;
+      EXPECT_EQ(dot(u, u), 1) << shapes.id;
       // Only one of the two sides of a half-space is bounded: that is the direction.
       EXPECT_EQ(support(b, u) + support(a, {-u.x, -u.y, -u.z}), known.rational) << shapes.id;
       EXPECT_EQ(known.root, 0) << shapes.id;

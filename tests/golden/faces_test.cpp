@@ -6,13 +6,12 @@
 
 #include <algorithm>
 
+#include "kernels/point_algebra.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom::golden {
 namespace {
-
-Point midpoint(const Point& p, const Point& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}; }
 
 // Every facet, every edge (in the sum of its facets' directions) and every vertex of bodies with repeated, collinear and interior points.
 TEST(Faces, AreThoseOfTheHull) {
@@ -48,7 +47,8 @@ TEST(Faces, HoldTheirPointsAndNoOthers) {
   EXPECT_EQ(square.corners, (std::vector<std::uint32_t>{0, 1, 2, 3}));
   EXPECT_EQ(tip.corners, (std::vector<std::uint32_t>{0}));
   const auto in = [&](const SupportingFace& face, const Vector& n, const Point& p) { return contains(face, n, bodies.denominator, p); };
-  for (const Point& p : {points[0], points[4], points[6], midpoint(points[1], points[3]), Point{mpq_class(1, 7), mpq_class(1, 5), 0}})
+  for (const Point& p :
+       {points[0], points[4], points[6], mpq_class(1, 2) * (points[1] + points[3]), Point{mpq_class(1, 7), mpq_class(1, 5), 0}})
     EXPECT_TRUE(in(square, down, p));
   for (const Point& p :
        {points[5], Point{2, 2, mpq_class(1, 9)}, Point{mpq_class(-1, 99), 1, 0}, Point{5, 0, 0}, Point{4, mpq_class(41, 10), 0}})

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fathom/numbers.hpp"
+#include "kernels/point_algebra.hpp"
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -34,8 +35,6 @@ bool same_points(std::vector<Point> p, std::vector<Point> q) {
   std::ranges::sort(q, less);
   return p == q;
 }
-
-Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 class OfEachPrecision : public ::testing::TestWithParam<Precision> {};
 INSTANTIATE_TEST_SUITE_P(Both, OfEachPrecision, ::testing::Values(Precision::binary32, Precision::binary64));
@@ -69,10 +68,10 @@ TEST_P(OfEachPrecision, EachVariantIsWhatItsNameSays) {
         EXPECT_TRUE(same_points(b.points, pair.b.points));
         EXPECT_FALSE(a.points == pair.a.points && b.points == pair.b.points);
       } else if (variant.name == "translate") {
-        const Point step = difference(a.points[0], pair.a.points[0]);
+        const Point step = a.points[0] - pair.a.points[0];
         EXPECT_FALSE(step == Point{});
-        for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(difference(a.points[i], pair.a.points[i]), step);
-        for (std::size_t i = 0; i < b.points.size(); ++i) EXPECT_EQ(difference(b.points[i], pair.b.points[i]), step);
+        for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i] - pair.a.points[i], step);
+        for (std::size_t i = 0; i < b.points.size(); ++i) EXPECT_EQ(b.points[i] - pair.b.points[i], step);
         longest += abs(step.x) >= 1 ? 1 : 0;
       } else if (variant.name == "repeat") {
         EXPECT_EQ(digest_of(variant.seen), digest_of(pair));

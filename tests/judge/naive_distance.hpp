@@ -6,12 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::testing {
-
-inline Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-inline mpq_class product(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
 /// Solves the rows (matrix | right side) of a positive definite system; returns nullopt if it is singular.
 inline std::optional<std::vector<mpq_class>> solved(std::vector<std::vector<mpq_class>> rows) {
@@ -31,12 +28,12 @@ inline std::optional<std::vector<mpq_class>> solved(std::vector<std::vector<mpq_
 /// The squared distance of p from the simplex if the foot of the perpendicular is in it.
 inline std::optional<mpq_class> squared_distance_of_foot(const Point& p, const std::vector<Point>& simplex) {
   std::vector<std::vector<mpq_class>> rows;
-  Point rest = minus(p, simplex[0]);
+  Point rest = p - simplex[0];
   for (std::size_t i = 1; i < simplex.size(); ++i) {
-    const Point edge = minus(simplex[i], simplex[0]);
+    const Point edge = simplex[i] - simplex[0];
     rows.emplace_back();
-    for (std::size_t j = 1; j < simplex.size(); ++j) rows.back().push_back(product(edge, minus(simplex[j], simplex[0])));
-    rows.back().push_back(product(edge, rest));
+    for (std::size_t j = 1; j < simplex.size(); ++j) rows.back().push_back(dot(edge, simplex[j] - simplex[0]));
+    rows.back().push_back(dot(edge, rest));
   }
   const auto weights = solved(rows);
   if (!weights) return std::nullopt;
@@ -45,11 +42,11 @@ inline std::optional<mpq_class> squared_distance_of_foot(const Point& p, const s
     const mpq_class& w = (*weights)[i];
     if (w < 0) return std::nullopt;
     first -= w;
-    const Point edge = minus(simplex[i + 1], simplex[0]);
-    rest = minus(rest, {w * edge.x, w * edge.y, w * edge.z});
+    const Point edge = simplex[i + 1] - simplex[0];
+    rest = rest - w * edge;
   }
   if (first < 0) return std::nullopt;
-  return product(rest, rest);
+  return dot(rest, rest);
 }
 
 /// `simplex` and up to four points in all, the others from `body` at `next` or later.

@@ -21,7 +21,7 @@ using Solid = std::vector<Point>;
 mpq_class length(const std::vector<Wires::Wire>& wires, int axis, bool hidden) {
   mpq_class result = 0;
   for (const Wires::Wire& wire : wires) {
-    const Point d = sum(wire.to, scaled(wire.from, -1));
+    const Point d = wire.to - wire.from;
     const std::array<mpq_class, 3> along{d.x, d.y, d.z};
     if (wire.hidden == hidden) result += abs(along[static_cast<std::size_t>(axis)]);
   }
@@ -62,7 +62,7 @@ TEST(Hiding, SeamsOnTheSurfaceAreSeen) {
       for (const Wires::Wire& wire : piece.wires) {
         const auto on_seam = [&](const Point& p) { return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) == mpq_class(1, 3); };
         if (!on_seam(wire.from) || !on_seam(wire.to)) continue;
-        const Point d = sum(wire.to, scaled(wire.from, -1));
+        const Point d = wire.to - wire.from;
         (wire.hidden ? hidden : seen) += abs(d.x) + abs(d.y) + abs(d.z);
       }
       EXPECT_EQ(seen, 2) << "law: the seam is seen on two faces, cut along " << axis;
@@ -79,12 +79,12 @@ TEST(Hiding, FacesSeenFromTheirEdge) {
       const View along_plane(Point{0, 0, 1}, Point{p, q, 0});
       const Point out{p, q, 0}, ahead{q, -p, 0}, up{0, 0, 1};
       for (const int side : {-1, 1}) {
-        const Solid here{{0, 0, 0}, ahead, up, sum(ahead, up), out, sum(out, up)};
+        const Solid here{{0, 0, 0}, ahead, up, ahead + up, out, out + up};
         Solid there;
-        for (const Point& x : {Point{}, scaled(ahead, -1), scaled(out, side)}) there.push_back(x), there.push_back(sum(x, up));
+        for (const Point& x : {Point{}, -ahead, side * out}) there.push_back(x), there.push_back(x + up);
         for (const Wires& piece : compound_of({here, there}, along_plane).pieces)
           for (const Wires::Wire& wire : piece.wires)
-            EXPECT_FALSE(wire.hidden && product(wire.from, out) == 0 && product(wire.to, out) == 0) << "plane " << p << ' ' << q;
+            EXPECT_FALSE(wire.hidden && dot(wire.from, out) == 0 && dot(wire.to, out) == 0) << "plane " << p << ' ' << q;
       }
     }
 }
@@ -103,11 +103,11 @@ std::vector<HalfSpaceOf> half_spaces(const Solid& points) {
   for (const Point& p : points)
     for (const Point& q : points)
       for (const Point& r : points) {
-        const Point u = sum(q, scaled(p, -1)), v = sum(r, scaled(p, -1));
+        const Point u = q - p, v = r - p;
         const Point n{mpq_class(u.y * v.z - u.z * v.y), mpq_class(u.z * v.x - u.x * v.z), mpq_class(u.x * v.y - u.y * v.x)};
         if (n.x == 0 && n.y == 0 && n.z == 0) continue;
-        const mpq_class offset = product(n, p);
-        if (std::ranges::all_of(points, [&](const Point& x) { return product(n, x) <= offset; })) result.push_back({n, offset});
+        const mpq_class offset = dot(n, p);
+        if (std::ranges::all_of(points, [&](const Point& x) { return dot(n, x) <= offset; })) result.push_back({n, offset});
       }
   return result;
 }
@@ -117,7 +117,7 @@ bool hides(const std::vector<HalfSpaceOf>& body, const Point& place, const Point
   mpq_class from = 0;
   std::optional<mpq_class> to;
   for (const HalfSpaceOf& half : body) {
-    const mpq_class room = half.offset - product(half.normal, place), turn = product(half.normal, look);
+    const mpq_class room = half.offset - dot(half.normal, place), turn = dot(half.normal, look);
     if (turn == 0 && room <= 0) return false;
     if (turn < 0) from = std::max(from, mpq_class(room / turn));
     if (turn > 0) to = to ? std::min(*to, mpq_class(room / turn)) : mpq_class(room / turn);
@@ -140,7 +140,7 @@ TEST(Hiding, AgreesWithLooksFromSinglePlaces) {
       else points = box_points({number(), number(), number()}, {7, 8, 9});  // all with one corner, and three faces, in common
       std::vector<HalfSpaceOf> halves = half_spaces(points);
       const auto flat = [&](const HalfSpaceOf& h) {
-        return std::ranges::all_of(points, [&](const Point& p) { return product(h.normal, p) == h.offset; });
+        return std::ranges::all_of(points, [&](const Point& p) { return dot(h.normal, p) == h.offset; });
       };
       if (std::ranges::any_of(halves, flat)) continue;
       pieces.push_back(std::move(points));
@@ -149,7 +149,7 @@ TEST(Hiding, AgreesWithLooksFromSinglePlaces) {
     for (const Wires& piece : compound_of(pieces, view).pieces) {
       for (const Wires::Wire& wire : piece.wires)
         for (const int share : {1, 40, 99}) {  // of a hundred
-          const Point place = sum(wire.from, scaled(sum(wire.to, scaled(wire.from, -1)), mpq_class(share, 100)));
+          const Point place = wire.from + mpq_class(share, 100) * (wire.to - wire.from);
           const bool is_hidden = std::ranges::any_of(bodies, [&](const auto& body) { return hides(body, place, view.look()); });
           EXPECT_EQ(wire.hidden, is_hidden) << "law: hidden is what a piece hides; round " << round;
           ++asked;

@@ -45,7 +45,7 @@ TEST(Scene, TheWayIsTrueAndPointsRight) {
   const PairScene scene = cubes.scene();
   EXPECT_EQ(scene.status, Status::penetrating);
   const Panel whole = panels_of(scene, size).front();
-  const Dot from = whole.window.dot(scene.anchor), to = whole.window.dot(sum(scene.anchor, scene.way));
+  const Dot from = whole.window.dot(scene.anchor), to = whole.window.dot(scene.anchor + scene.way);
   EXPECT_NEAR(to.x - from.x, whole.window.scale().x.get_d() / 4, 1e-9);
   EXPECT_NEAR(to.y, from.y, 1e-9);
   EXPECT_GT(to.x, from.x);
@@ -90,7 +90,7 @@ TEST(Scene, LargeBodiesKeepWhatIsSeen) {
   EXPECT_TRUE(std::ranges::none_of(some.wires, &Wires::Wire::hidden)) << "over 200 edges";
   const std::size_t once = points.size();
   for (std::size_t i = 0; i < once; ++i)
-    points.push_back(sum(scaled(points[i], mpq_class(101, 100)), {0, 0, mpq_class(static_cast<long>(i % 2) * 3)}));
+    points.push_back(mpq_class(101, 100) * points[i] + {0, 0, mpq_class(static_cast<long>(i % 2) * 3)});
   EXPECT_LT(wires_of(points, view).wires.size(), 400u);
 }
 
@@ -102,7 +102,7 @@ TEST(Scene, TouchingAndDisjoint) {
   EXPECT_EQ(apart.status, Status::disjoint);
   EXPECT_EQ(apart.way, (Point{2, 0, 0}));
   const Window window = panels_of(apart, size).front().window;
-  EXPECT_LT(window.dot(apart.anchor).x, window.dot(sum(apart.anchor, apart.way)).x);
+  EXPECT_LT(window.dot(apart.anchor).x, window.dot(apart.anchor + apart.way).x);
 }
 
 TEST(Scene, CloseUpsOfShortWays) {
@@ -110,7 +110,7 @@ TEST(Scene, CloseUpsOfShortWays) {
   const std::vector<Panel> panels = panels_of(scene, size);
   ASSERT_EQ(panels.size(), 2u);
   EXPECT_TRUE(panels[1].close);
-  EXPECT_NEAR(panels[1].window.dot(sum(scene.anchor, scene.way)).x - panels[1].window.dot(scene.anchor).x, 70, 1e-9);
+  EXPECT_NEAR(panels[1].window.dot(scene.anchor + scene.way).x - panels[1].window.dot(scene.anchor).x, 70, 1e-9);
   EXPECT_GE(silhouette(scene.a, panels[1].window).size(), 3u) << "a wall";
 }
 
@@ -129,7 +129,7 @@ TEST(Scene, SpheresAreRound) {
   const double radius = 2 * window.scale().x.get_d();
   EXPECT_GT(around.size(), 60u);
   for (const Dot& d : around) EXPECT_NEAR(std::hypot(d.x - middle.x, d.y - middle.y), radius, 0.05);
-  EXPECT_NEAR(window.dot(sum(scene.anchor, scene.way)).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6) << "depth 1/2";
+  EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6) << "depth 1/2";
 }
 
 TEST(Scene, OutlinesOfShapes) {
@@ -170,7 +170,7 @@ TEST(Scene, HalfSpacesEndAtTheirPlane) {
     const auto [left, right] = std::ranges::minmax(half, {}, &Dot::x);
     EXPECT_NEAR(first ? left.x : right.x, plane, 1e-6);
     EXPECT_TRUE(first ? right.x > 400 : left.x < 0) << "the rest is beyond the window";
-    EXPECT_NEAR(window.dot(sum(scene.anchor, scene.way)).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6);
+    EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6);
   }
 }
 
@@ -179,7 +179,7 @@ TEST(Scene, EnclosedWays) {
   const PairScene scene = of_shapes(cylinder(1, 2), at(cone(1, 1), {mpq_class(6, 5), mpq_class(3, 10), 1}));
   EXPECT_TRUE(scene.enclosed);
   EXPECT_TRUE(scene.approximate());
-  EXPECT_NEAR(std::sqrt(product(scene.way, scene.way).get_d()), 0.763068312312, 1e-9);
+  EXPECT_NEAR(std::sqrt(dot(scene.way, scene.way).get_d()), 0.763068312312, 1e-9);
   EXPECT_NEAR(std::hypot(scene.anchor.x.get_d(), scene.anchor.y.get_d()), 1, 1e-9) << "on the side of the cylinder";
 }
 

@@ -58,7 +58,7 @@ TEST(View, LooksFromALittleAbove) {
       for (const int y : {-1, 1})
         for (const int z : {-1, 1}) {
           const Point corner{x, y, z};
-          if (product(corner, along) > 0) heights.push_back(view.project(corner, Point{}, 1).y);
+          if (dot(corner, along) > 0) heights.push_back(view.project(corner, Point{}, 1).y);
         }
     std::ranges::sort(heights);
     for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GT(heights[i] - heights[i - 1], 0.3) << along.x << along.y << along.z;
@@ -79,7 +79,7 @@ TEST(View, ShowsTheEdgesInContact) {
     RC_PRE(along != Point{} && edges[0] != Point{} && edges[1] != Point{});
     const View view(along, std::nullopt, edges);
     for (const Point& edge : edges) {
-      const double whole = std::sqrt(product(edge, edge).get_d());
+      const double whole = std::sqrt(dot(edge, edge).get_d());
       RC_ASSERT(length(view.project(edge, Point{}, 1)) > 0.25 * whole);
     }
   }));

@@ -9,19 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "kernels/point_algebra.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::rounded {
 namespace {
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-Point plus(const Point& p, const mpq_class& s, const Point& q) { return {p.x + s * q.x, p.y + s * q.y, p.z + s * q.z}; }
-
-Point rational(const Vector& v) { return {v.x, v.y, v.z}; }
 
 Point random_point(families::Random& random, long size) {
   return {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size))};
@@ -36,14 +29,14 @@ void expect_laws(const SignedDepth& depth, const std::string& id) {
   ASSERT_FALSE(ways.empty()) << id;
   for (const AlongNormal& way : ways) {
     const Point n = rational(way.normal);
-    const mpq_class square = product(n, n);
+    const mpq_class square = dot(n, n);
     // alpha |n| + beta is the value, as alpha |n| = h(n)/|n|.
     EXPECT_TRUE(same_value({way.beta, way.alpha * abs(way.alpha) * square}, *depth.exact())) << id << ": a translation of another length";
   }
   EXPECT_EQ(ways.front().normal, depth.direction()) << id;
   const RoundedWitness witness = depth.witness().value();
   const AlongNormal& first = ways.front();
-  EXPECT_EQ(minus(witness.b.core, witness.a.core), plus({}, first.alpha, rational(first.normal))) << id << ": b - a is not the translation";
+  EXPECT_EQ(witness.b.core - witness.a.core, first.alpha * rational(first.normal)) << id << ": b - a is not the translation";
   EXPECT_EQ(witness.b.distance - witness.a.distance, first.beta) << id;
   EXPECT_EQ(witness.a.distance, -depth.radius_a) << id;
   EXPECT_LE(depth.low_binary64(), depth.high_binary64()) << id;
@@ -73,24 +66,23 @@ TEST(SignedDepth, IsThatOfTheCoresAndBothRadii) {
 
 /// The squared distance of p from the segment from q to q + d.
 mpq_class point_segment(const Point& p, const Point& q, const Point& d) {
-  const mpq_class square = product(d, d);
-  mpq_class t = square == 0 ? mpq_class(0) : mpq_class(product(minus(p, q), d) / square);
+  const mpq_class square = dot(d, d);
+  mpq_class t = square == 0 ? mpq_class(0) : mpq_class(dot(p - q, d) / square);
   t = std::clamp<mpq_class>(t, 0, 1);
-  const Point gap = minus(p, plus(q, t, d));
-  return product(gap, gap);
+  const Point gap = p - (q + t * d);
+  return dot(gap, gap);
 }
 
 /// Of segments from p to p + d and from q to q + e: an end of one against the other, or the feet of the common perpendicular.
 mpq_class segment_segment(const Point& p, const Point& d, const Point& q, const Point& e) {
-  mpq_class least =
-      std::min({point_segment(p, q, e), point_segment(plus(p, 1, d), q, e), point_segment(q, p, d), point_segment(plus(q, 1, e), p, d)});
-  const mpq_class dd = product(d, d), ee = product(e, e), de = product(d, e), determinant = dd * ee - de * de;
+  mpq_class least = std::min({point_segment(p, q, e), point_segment(p + d, q, e), point_segment(q, p, d), point_segment(q + e, p, d)});
+  const mpq_class dd = dot(d, d), ee = dot(e, e), de = dot(d, e), determinant = dd * ee - de * de;
   if (determinant == 0) return least;
-  const Point w = minus(p, q);
-  const mpq_class s = (de * product(e, w) - ee * product(d, w)) / determinant, t = (dd * product(e, w) - de * product(d, w)) / determinant;
+  const Point w = p - q;
+  const mpq_class s = (de * dot(e, w) - ee * dot(d, w)) / determinant, t = (dd * dot(e, w) - de * dot(d, w)) / determinant;
   if (s < 0 || s > 1 || t < 0 || t > 1) return least;
-  const Point gap = minus(plus(p, s, d), plus(q, t, e));
-  return std::min(least, product(gap, gap));
+  const Point gap = p + s * d - (q + t * e);
+  return std::min(least, dot(gap, gap));
 }
 
 TEST(SignedDepth, OfCapsulesIsTheClosedForm) {
@@ -100,9 +92,9 @@ TEST(SignedDepth, OfCapsulesIsTheClosedForm) {
     const long size = i % 3 == 0 ? 1 : 20;
     const Point p = random_point(random, size), d = random_point(random, size), e = random_point(random, size),
                 other = random_point(random, size);
-    const Point q = i % 5 == 0 ? plus(p, mpq_class(1, 3), d) : other;  // on the first segment, or anywhere
+    const Point q = i % 5 == 0 ? p + mpq_class(1, 3) * d : other;  // on the first segment, or anywhere
     const mpq_class r = families::ratio(random.between(0, 20), 7), s = families::ratio(random.between(0, 20), 5);
-    const Shape a = with_margin(hull(std::vector{p, plus(p, 1, d)}), r), b = with_margin(hull(std::vector{q, plus(q, 1, e)}), s);
+    const Shape a = with_margin(hull(std::vector{p, p + d}), r), b = with_margin(hull(std::vector{q, q + e}), s);
     const mpq_class square = segment_segment(p, d, q, e);
     const SignedDepth depth = signed_depth(a, b);
     EXPECT_TRUE(same_value(*depth.exact(), {r + s, -square})) << i;
@@ -179,7 +171,7 @@ TEST(SignedDepth, OfAHalfSpaceIsThatOfALargeBox) {
     const HalfSpace& plane = std::get<HalfSpace>(half.core);
     for (const auto& [corner, foot] :
          {std::pair(as_b.witness()->a.core, as_b.witness()->b.core), {as_a.witness()->b.core, as_a.witness()->a.core}}) {
-      EXPECT_EQ(product(plane.normal, foot), plane.offset) << i;
+      EXPECT_EQ(dot(plane.normal, foot), plane.offset) << i;
       EXPECT_NE(std::find(corners.begin(), corners.end(), Atom{corner, {}}), corners.end()) << i;
     }
     EXPECT_EQ(as_a.direction(), (Vector{-as_b.direction().x, -as_b.direction().y, -as_b.direction().z}));
@@ -221,7 +213,7 @@ std::vector<Point> ball_points() {
 }
 
 std::vector<Point> scaled(std::vector<Point> points, const mpq_class& factor) {
-  for (Point& p : points) p = {factor * p.x, factor * p.y, factor * p.z};
+  for (Point& p : points) p = factor * p;
   return points;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fathom/shape.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/families/random.hpp"
 
@@ -15,8 +16,6 @@ namespace fathom::shapes {
 namespace {
 
 const std::vector<Atom>& atoms(const Shape& shape) { return std::get<std::vector<Term>>(shape.core).at(0).atoms; }
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
 Quaternion random_quaternion(families::Random& random) {
   const auto part = [&] { return families::ratio(random.between(-50, 50), random.between(1, 50)); };
@@ -111,7 +110,7 @@ TEST(Poses, OfQuaternionsAreExactlyOrthogonal) {
     const Pose pose = rigid_pose(q, {1, 2, 3});
     const auto row = [&](std::size_t k) { return Point{pose[k][0], pose[k][1], pose[k][2]}; };
     for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(product(row(j), row(k)), j == k ? 1 : 0);
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(dot(row(j), row(k)), j == k ? 1 : 0);
     const Point x = row(0), y = row(1), z = row(2);
     EXPECT_EQ(x.x * (y.y * z.z - y.z * z.y) - x.y * (y.x * z.z - y.z * z.x) + x.z * (y.x * z.y - y.y * z.x), 1) << "a reflection";
     // v -> q v q^-1 by Hamilton's products.
@@ -155,7 +154,7 @@ TEST(Poses, MoveHalfSpacesAsTheirPoints) {
     }
     const HalfSpace& half = std::get<HalfSpace>(image.core);
     const Point q = atoms(moved(hull(std::vector{p}), pose)).at(0).center;
-    EXPECT_EQ(product(normal, p) - offset, product(half.normal, q) - half.offset);
+    EXPECT_EQ(dot(normal, p) - offset, dot(half.normal, q) - half.offset);
   }
 }
 

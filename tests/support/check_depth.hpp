@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/position.hpp"
@@ -19,15 +20,11 @@ namespace fathom::testing {
 using Ids = std::vector<std::uint32_t>;
 using Rational = Vec3<mpq_class>;
 
-inline Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-
-inline mpq_class along(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
-
 /// h(u) = max_b <u,b> - min_a <u,a>.
 inline mpq_class support(std::span<const Point> a, std::span<const Point> b, const Vector& u) {
-  mpq_class low = along(u, a.front()), high = along(u, b.front());
-  for (const Point& p : a) low = std::min(low, along(u, p));
-  for (const Point& p : b) high = std::max(high, along(u, p));
+  mpq_class low = dot(u, a.front()), high = dot(u, b.front());
+  for (const Point& p : a) low = std::min(low, dot(u, p));
+  for (const Point& p : b) high = std::max(high, dot(u, p));
   return high - low;
 }
 
@@ -52,7 +49,7 @@ inline int rank_of(std::span<const Point> points, const Ids& chosen) {
   int rank = 0;
   Rational first, normal;
   for (const std::uint32_t i : chosen) {
-    const Point p = difference(points[i], points[chosen.front()]);
+    const Point p = points[i] - points[chosen.front()];
     const Rational d{p.x, p.y, p.z}, zero;
     if (rank == 0 && d != zero) {
       first = d;
@@ -69,12 +66,12 @@ inline int rank_of(std::span<const Point> points, const Ids& chosen) {
 
 /// The face of a body in direction u: the extreme points of the body that maximise <u,p>, of equal ones the lowest index, ascending.
 inline Ids face(std::span<const Point> points, const Vector& u) {
-  mpq_class best = along(u, points.front());
-  for (const Point& p : points) best = std::max(best, along(u, p));
+  mpq_class best = dot(u, points.front());
+  for (const Point& p : points) best = std::max(best, dot(u, p));
   Ids greatest;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const auto is_point_i = [&](std::uint32_t j) { return points[j] == points[i]; };
-    if (along(u, points[i]) == best && std::ranges::none_of(greatest, is_point_i)) greatest.push_back(i);
+    if (dot(u, points[i]) == best && std::ranges::none_of(greatest, is_point_i)) greatest.push_back(i);
   }
   Ids extreme;
   for (const std::uint32_t i : greatest) {
@@ -113,9 +110,9 @@ inline void check(const Distance& distance, std::span<const Point> a, std::span<
   const mpq_class h = support(a, b, n), square(dot(n, n));
   report.expect(!is_zero(n) && primitive(n) == n && h < 0, "disjoint: h of the direction is negative");
   report.expect(h * h == distance.squared * square, "h(n)^2 = distance^2 <n,n>");
-  report.expect(distance.translation == Point{h / square * n.x, h / square * n.y, h / square * n.z}, "translation of the distance");
+  report.expect(distance.translation == h / square * n, "translation of the distance");
   const auto& [p, q] = distance.witness;
-  report.expect(difference(q, p) == distance.translation, "nearest points differ by the translation");
+  report.expect(q - p == distance.translation, "nearest points differ by the translation");
   report.expect(in_hull(p, a, all_of(a)) && in_hull(q, b, all_of(b)), "nearest points in their bodies");
   report.expect(distance.contact.a == face(a, -n) && distance.contact.b == face(b, n), "faces in the direction of the distance");
   report.expect(distance.contact.kind == kind_of(distance.contact, a, b), "what these faces are");
@@ -132,13 +129,13 @@ inline void check(const Penetration& penetration, std::span<const Point> a, std:
     const mpq_class h = support(a, b, n), square(dot(n, n));
     report.expect(primitive(n) == n, "direction is not primitive");
     report.expect(h > 0 && h * h == penetration.squared() * square, "h(n)^2 = q <n,n>");
-    report.expect(o.translation() == Point{h / square * n.x, h / square * n.y, h / square * n.z}, "translation");
+    report.expect(o.translation() == h / square * n, "translation");
     report.expect(o.contact.a == face(a, -n) && o.contact.b == face(b, n), "contact features");
     report.expect(o.contact.kind == kind_of(o.contact, a, b), "contact kind");
   }
   const Optimum& first = optima.front();
   const auto& [p, q] = penetration.witness();
-  report.expect(difference(q, p) == first.translation(), "witness points do not differ by the translation");
+  report.expect(q - p == first.translation(), "witness points do not differ by the translation");
   report.expect(in_hull(p, a, first.contact.a) && in_hull(q, b, first.contact.b), "witness point off its face");
 }
 

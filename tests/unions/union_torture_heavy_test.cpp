@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fathom/certificate.hpp"
+#include "kernels/point_algebra.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/check/check.hpp"
@@ -37,8 +38,6 @@ bool overlap(const Pieces& a, const Pieces& b) {
     }
   return false;
 }
-
-Point times(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
 
 Places reversed(const Places& all) {
   Places result;
@@ -92,7 +91,7 @@ TEST(UnionTorture, ShorterTranslationsOverlapAndOptimaSeparate) {
     if (depth.status != Status::penetrating) return;
     for (const UnionOptimum& o : depth.optima) {
       EXPECT_FALSE(overlap(moved(a, o.translation), b));
-      EXPECT_TRUE(overlap(moved(a, times(mpq_class(65535, 65536), o.translation)), b));
+      EXPECT_TRUE(overlap(moved(a, mpq_class(65535, 65536) * o.translation), b));
     }
     for (int i = 0; i < 12; ++i) {
       const auto coordinate = [&random] { return static_cast<long>(random() % 201) - 100; };
@@ -101,8 +100,8 @@ TEST(UnionTorture, ShorterTranslationsOverlapAndOptimaSeparate) {
       if (length == 0) continue;
       const mpq_class s(std::sqrt(depth.squared().get_d()) / length *
                         (i % 3 == 0 ? 0.9999 : std::cbrt(static_cast<double>(random() % 1000) / 1000)));
-      const Point t = times(s, {x, y, z});
-      if (t.x * t.x + t.y * t.y + t.z * t.z >= depth.squared()) continue;
+      const Point t = s * {x, y, z};
+      if (dot(t, t) >= depth.squared()) continue;
       EXPECT_TRUE(overlap(moved(a, t), b)) << "law: what is shorter than the depth overlaps";
       ++shorter;
     }

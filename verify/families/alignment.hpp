@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/placement.hpp"
 
 namespace fathom::families {
@@ -20,10 +21,6 @@ struct Features {
   std::vector<std::pair<Point, Point>> arcs;   ///< the two normals beside each edge that has two facets
 };
 Features features(const Body& body);
-
-mpq_class inner(const Point& p, const Point& q);
-Point combined(const mpq_class& s, const Point& p, const mpq_class& t, const Point& q);  ///< s p + t q
-Point crossed(const Point& p, const Point& q);
 
 /// The linear map that takes the direction `from` to its projection on the line of `to`, and is the identity across `from`: edges with
 /// direction `from` become parallel to `to`. <from, to> must not be 0.

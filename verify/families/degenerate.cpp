@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/random_bodies.hpp"
 #include "verify/families/solids.hpp"
 
@@ -10,14 +11,8 @@ namespace fathom::families {
 
 namespace {
 
-Point moved(const Point& p, const Point& by, const mpq_class& factor = 1) {
-  return {mpq_class(p.x + factor * by.x), mpq_class(p.y + factor * by.y), mpq_class(p.z + factor * by.z)};
-}
-
-Point difference(const Point& p, const Point& q) { return moved(p, q, -1); }
-
 /// Each component at most 1 / divisor.
-Point small_shift(Random& random, long divisor) { return moved({0, 0, 0}, random_shift(random, 1), ratio(1, divisor)); }
+Point small_shift(Random& random, long divisor) { return ratio(1, divisor) * random_shift(random, 1); }
 
 Body random_box(Random& random) {
   const std::int64_t x = random.between(1, 3), y = random.between(1, 3), z = random.between(1, 3);
@@ -63,11 +58,11 @@ Body flat_body(int rank, std::vector<Point> axes, Random& random, unsigned n) {
   const Point origin{random.between(0, 3), random.between(0, 3), random.between(0, 3)};
   axes.resize(static_cast<std::size_t>(rank));
   Body body{{origin}};
-  for (const Point& axis : axes) body.points.push_back(moved(origin, axis));
+  for (const Point& axis : axes) body.points.push_back(origin + axis);
   const unsigned total = rank == 0 ? 1 + static_cast<unsigned>(random.between(0, 1)) : std::max(n, static_cast<unsigned>(rank) + 1);
   while (body.points.size() < total) {
     Point p = origin;
-    for (const Point& axis : axes) p = moved(p, axis, random.between(-2, 2));
+    for (const Point& axis : axes) p = p + random.between(-2, 2) * axis;
     body.points.push_back(p);
   }
   return body;
@@ -78,7 +73,7 @@ Point some_point(const Body& body, Random& random) {
   const std::int64_t last = static_cast<std::int64_t>(body.points.size()) - 1;
   const Point& p = body.points[static_cast<std::size_t>(random.between(0, last))];
   const Point& q = body.points[static_cast<std::size_t>(random.between(0, last))];
-  return random.coin() ? p : moved(p, difference(q, p), ratio(1, 2));
+  return random.coin() ? p : p + ratio(1, 2) * (q - p);
 }
 
 constexpr long far = 996;  // 2^996 is just below 1e300
@@ -95,7 +90,7 @@ Bodies near_ties(Random& random, unsigned n) {
   const mpq_class gap = times_power_of_two(1, -random.between(10, 200));
   Point direction = small_lattice_point(random);
   while (is_origin(direction)) direction = small_lattice_point(random);
-  return {body, translated(body, moved({0, 0, 0}, direction, gap))};
+  return {body, translated(body, gap * direction)};
 }
 
 Bodies near_tie_boxes(Random& random, unsigned) {
@@ -149,8 +144,8 @@ Bodies redundant_points(Random& random, unsigned n) {
     const auto any = [&] { return body->points[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(given) - 1))]; };
     for (std::size_t i = 0; i < given; ++i) {
       const Point p = any(), q = any(), r = any();
-      const Point middle = moved(p, difference(q, p), ratio(1, 2));
-      const Point deeper = moved(middle, difference(r, middle), ratio(1, 3));
+      const Point middle = p + ratio(1, 2) * (q - p);
+      const Point deeper = middle + ratio(1, 3) * (r - middle);
       body->points.push_back(i % 3 == 0 ? p : i % 3 == 1 ? middle : deeper);
     }
     std::ranges::reverse(body->points.edit());
@@ -164,7 +159,7 @@ Bodies flat(int rank_a, int rank_b, Random& random, unsigned n) {
   const Body b = flat_body(rank_b, random.coin() ? axes : others, random, n);
   if (random.between(0, 3) == 0) return {a, b};
   const Point meet = some_point(a, random), at = some_point(b, random);
-  return {a, translated(b, difference(meet, at))};
+  return {a, translated(b, meet - at)};
 }
 
 Bodies tiny_coordinates(Random& random, unsigned n) {

@@ -2,6 +2,7 @@
 // Ways of breaking general position that turn a feature of a body until it coincides with another one, or with the chart's frame.
 #include <algorithm>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/alignment.hpp"
 #include "verify/families/degrade_ways.hpp"
 
@@ -28,14 +29,14 @@ std::vector<T> some(std::vector<T> list, Random& random) {
 std::vector<Point> with_negatives(std::vector<Point> list) {
   for (std::size_t i = 0, given = list.size(); i < given; ++i) {
     const Point p = list[i];
-    list.push_back(combined(-1, p, 0, p));
+    list.push_back(-p);
   }
   return list;
 }
 
 std::vector<Point> negated(const std::vector<Point>& list) {
   std::vector<Point> result;
-  for (const Point& p : list) result.push_back(combined(-1, p, 0, p));
+  for (const Point& p : list) result.push_back(-p);
   return result;
 }
 
@@ -91,8 +92,8 @@ std::optional<Point> turn_normal_of_a(Bodies& bodies, const std::vector<Point>& 
 std::vector<Point> normals(const Body& body, Random& random) { return some(features(body).normals, random); }
 
 mpq_class reach(const Body& body, const Point& u) {
-  mpq_class most = inner(u, body.points.front());
-  for (const Point& p : body.points) most = std::max(most, inner(u, p));
+  mpq_class most = dot(u, body.points.front());
+  for (const Point& p : body.points) most = std::max(most, dot(u, p));
   return most;
 }
 
@@ -107,7 +108,7 @@ Point nearest_axis(const Point& p) {
 
 void shared_vertex(Bodies& bodies, Random& random) {
   const std::vector<Point> of_a = some(features(bodies.a).vertices, random), of_b = some(features(bodies.b).vertices, random);
-  bodies.a = translated(bodies.a, combined(1, of_b.front(), -1, of_a.front()));
+  bodies.a = translated(bodies.a, of_b.front() - of_a.front());
 }
 
 void shared_edge_direction(Bodies& bodies, Random& random) {
@@ -131,7 +132,7 @@ void coplanar_facets(Bodies& bodies, Random& random) {
   const std::optional<Point> normal = turn_normal_of_a(bodies, of_a, of_b);
   if (!normal) return;
   const mpq_class missing = reach(bodies.b, *normal) - reach(bodies.a, *normal);
-  bodies.a = translated(bodies.a, combined(mpq_class(missing / inner(*normal, *normal)), *normal, 0, *normal));
+  bodies.a = translated(bodies.a, (missing / dot(*normal, *normal)) * (*normal));
 }
 
 void axis_aligned_facet(Bodies& bodies, Random& random) { turn_normals(bodies, random, nearest_axis); }
@@ -157,7 +158,7 @@ void nodes_on_one_vertical(Bodies& bodies, Random& random) {
   const std::vector<Point> of_a = normals(bodies.a, random);
   std::optional<Turn> best;
   for (const Point& m : normals(bodies.b, random)) {
-    const Point circle = crossed(m, upright);
+    const Point circle = cross(m, upright);
     if (is_origin(circle)) continue;
     const auto turn = smallest_turn(of_a, [&](const Point& n) { return across(n, circle); });
     if (turn && (!best || agreement(turn->from, turn->to) > agreement(best->from, best->to))) best = turn;
@@ -168,7 +169,7 @@ void nodes_on_one_vertical(Bodies& bodies, Random& random) {
 void normal_on_arc(Bodies& bodies, Random& random) {
   const std::vector<Point> of_a = normals(bodies.a, random);
   std::vector<Point> middles;
-  for (const auto& [left, right] : some(features(bodies.b).arcs, random)) middles.push_back(combined(-1, left, -1, right));
+  for (const auto& [left, right] : some(features(bodies.b).arcs, random)) middles.push_back(-left - right);
   turn_normal_of_a(bodies, of_a, middles);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fathom/depth.hpp"
+#include "kernels/point_algebra.hpp"
 #include "verify/families/alignment.hpp"
 #include "verify/families/degrade_ways.hpp"
 
@@ -15,12 +16,12 @@ const T& any(const std::vector<T>& list, Random& random) {
   return list[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(list.size()) - 1))];
 }
 
-Point between(const Point& p, const Point& q, const mpq_class& share) { return combined(mpq_class(1 - share), p, share, q); }
+Point between(const Point& p, const Point& q, const mpq_class& share) { return (1 - share) * p + share * q; }
 
 Point centre(const Body& body) {
   Point sum;
-  for (const Point& p : body.points) sum = combined(1, sum, 1, p);
-  return combined(ratio(1, mpz_class(body.points.size())), sum, 0, sum);
+  for (const Point& p : body.points) sum = sum + p;
+  return ratio(1, mpz_class(body.points.size())) * sum;
 }
 
 Body flattened(const Body& body, Random& random) {
@@ -29,7 +30,7 @@ Body flattened(const Body& body, Random& random) {
   const std::size_t chosen = static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(shape.facets.size()) - 1));
   const Point normal = shape.normals[chosen], foot = shape.facets[chosen].front();
   Body result;
-  for (const Point& p : body.points) result.points.push_back(combined(1, foot, 1, across(combined(1, p, -1, foot), normal)));
+  for (const Point& p : body.points) result.points.push_back(foot + across(p - foot, normal));
   return result;
 }
 
@@ -39,7 +40,7 @@ Body reflected_half(const Body& body) {
   result.points.edit().resize(std::min(body.points.size(), std::max<std::size_t>(3, half)));
   for (std::size_t i = 0, given = result.points.size(); i < given; ++i) {
     const Point p = result.points[i];
-    result.points.push_back(combined(-1, p, 0, p));
+    result.points.push_back(-p);
   }
   return result;
 }
@@ -94,7 +95,7 @@ void coplanar_points(Bodies& bodies, Random& random) {
     const Features shape = features(*body);
     if (shape.facets.empty()) continue;
     const std::vector<Point>& corners = any(shape.facets, random);
-    if (corners.size() == 3) body->points.push_back(combined(1, combined(1, corners[0], 1, corners[2]), -1, corners[1]));
+    if (corners.size() == 3) body->points.push_back(corners[0] + corners[2] - corners[1]);
     body->points.push_back(between(between(corners[0], corners[1], ratio(random.between(1, 3), 4)), corners[2], ratio(1, 2)));
   }
 }
@@ -116,7 +117,7 @@ void tie_by_reflection(Bodies& bodies, Random&) {
 void touching_translation(Bodies& bodies, Random&) {
   Depth depth = penetration_depth(bodies.a.points, bodies.b.points);
   if (depth.status() == Status::disjoint) {
-    bodies.a = translated(bodies.a, combined(1, centre(bodies.b), -1, centre(bodies.a)));
+    bodies.a = translated(bodies.a, centre(bodies.b) - centre(bodies.a));
     depth = penetration_depth(bodies.a.points, bodies.b.points);
   }
   bodies.a = translated(bodies.a, depth.translation());

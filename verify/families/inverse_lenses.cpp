@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::families {
 
@@ -22,10 +22,6 @@ struct PlanePoint {
 struct Frame {
   Point x, y;
 };
-
-Point times(const Vector& v, const mpq_class& factor) {
-  return {mpq_class(factor * v.x), mpq_class(factor * v.y), mpq_class(factor * v.z)};
-}
 
 mpq_class square(const Vector& v) { return {dot(v, v)}; }
 
@@ -43,7 +39,7 @@ Frame frame_of(const Vector& n, const mpq_class& squared_unit) {
   const std::array<mpz_class, 3> sizes{abs(n.x), abs(n.y), abs(n.z)};
   const Vector& axis = axes[static_cast<std::size_t>(std::ranges::min_element(sizes) - sizes.begin())];
   const Vector x = primitive(cross(axis, n)), y = primitive(cross(n, x));
-  return {times(x, short_quotient_of_roots(squared_unit, square(x))), times(y, short_quotient_of_roots(squared_unit, square(y)))};
+  return {short_quotient_of_roots(squared_unit, square(x)) * x, short_quotient_of_roots(squared_unit, square(y)) * y};
 }
 
 mpq_class reach(Random& random) { return ratio(random.between(8, 24), 16); }

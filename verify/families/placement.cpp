@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/families/placement.hpp"
 
+#include "kernels/point_algebra.hpp"
+
 namespace fathom::families {
 
 namespace {
-
-mpq_class inner(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 template <class Map>
 Body mapped(const Body& body, Map map) {
@@ -34,11 +34,11 @@ Rotation random_rotation(Random& random) {
 }
 
 Body rotated(const Body& body, const Rotation& rotation) {
-  return mapped(body, [&rotation](const Point& p) { return Point{inner(rotation[0], p), inner(rotation[1], p), inner(rotation[2], p)}; });
+  return mapped(body, [&rotation](const Point& p) { return Point{dot(rotation[0], p), dot(rotation[1], p), dot(rotation[2], p)}; });
 }
 
 Body translated(const Body& body, const Point& by) {
-  return mapped(body, [&by](const Point& p) { return Point{p.x + by.x, p.y + by.y, p.z + by.z}; });
+  return mapped(body, [&by](const Point& p) { return p + by; });
 }
 
 Body scaled(const Body& body, const mpq_class& x, const mpq_class& y, const mpq_class& z) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <iterator>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/placement.hpp"
 
 namespace fathom::families {
@@ -113,10 +114,6 @@ NamedBody stretched(NamedBody body, Random& random) {
 
 // ---- lowest and highest points ----
 
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-
-Point sum(const Point& p, const mpq_class& s, const Point& v) { return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z}; }
-
 /// Rounded down to a multiple of 2^-60; so exact if it is one.
 mpq_class root(const mpq_class& square) {
   const mpq_class scaled = times_power_of_two(square, 2 * bits_of_roots);
@@ -130,24 +127,24 @@ std::pair<Point, mpq_class> highest(const Atom& atom, const Point& u) {
   std::vector<mpq_class> along;
   mpq_class square = 0;
   for (const Point& axis : atom.axes) {
-    along.push_back(product(axis, u));
+    along.push_back(dot(axis, u));
     square += along.back() * along.back();
   }
   const mpq_class length = root(square);
   Point top = atom.center;
   if (length != 0)
-    for (std::size_t i = 0; i < along.size(); ++i) top = sum(top, along[i] / length, atom.axes[i]);
-  return {top, product(atom.center, u) + length};
+    for (std::size_t i = 0; i < along.size(); ++i) top = top + (along[i] / length) * atom.axes[i];
+  return {top, dot(atom.center, u) + length};
 }
 
 /// A point of the shape, which is no half-space, that is highest in direction u, nearly where roots are irrational.
 Point highest(const Shape& shape, const Point& u) {
-  Point result = sum({}, shape.radius / root(product(u, u)), u);
+  Point result = (shape.radius / root(dot(u, u))) * u;
   for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
     std::pair<Point, mpq_class> best = highest(term.atoms.front(), u);
     for (const Atom& atom : term.atoms)
       if (std::pair<Point, mpq_class> other = highest(atom, u); other.second > best.second) best = std::move(other);
-    result = sum(result, 1, best.first);
+    result = result + best.first;
   }
   return result;
 }
@@ -198,9 +195,9 @@ NamedPair met(NamedBody a, NamedBody b, Random& random, const Encounter& encount
   turn(a, random, encounter.aligned);
   turn(b, random, encounter.aligned);
   a.place = random_shift(random, 2);
-  const Point u = random_direction(random, encounter.aligned), down = sum({}, -1, u);
+  const Point u = random_direction(random, encounter.aligned), down = -u;
   const Point low = highest(shape_of(a), down), high = highest(shape_of(b), u);
-  const Point place = sum(sum(low, -1, high), encounter.overlap / root(product(u, u)), u);
+  const Point place = low - high + (encounter.overlap / root(dot(u, u))) * u;
   b.place = {to_grid(place.x), to_grid(place.y), to_grid(place.z)};
   return {std::move(a), std::move(b)};
 }
@@ -231,8 +228,8 @@ NamedPair random_pair_with_plane(ShapeKind kind, Random& random, unsigned n) {
   turn(body, random, encounter.aligned);
   body.place = random_shift(random, 2);
   const Point normal = random_direction(random, encounter.aligned);
-  const Point low = highest(shape_of(body), sum({}, -1, normal));
-  const mpq_class offset = to_grid(product(low, normal) + encounter.overlap * root(product(normal, normal)));
+  const Point low = highest(shape_of(body), -normal);
+  const mpq_class offset = to_grid(dot(low, normal) + encounter.overlap * root(dot(normal, normal)));
   NamedBody plane = named("halfspace", {{"normal", {normal.x, normal.y, normal.z}}, {"offset", {offset}}});
   if (random.coin()) std::swap(body, plane);
   return {std::move(body), std::move(plane)};

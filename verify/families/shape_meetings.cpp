@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "kernels/point_algebra.hpp"
 #include "reference/files/pose.hpp"
 #include "verify/families/placement.hpp"
 
@@ -24,12 +25,10 @@ Point rotated(const Point& p, const Quaternion& turn) { return files::placed(p, 
 /// What becomes (0, 0, 1).
 Point upward(const Quaternion& turn) { return rotated({0, 0, 1}, {turn.w, -turn.x, -turn.y, -turn.z}); }
 
-Point sum(const Point& p, const mpq_class& s, const Point& v) { return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z}; }
-
 /// The body turned, and moved so that this point of it comes to O.
 MeetingBody with_top(NamedBody body, const Quaternion& turn, const Point& top, const mpq_class& inner) {
   body = posed(std::move(body), turn, {});
-  body.place = sum({}, -1, rotated(top, turn));
+  body.place = -rotated(top, turn);
   return {std::move(body), inner};
 }
 
@@ -108,13 +107,13 @@ MeetingBody sphere_cap(Random& random) {
 MeetingBody capsule_cap(Random& random) {
   const Lengths of = lengths(random);
   const Quaternion turn = tilt(random);
-  return with_top(with_lengths("capsule", of), turn, sum({0, 0, of.half_length}, of.radius, upward(turn)), of.radius);
+  return with_top(with_lengths("capsule", of), turn, Point{0, 0, of.half_length} + of.radius * upward(turn), of.radius);
 }
 
 MeetingBody capsule_side(Random& random) {
   const Lengths of = lengths(random);
   const Point on_axis{0, 0, part(random) * of.half_length};
-  return with_top(with_lengths("capsule", of), lying, sum(on_axis, of.radius, upward(lying)), of.radius);
+  return with_top(with_lengths("capsule", of), lying, on_axis + of.radius * upward(lying), of.radius);
 }
 
 // The generator is a tangent of the circles in the plane of x and z: the radii differ by p, their centres are s apart.
@@ -124,7 +123,7 @@ MeetingBody tapered_side(Random& random) {
   NamedBody body = named("tapered_capsule", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
   const Quaternion turn = turn_of(triple);
   const mpq_class inner = low + place * (high - low);
-  return with_top(std::move(body), turn, sum({0, 0, (2 * place - 1) * half_length}, inner, upward(turn)), inner);
+  return with_top(std::move(body), turn, Point{0, 0, (2 * place - 1) * half_length} + inner * upward(turn), inner);
 }
 
 MeetingBody cylinder_face(Random& random) {
@@ -136,7 +135,7 @@ MeetingBody cylinder_face(Random& random) {
 MeetingBody cylinder_barrel(Random& random) {
   const Lengths of = lengths(random);
   const mpq_class z = part(random) * of.half_length;
-  return with_top(with_lengths("cylinder", of), lying, sum({0, 0, z}, of.radius, upward(lying)),
+  return with_top(with_lengths("cylinder", of), lying, Point{0, 0, z} + of.radius * upward(lying),
                   std::min(of.radius, mpq_class(of.half_length - abs(z))));
 }
 

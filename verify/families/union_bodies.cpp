@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/circle.hpp"
 #include "verify/families/random_bodies.hpp"
 #include "verify/families/union_cuts.hpp"
@@ -61,7 +62,7 @@ std::vector<Point> box_from(const Point& low, const Point& high) { return cut_in
 Pieces translated(const Pieces& pieces, const Point& by) {
   Pieces result = pieces;
   for (std::vector<Point>& piece : result)
-    for (Point& p : piece) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+    for (Point& p : piece) p = p + by;
   return result;
 }
 

@@ -2,6 +2,7 @@
 // Of union_bodies.hpp the pairs of convex bodies that were cut: their depth is that of the hulls.
 #include <algorithm>
 
+#include "kernels/point_algebra.hpp"
 #include "verify/families/random_bodies.hpp"
 #include "verify/families/union_bodies.hpp"
 #include "verify/families/union_cuts.hpp"
@@ -68,7 +69,7 @@ UnionPair cut_grids(Random& random, unsigned n) {
   const auto side = [&random] { return mpq_class(random.between(1, 4)); };
   const auto grid = [&] {
     const Point low{side(), side(), side()}, size{side(), side(), side()};
-    return cut_into_grid(low, {low.x + size.x, low.y + size.y, low.z + size.z}, cells_of(n));
+    return cut_into_grid(low, low + size, cells_of(n));
   };
   const Pieces a = grid(), b = grid();
   return {a, b};

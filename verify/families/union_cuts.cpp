@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "kernels/point_algebra.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
 
@@ -13,19 +14,16 @@ namespace {
 
 polytope::Polytope hull_of(const std::vector<Point>& points) { return polytope::convex_hull(polytope::place(points, points).a.points()); }
 
-mpq_class height_of(const Vector& n, const Point& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
-
 Point mean_of(const std::vector<Point>& points) {
   Point sum{0, 0, 0};
-  for (const Point& p : points) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
-  const mpq_class count(static_cast<unsigned long>(points.size()));
-  return {sum.x / count, sum.y / count, sum.z / count};
+  for (const Point& p : points) sum = sum + p;
+  return mpq_class(1, points.size()) * sum;
 }
 
 /// Where the segment from p to q is at `height`: at p it is lower, at q higher.
 Point crossing(const Vector& n, const mpq_class& height, const Point& p, const Point& q) {
-  const mpq_class low = height_of(n, p), t = (height - low) / (height_of(n, q) - low);
-  return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
+  const mpq_class low = dot(n, p), t = (height - low) / (dot(n, q) - low);
+  return p + t * (q - p);
 }
 
 Vector small_normal(Random& random) {
@@ -42,9 +40,9 @@ Point random_inside(Random& random, const std::vector<Point>& vertices) {
   for (const Point& v : vertices) {
     const mpq_class w(random.between(1, 4));
     weights += w;
-    sum = {sum.x + w * v.x, sum.y + w * v.y, sum.z + w * v.z};
+    sum = sum + w * v;
   }
-  return {sum.x / weights, sum.y / weights, sum.z / weights};
+  return mpq_class(1 / weights) * sum;
 }
 
 }  // namespace
@@ -75,7 +73,7 @@ Pieces cut_by_plane(const Pieces& pieces, const Vector& normal, const mpq_class&
   for (const std::vector<Point>& piece : pieces) {
     std::vector<Point> below, above, on;
     for (const Point& p : piece) {
-      const int side = cmp(height_of(normal, p), height);
+      const int side = cmp(dot(normal, p), height);
       (side < 0 ? below : side > 0 ? above : on).push_back(p);
     }
     if (below.empty() || above.empty()) {
@@ -93,9 +91,9 @@ Pieces cut_by_plane(const Pieces& pieces, const Vector& normal, const mpq_class&
 }
 
 Pieces cut_into_slabs(const std::vector<Point>& body, const Vector& normal, unsigned count) {
-  mpq_class low = height_of(normal, body.front()), high = low;
+  mpq_class low = dot(normal, body.front()), high = low;
   for (const Point& p : body) {
-    const mpq_class height = height_of(normal, p);
+    const mpq_class height = dot(normal, p);
     low = std::min(low, height);
     high = std::max(high, height);
   }
@@ -110,7 +108,7 @@ Pieces cut_by_random_planes(Random& random, const std::vector<Point>& body, unsi
   while (pieces.size() < count) {
     const Vector normal = small_normal(random);
     const Point inside = random_inside(random, vertices);
-    pieces = cut_by_plane(pieces, normal, height_of(normal, inside));
+    pieces = cut_by_plane(pieces, normal, dot(normal, inside));
   }
   return pieces;
 }

@@ -11,7 +11,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/rational_interval.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/shapes/support.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/measures.hpp"
@@ -61,7 +61,7 @@ bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>
 Point point_of(const Vector& u) { return {u.x, u.y, u.z}; }
 
 Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
-  return moved(shape, rigid_pose({1, 0, 0, 0}, {factor * u.x, factor * u.y, factor * u.z}));
+  return moved(shape, rigid_pose({1, 0, 0, 0}, factor * u));
 }
 
 class ShapeMeasures final : public Measures {
@@ -252,9 +252,9 @@ class ShapeMeasures final : public Measures {
     if (!has_halfspace()) return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
     const bool of_a = is_halfspace(truth_.a);
     const Point& n = std::get<HalfSpace>(of_a ? truth_.a.core : truth_.b.core).normal;
-    const mpq_class along = of_a ? mpq_class(-product(u, n)) : product(u, n);
+    const mpq_class along = of_a ? mpq_class(-dot(u, n)) : dot(u, n);
     if (sgn(along) <= 0) return std::nullopt;
-    const mpq_class slant = product(n, n) * mpq_class(dot(u, u)) / (along * along);
+    const mpq_class slant = dot(n, n) * mpq_class(dot(u, u)) / (along * along);
     const RationalInterval root = kernels::enclosed({0, slant}, 4 * bits_);
     return RationalInterval{value_.low * (sgn(value_.low) < 0 ? root.high : root.low),
                             value_.high * (sgn(value_.high) < 0 ? root.low : root.high)};

@@ -8,6 +8,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational_interval.hpp"
+#include "kernels/point_algebra.hpp"
 #include "verify/judge/exact_measures.hpp"
 #include "verify/judge/scene.hpp"
 
@@ -17,10 +18,10 @@ namespace {
 constexpr unsigned first_bits = 80, last_bits = 640;  // of the root in a translation
 
 Pieces moved(const Pieces& pieces, const mpq_class& factor, const Vector& u) {
-  const Point t{factor * u.x, factor * u.y, factor * u.z};
+  const Point t = factor * u;
   Pieces result = pieces;
   for (std::vector<Point>& piece : result)
-    for (Point& p : piece) p = {p.x + t.x, p.y + t.y, p.z + t.z};
+    for (Point& p : piece) p = p + t;
   return result;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kernels/number/surd.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::studies {
 

@@ -81,10 +81,10 @@ FlatBody flat(const Curved& body, const Window& window, const Point& by) {
   Point base = by;
   for (const Term& term : body.terms) {
     const Point& first = term.atoms.front().center;
-    base = sum(base, first);
+    base = base + first;
     result.terms.emplace_back();
     for (const Atom& atom : term.atoms) {
-      FlatAtom made{window.shift(sum(atom.center, scaled(first, -1))), {}};
+      FlatAtom made{window.shift(atom.center - first), {}};
       for (const Point& axis : atom.axes) made.axes.push_back(window.shift(axis));
       result.terms.back().push_back(std::move(made));
     }
@@ -131,20 +131,20 @@ std::vector<Dot> curved_outline(const Curved& body, const Window& window, const 
 
 Point farthest(const Shape& shape, const Point& u) {
   const Point way = exact_point(unit_vector(u));
-  Point result = scaled(way, shape.radius);
+  Point result = shape.radius * way;
   for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
     std::optional<mpq_class> best;
     Point found;
     for (const Atom& atom : term.atoms) {
       std::vector<mpq_class> shares;
-      for (const Point& axis : atom.axes) shares.push_back(product(axis, way));
-      const mpq_class length = root_of_squares(shares), reach = product(atom.center, way) + length;
+      for (const Point& axis : atom.axes) shares.push_back(dot(axis, way));
+      const mpq_class length = root_of_squares(shares), reach = dot(atom.center, way) + length;
       if (best && reach <= *best) continue;
       best = reach;
       found = atom.center;
-      for (std::size_t i = 0; i < shares.size() && length > 0; ++i) found = sum(found, scaled(atom.axes[i], mpq_class(shares[i] / length)));
+      for (std::size_t i = 0; i < shares.size() && length > 0; ++i) found = found + (shares[i] / length) * atom.axes[i];
     }
-    result = sum(result, found);
+    result = result + found;
   }
   return result;
 }

@@ -17,11 +17,11 @@ namespace fathom::picture {
 namespace {
 
 /// A point of the boundary.
-Point foot(const HalfSpace& half) { return scaled(half.normal, mpq_class(half.offset / product(half.normal, half.normal))); }
+Point foot(const HalfSpace& half) { return (half.offset / dot(half.normal, half.normal)) * half.normal; }
 
 std::vector<Dot> half_plane(const HalfSpace& half, const Window& window, const Point& by) {
   const double width = window.size().width, height = window.size().height;
-  const double at = std::clamp(window.dot(sum(foot(half), by)).x, -width, 2 * width);
+  const double at = std::clamp(window.dot(foot(half) + by).x, -width, 2 * width);
   const double end = window.shift(half.normal).x > 0 ? -width : 2 * width;
   if (at == end) return {};
   return {{at, -height}, {at, 2 * height}, {end, 2 * height}, {end, -height}};
@@ -81,8 +81,8 @@ Wires wires_of(const std::vector<Point>& points, const View& view) { return wire
 
 Drawn drawn_shape(const Shape& shape, const View& view) {
   if (const auto* half = std::get_if<HalfSpace>(&shape.core)) {
-    const Point out = scaled(exact_point(unit_vector(half->normal)), shape.radius);
-    return HalfSpace{half->normal, mpq_class(half->offset + product(half->normal, out))};
+    const Point out = shape.radius * exact_point(unit_vector(half->normal));
+    return HalfSpace{half->normal, mpq_class(half->offset + dot(half->normal, out))};
   }
   const Shape simple = shapes::simplified(shape);
   if (simple.radius == 0)

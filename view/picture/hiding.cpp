@@ -48,21 +48,21 @@ struct Strip {
   }
 };
 
-Point between(const Point& p, const Point& q, const mpq_class& t) { return sum(p, scaled(sum(q, scaled(p, -1)), t)); }
+Point between(const Point& p, const Point& q, const mpq_class& t) { return p + t * (q - p); }
 
 }  // namespace
 
 Cover::Cover(const std::vector<Point>& points, const polytope::Polytope& hull, const View& view)
-    : view_(&view), box_(Bounds2::of(view.place(points.front()))), nearest_(product(view.look(), points.front())) {
+    : view_(&view), box_(Bounds2::of(view.place(points.front()))), nearest_(dot(view.look(), points.front())) {
   for (const std::uint32_t id : hull.input_ids) {
     box_.add(view.place(points[id]));
-    nearest_ = std::max(nearest_, product(view.look(), points[id]));
+    nearest_ = std::max(nearest_, dot(view.look(), points[id]));
   }
   for (const polytope::Facet& facet : hull.facets) {
-    const Point normal = point_of(facet.normal);
+    const Point normal = rational(facet.normal);
     const bool from_its_edge = view.faces_us(facet.normal) && view.faces_us(-facet.normal);
-    sides_.push_back({normal, product(normal, points[hull.input_ids[hull.corners[facet.begin]]]),
-                      from_its_edge ? mpq_class(0) : product(normal, view.look())});
+    sides_.push_back(
+        {normal, dot(normal, points[hull.input_ids[hull.corners[facet.begin]]]), from_its_edge ? mpq_class(0) : dot(normal, view.look())});
   }
 }
 
@@ -70,15 +70,15 @@ bool Cover::may_hide(const Point& p, const Point& q) const {
   Bounds2 box = Bounds2::of(view_->place(p));
   box.add(view_->place(q));
   return box.low.x <= box_.high.x && box_.low.x <= box.high.x && box.low.y <= box_.high.y && box_.low.y <= box.high.y &&
-         std::min(product(view_->look(), p), product(view_->look(), q)) < nearest_;
+         std::min(dot(view_->look(), p), dot(view_->look(), q)) < nearest_;
 }
 
 std::optional<HiddenPart> Cover::hides(const Point& p, const Point& q) const {
   if (!may_hide(p, q)) return std::nullopt;
-  const Point along = sum(q, scaled(p, -1));
+  const Point along = q - p;
   Strip strip, back;  // from q to p
   for (const Side& side : sides_) {
-    const mpq_class turn = product(side.normal, along), room = side.offset - product(side.normal, p);
+    const mpq_class turn = dot(side.normal, along), room = side.offset - dot(side.normal, p);
     if (side.towards == 0) {
       if (turn == 0 && room <= 0) return std::nullopt;
       if (turn > 0) strip.to = std::min(strip.to, mpq_class(room / turn));

@@ -156,7 +156,7 @@ std::string mark_elements(const std::vector<Mark>& marks, const Window& window) 
 Bounds2 whole_box(const PairScene& scene) {
   const View& view = scene.view;
   Bounds2 result = Bounds2::of(view.place(scene.anchor));
-  for (const Point& end : {scene.way, scene.claimed.value_or(Point{})}) result.add(view.place(sum(scene.anchor, end)));
+  for (const Point& end : {scene.way, scene.claimed.value_or(Point{})}) result.add(view.place(scene.anchor + end));
   for (const Drawn* body : {&scene.a, &scene.b})
     if (const std::optional<Bounds2> box = box_of(*body, view)) result.add(*box);
   if (const std::optional<Bounds2> box = box_of(scene.a, view)) result.add(box->plus(Bounds2::of(view.place(scene.way))));
@@ -191,7 +191,7 @@ std::string painted(const PairScene& scene, const Panel& panel, const std::strin
   if (scene.moves()) result += ghost_element(scene, window);
   result += contact_elements(scene, window);
   const auto arrow = [&](const Point& by, const char* style) {
-    return arrow_elements(window.dot(scene.anchor), window.dot(sum(scene.anchor, by)), style);
+    return arrow_elements(window.dot(scene.anchor), window.dot(scene.anchor + by), style);
   };
   result += scene.moves() ? arrow(scene.way, "true") : circle_element("true dot", window.dot(scene.anchor), 3.5);
   if (scene.claimed) result += arrow(*scene.claimed, "claimed");

@@ -40,7 +40,7 @@ mpq_class extent_of(const std::vector<Term>& terms) {
   for (const Term& term : terms) {
     mpq_class most = 0;
     for (const Atom& atom : term.atoms) {
-      mpq_class far = largest(sum(atom.center, scaled(term.atoms.front().center, -1)));
+      mpq_class far = largest(atom.center - term.atoms.front().center);
       for (const Point& axis : atom.axes) far += largest(axis);
       most = std::max(most, far);
     }
@@ -54,16 +54,16 @@ class Body {
   explicit Body(const std::vector<Term>& terms) : extent_(extent_of(terms)) {
     if (extent_ == 0) return;
     const auto near = [&](const Point& v) {
-      const Point share = scaled(v, mpq_class(1 / extent_));
+      const Point share = (1 / extent_) * v;
       return Triple{share.x.get_d(), share.y.get_d(), share.z.get_d()};
     };
     for (const Term& term : terms) {
       const Point& first = term.atoms.front().center;
-      base_ = sum(base_, first);
+      base_ = base_ + first;
       NearTerm& made = terms_.emplace_back();
       for (const Atom& atom : term.atoms) {
         NearAtom& one = made.emplace_back();
-        one.center = near(sum(atom.center, scaled(first, -1)));
+        one.center = near(atom.center - first);
         for (const Point& axis : atom.axes) one.axes.push_back(near(axis));
       }
     }
@@ -81,7 +81,7 @@ class Body {
   }
   /// Whether a plane across u touches the body at p.
   [[nodiscard]] bool is_extreme(const Triple& p, const Triple& u) const { return reach(u) - dot(p, u) <= hardly * length(u); }
-  [[nodiscard]] Point place(const Triple& p) const { return sum(base_, scaled(exact_point(p), extent_)); }
+  [[nodiscard]] Point place(const Triple& p) const { return base_ + extent_ * exact_point(p); }
 
  private:
   mpq_class extent_;

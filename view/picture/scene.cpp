@@ -11,7 +11,6 @@ namespace fathom::picture {
 namespace {
 
 bool is_zero(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
-Point difference(const Point& p, const Point& q) { return sum(p, scaled(q, -1)); }
 
 std::vector<Point> chosen(const std::vector<Point>& points, const std::vector<std::uint32_t>& ids) {
   std::vector<Point> result;
@@ -23,7 +22,7 @@ std::vector<Point> chosen(const std::vector<Point>& points, const std::vector<st
 std::vector<Point> edges_of(const std::vector<Point>& touch_a, const std::vector<Point>& touch_b) {
   std::vector<Point> result;
   for (const std::vector<Point>* face : {&touch_a, &touch_b})
-    if (face->size() == 2) result.push_back(difference(face->front(), face->back()));
+    if (face->size() == 2) result.push_back(face->front() - face->back());
   return result;
 }
 
@@ -32,18 +31,16 @@ std::optional<Point> in_proportion(const Pair& pair, const std::optional<Point>&
   const auto size = [](const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); };
   mpq_class extent = 0;
   for (const GivenPoints* body : {&pair.a, &pair.b})
-    for (const Point& p : *body) extent = std::max(extent, size(difference(p, pair.b.front())));
+    for (const Point& p : *body) extent = std::max(extent, size(p - pair.b.front()));
   const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent);
   cut = way && size(*way) > longest;
-  return cut ? scaled(*way, mpq_class(longest / size(*way))) : way;
+  return cut ? (longest / size(*way)) * (*way) : way;
 }
 
 /// The vector alpha n + beta n/|n|, to within a few roundings.
-Point along(const AlongNormal& v) {
-  return sum(scaled(point_of(v.normal), v.alpha), scaled(exact_point(unit_vector(point_of(v.normal))), v.beta));
-}
+Point along(const AlongNormal& v) { return v.alpha * rational(v.normal) + v.beta * exact_point(unit_vector(rational(v.normal))); }
 
-Point place_of(const RoundedPoint& p) { return sum(p.core, along({p.normal, 0, p.distance})); }
+Point place_of(const RoundedPoint& p) { return p.core + along({p.normal, 0, p.distance}); }
 
 /// A number of any size, to within a few roundings.
 mpq_class rounded(const Surd& value) {
@@ -67,21 +64,21 @@ std::vector<Point> core_points(const Shape& shape) {
 std::vector<Point> rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, const Vector& outward) {
   std::vector<Point> result;
   const Point by = along({outward, 0, shapes::simplified(shape).radius});
-  for (const Point& p : chosen(core_points(shape), ids)) result.push_back(sum(p, by));
+  for (const Point& p : chosen(core_points(shape), ids)) result.push_back(p + by);
   return result;
 }
 
 /// The direction of the answer: that of the half-space, if there is one, which is to be seen from its edge.
 Point normal_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
-  if (const auto* half = std::get_if<HalfSpace>(&a.core)) return scaled(half->normal, -1);
+  if (const auto* half = std::get_if<HalfSpace>(&a.core)) return -half->normal;
   if (const auto* half = std::get_if<HalfSpace>(&b.core)) return half->normal;
-  return point_of(depth.direction());
+  return rational(depth.direction());
 }
 
 /// Where the way begins if no witness is known.
 Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point& way) {
-  if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, scaled(normal, -1));
-  return difference(farthest(b, normal), way);
+  if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, -normal);
+  return farthest(b, normal) - way;
 }
 
 }  // namespace
@@ -106,7 +103,7 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   bool cut = false;
   const std::optional<Point> shown = in_proportion(pair, claimed, cut);
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
-  const View view(scaled(point_of(depth.direction()), distance ? -1 : 1), second, edges_of(touch_a, touch_b));
+  const View view((distance ? -1 : 1) * rational(depth.direction()), second, edges_of(touch_a, touch_b));
   return {depth.status(),
           view,
           wires_of(pair.a, view),
@@ -125,13 +122,13 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   const Point way = ways.empty() ? way_by_value(depth) : along(ways.front());
   const std::optional<RoundedWitness> witness = depth.witness();
   const Point start = witness ? place_of(witness->a) : start_of(a, b, normal, way);
-  std::vector<Point> touch_a{start}, touch_b{witness ? place_of(witness->b) : sum(start, way)};
+  std::vector<Point> touch_a{start}, touch_b{witness ? place_of(witness->b) : start + way};
   if (const Contact* contact = depth.contact()) {
     const Vector n = depth.direction();
     touch_a = rounded_face(a, contact->a, -n);
     touch_b = rounded_face(b, contact->b, n);
   }
-  const View view(scaled(normal, depth.status() == Status::disjoint ? -1 : 1), std::nullopt, edges_of(touch_a, touch_b));
+  const View view((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt, edges_of(touch_a, touch_b));
   PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
                   std::nullopt,   false, {std::move(touch_a)}, {std::move(touch_b)}};
   scene.enclosed = depth.bounds() != nullptr;

@@ -26,7 +26,7 @@ std::optional<Point> second_of(const std::vector<PieceContact>& contacts, const 
   std::optional<Point> best;
   double least = 1 - 1e-6;  // a cosine
   for (const PieceContact& contact : contacts) {
-    const Point normal = point_of(contact.direction);
+    const Point normal = rational(contact.direction);
     const double cosine = std::abs(dot(unit_vector(normal), way));
     if (cosine < least) least = cosine, best = normal;
   }
@@ -39,9 +39,9 @@ Point in_proportion(const Pieces& a, const Pieces& b, const Point& way) {
   mpq_class extent = 0;
   for (const Pieces* body : {&a, &b})
     for (const Points& piece : *body)
-      for (const Point& p : piece) extent = std::max(extent, size(sum(p, scaled(b.front().front(), -1))));
+      for (const Point& p : piece) extent = std::max(extent, size(p - b.front().front()));
   const mpq_class longest = 3 * extent;
-  return size(way) > longest ? scaled(way, mpq_class(longest / size(way))) : way;
+  return size(way) > longest ? (longest / size(way)) * way : way;
 }
 
 /// The edges in contact: a look along one of them would show nothing.
@@ -49,20 +49,18 @@ Points edges_of(const PairScene& scene) {
   Points result;
   for (const auto* faces : {&scene.touch_a, &scene.touch_b})
     for (const Points& face : *faces)
-      if (face.size() == 2) result.push_back(sum(face.front(), scaled(face.back(), -1)));
+      if (face.size() == 2) result.push_back(face.front() - face.back());
   return result;
 }
 
 Points moved(const Points& points, const Point& by) {
   Points result;
-  for (const Point& p : points) result.push_back(sum(p, by));
+  for (const Point& p : points) result.push_back(p + by);
   return result;
 }
 
 /// A point of A, where it is now, that touches B once A has moved.
-Point meeting_point(const Points& a, const Points& b, const Point& by) {
-  return sum(penetration_depth(moved(a, by), b).witness()->a, scaled(by, -1));
-}
+Point meeting_point(const Points& a, const Points& b, const Point& by) { return penetration_depth(moved(a, by), b).witness()->a - by; }
 
 /// What is in contact, by pieces.
 struct Touching {
@@ -103,7 +101,7 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
   PairScene scene{depth.status, View({1, 0, 0}, std::nullopt), Wires{}, Wires{}, {}, {}, std::nullopt, false, {}, {}};
   const Touching touching = depth.apart ? add_distance(a, b, *depth.apart, scene) : add_optimum(a, b, depth.optima.at(optimum), scene);
   const std::vector<PieceContact> contacts = depth.apart ? std::vector<PieceContact>{} : depth.optima[optimum].contacts;
-  const Point along = is_zero(scene.way) ? point_of(contacts.front().direction) : scene.way;
+  const Point along = is_zero(scene.way) ? rational(contacts.front().direction) : scene.way;
   if (claimed) {
     scene.claimed = in_proportion(a, b, *claimed);
     scene.cut = *scene.claimed != *claimed;

@@ -15,7 +15,7 @@ using Triple = Vec3<double>;
 /// A multiple whose greatest component is 1 or -1; zero stays.
 Point shortened(const Point& v) {
   const mpq_class largest = std::max({mpq_class(abs(v.x)), mpq_class(abs(v.y)), mpq_class(abs(v.z))});
-  return largest == 0 ? v : scaled(v, mpq_class(1 / largest));
+  return largest == 0 ? v : (1 / largest) * v;
 }
 
 Triple rounded(const Point& v) { return {v.x.get_d(), v.y.get_d(), v.z.get_d()}; }
@@ -82,12 +82,7 @@ Triple free_up(const Triple& right, std::span<const Point> edges) {
 
 Triple unit_vector(const Point& v) { return normalised(rounded(shortened(v))); }
 
-Point point_of(const Vector& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 Point exact_point(const Triple& v) { return {exact_value(v.x), exact_value(v.y), exact_value(v.z)}; }
-Point sum(const Point& p, const Point& q) { return {mpq_class(p.x + q.x), mpq_class(p.y + q.y), mpq_class(p.z + q.z)}; }
-Point scaled(const Point& p, const mpq_class& by) { return {mpq_class(p.x * by), mpq_class(p.y * by), mpq_class(p.z * by)}; }
-
-mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
 View::View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges) {
   constexpr double hardly = 1e-3;  // below this sine the second direction does not show
@@ -95,21 +90,21 @@ View::View(const Point& along, const std::optional<Point>& second, std::span<con
   const Triple right = unit_vector(way);
   Triple up = second ? across(unit_vector(*second), right) : Triple{};
   up = length(up) > hardly ? normalised(up) : free_up(right, edges);
-  right_ = scaled(way, mpq_class(1 / exact_value(length(rounded(way)))));
+  right_ = (1 / exact_value(length(rounded(way)))) * way;
   up_ = exact_point(up);
   towards_ = cross(right, up);
   look_ = {mpq_class(right_.y * up_.z - right_.z * up_.y), mpq_class(right_.z * up_.x - right_.x * up_.z),
            mpq_class(right_.x * up_.y - right_.y * up_.x)};
 }
 
-Spot View::place(const Point& p) const { return {product(right_, p), product(up_, p)}; }
+Spot View::place(const Point& p) const { return {dot(right_, p), dot(up_, p)}; }
 
 Dot View::project(const Point& p, const Point& centre, const mpq_class& unit) const {
-  const Spot at = place(scaled(sum(p, scaled(centre, -1)), mpq_class(1 / unit)));
+  const Spot at = place((1 / unit) * (p - centre));
   return {at.x.get_d(), at.y.get_d()};
 }
 
-bool View::faces_us(const Vector& normal) const { return sees(unit_vector(point_of(normal))); }
+bool View::faces_us(const Vector& normal) const { return sees(unit_vector(rational(normal))); }
 
 bool View::sees(const Vec3<double>& unit_normal) const {
   constexpr double from_its_edge = -1e-9;

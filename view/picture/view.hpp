@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "kernels/vector.hpp"
+#include "kernels/point_algebra.hpp"
 
 namespace fathom::picture {
 
@@ -25,11 +25,7 @@ struct Dot {
 
 /// v / |v| to within a few roundings, for any size of v; zero for the zero vector.
 Vec3<double> unit_vector(const Point& v);
-Point point_of(const Vector& v);
 Point exact_point(const Vec3<double>& v);
-Point sum(const Point& p, const Point& q);
-Point scaled(const Point& p, const mpq_class& by);
-mpq_class product(const Point& u, const Point& v);
 
 class View {
  public:

@@ -94,7 +94,7 @@ std::vector<Dot> Window::segment(const Point& from, const Point& to) const { ret
 std::vector<Dot> Window::hull(const std::vector<Point>& points, const Point& by) const {
   std::vector<Spot> places;
   places.reserve(points.size());
-  for (const Point& p : points) places.push_back(pixels(sum(p, by)));
+  for (const Point& p : points) places.push_back(pixels(p + by));
   return cut(std::move(places), true);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/point_algebra.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {
@@ -73,7 +74,7 @@ Place Placing::vector(const Vector& lattice) const {
   return vector(Point{{lattice.x, pair_->denominator}, {lattice.y, pair_->denominator}, {lattice.z, pair_->denominator}});
 }
 
-Place Placing::point(const Point& p) const { return vector(Point{p.x - scale_.center.x, p.y - scale_.center.y, p.z - scale_.center.z}); }
+Place Placing::point(const Point& p) const { return vector(p - scale_.center); }
 
 Place Placing::vector(const Point& v) const { return {scaled(v.x, scale_), scaled(v.y, scale_), scaled(v.z, scale_)}; }
 

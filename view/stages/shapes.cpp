@@ -7,6 +7,7 @@
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/surd.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "view/stages/parts.hpp"
@@ -24,17 +25,13 @@ Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, 
 double dot(const Place& p, const Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
 mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
-Point minus(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 
 const std::vector<Term>* terms_of(const Shape& shape) { return std::get_if<std::vector<Term>>(&shape.core); }
 
 // A point of the core: the sum of the first atoms' centers.
 Point base_of(const std::vector<Term>& terms) {
   Point base;
-  for (const Term& term : terms) {
-    const Point& p = term.atoms.front().center;
-    base = {base.x + p.x, base.y + p.y, base.z + p.z};
-  }
+  for (const Term& term : terms) base = base + term.atoms.front().center;
   return base;
 }
 
@@ -44,7 +41,7 @@ mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
   for (const Term& term : terms) {
     mpq_class most;
     for (const Atom& atom : term.atoms) {
-      mpq_class far = largest(minus(atom.center, term.atoms.front().center));
+      mpq_class far = largest(atom.center - term.atoms.front().center);
       for (const Point& axis : atom.axes) far += largest(axis);
       most = std::max(most, far);
     }
@@ -62,7 +59,7 @@ class Outline {
       std::vector<Piece>& pieces = terms_.emplace_back();
       for (const Atom& atom : term.atoms) {
         Piece& piece = pieces.emplace_back();
-        piece.center = place(minus(atom.center, term.atoms.front().center));
+        piece.center = place(atom.center - term.atoms.front().center);
         for (const Point& axis : atom.axes) piece.axes.push_back(place(axis));
       }
     }
@@ -119,7 +116,7 @@ StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const Sta
     samples.push_back({mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
   }
   const polytope::Polytope hull = polytope::convex_hull(samples);
-  const Point base = minus(base_of(terms), scale.center);
+  const Point base = base_of(terms) - scale.center;
   const Place at{scaled(base.x, scale), scaled(base.y, scale), scaled(base.z, scale)};
   StagedBody body;
   for (const Vector& v : hull.vertices) body.vertices.push_back(plus(at, {v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step}));
@@ -147,7 +144,7 @@ StagedScale scale_of_shapes(const Shape& a, const Shape& b) {
   const std::vector<Term>*const of_a = terms_of(a), *const of_b = terms_of(b);
   const Point origin = base_of(of_b ? *of_b : *of_a);
   mpq_class extent = of_b ? reach_of(b, *of_b) : mpq_class(0);
-  if (of_a) extent = std::max(extent, mpq_class(reach_of(a, *of_a) + largest(minus(base_of(*of_a), origin))));
+  if (of_a) extent = std::max(extent, mpq_class(reach_of(a, *of_a) + largest(base_of(*of_a) - origin)));
   return scale_of(origin, extent);
 }
 

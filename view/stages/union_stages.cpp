@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/unions/placed_pieces.hpp"
 #include "view/stages/parts.hpp"
@@ -96,7 +97,7 @@ class Sums {
 
 /// Whether the facet's plane holds the translation.
 bool holds(const polytope::Facet& facet, const mpz_class& height, const Point& t, const mpz_class& denominator) {
-  return mpq_class(facet.normal.x * t.x + facet.normal.y * t.y + facet.normal.z * t.z) * denominator == height;
+  return dot(facet.normal, t) * denominator == height;
 }
 
 /// The facets of a sum; false if there would be too much to do.

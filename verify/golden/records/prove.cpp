@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "kernels/number/ratio.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/accepted.hpp"
@@ -56,9 +57,7 @@ void take_over(const fathom_check::Certificate& certificate, const Claimed& clai
     throw NotProved("the certificate has format " + std::to_string(certificate.format) + ", not " + std::to_string(format));
   for (const fathom_check::Weight& w : certificate.weights_a.items) {
     if (w.index >= claimed.points.a.points.size()) return;  // refused by the checker
-    const Point& p = claimed.points.a.points[w.index];
-    const mpq_class weight = value_of(w.weight);
-    proved.common = {proved.common.x + weight * p.x, proved.common.y + weight * p.y, proved.common.z + weight * p.z};
+    proved.common = proved.common + value_of(w.weight) * claimed.points.a.points[w.index];
   }
 }
 
@@ -91,13 +90,12 @@ struct Sides {
   Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
     support = kernels::ratio(a.height + b.height, bodies.denominator);
     factor = support / dot(n, n);
-    translation = {factor * n.x, factor * n.y, factor * n.z};
+    translation = factor * n;
   }
 
   /// Points of both faces with b - a = translation.
   [[nodiscard]] bool witnessed(const Witness& w, const Integers& bodies, const Vector& n) const {
-    const Point apart{w.b.x - w.a.x, w.b.y - w.a.y, w.b.z - w.a.z};
-    return apart == translation && contains(a, -n, bodies.denominator, w.a) && contains(b, n, bodies.denominator, w.b);
+    return w.b - w.a == translation && contains(a, -n, bodies.denominator, w.a) && contains(b, n, bodies.denominator, w.b);
   }
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_products.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/golden/records/accepted.hpp"
@@ -50,13 +50,13 @@ struct WrittenBody {
   /// The greatest <n,x> of the core, which is no curved one; a half-space has one in the direction of its normal only.
   [[nodiscard]] mpq_class height(const Vector& n) const {
     if (const HalfSpace* const half = half_space()) {
-      const mpq_class factor = product(n, half->normal) / product(half->normal, half->normal);
+      const mpq_class factor = dot(n, half->normal) / dot(half->normal, half->normal);
       if (factor <= 0 || Point{factor * half->normal.x, factor * half->normal.y, factor * half->normal.z} != Point{n.x, n.y, n.z})
         throw NotProved("the direction is not that of the half-space");
       return factor * half->offset;
     }
-    mpq_class best = product(n, points->front());
-    for (const Point& p : *points) best = std::max(best, product(n, p));
+    mpq_class best = dot(n, points->front());
+    for (const Point& p : *points) best = std::max(best, dot(n, p));
     return best;
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/unions/union_prove.hpp"
 
+#include "kernels/point_algebra.hpp"
 #include "verify/golden/records/accepted.hpp"
 
 namespace fathom::golden {
@@ -24,9 +25,7 @@ Point combined(const std::vector<Point>& piece, const Weights& weights) {
   Point sum;
   for (const fathom_check::Weight& w : weights) {
     if (w.index >= piece.size()) throw NotProved("a weight of a point that there is not");  // the checker refuses it too
-    const mpq_class weight = value_of(w.weight);
-    const Point& p = piece[w.index];
-    sum = {sum.x + weight * p.x, sum.y + weight * p.y, sum.z + weight * p.z};
+    sum = sum + value_of(w.weight) * piece[w.index];
   }
   return sum;
 }
@@ -36,7 +35,7 @@ UnionGap gap_in(const fathom_check::Certificate& certificate, const Pieces& a, c
   if (parts.nearest_a >= a.size() || parts.nearest_b >= b.size()) throw NotProved("a nearest piece that there is not");
   const Point of_a = combined(a[parts.nearest_a], certificate.weights_a.items);
   const Point of_b = combined(b[parts.nearest_b], certificate.weights_b.items);
-  return {value_of(certificate.low), parts.nearest_a, parts.nearest_b, {of_b.x - of_a.x, of_b.y - of_a.y, of_b.z - of_a.z}};
+  return {value_of(certificate.low), parts.nearest_a, parts.nearest_b, of_b - of_a};
 }
 
 UnionStatement stated(const fathom_check::Certificate& certificate, const Pieces& a, const Pieces& b) {
